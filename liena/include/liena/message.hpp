@@ -1,0 +1,146 @@
+// One message: its meta-data and its fields, kept in the form in which they travel (protocol section 3).
+#pragma once
+
+#include "liena/device_id.hpp"
+#include "liena/error.hpp"
+#include "liena/message_id.hpp"
+#include "liena/message_set.hpp"
+#include "liena/timestamp.hpp"
+
+#include <boost/container/small_vector.hpp>
+
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace liena {
+
+/// The encoded fields. Messages of the control path fit the inline part, so they need no allocation.
+using FieldBytes = boost::container::small_vector<std::byte, 192>;
+
+/// A value type; copying copies the fields, moving does not. Not for use by two threads at once.
+///
+/// A field is named by its name, or in hot loops by its position in `definition().fields`. A name that the definition does not have and a
+/// type that does not fit are mistakes in the program: they throw std::logic_error. A *value* that the definition refuses (a number out of
+/// bounds, a text too long) is remembered, and the send returns it as an Error.
+class Message {
+public:
+    /// Every field at its default; without one at zero, or at the bound next to zero; enums at their first value.
+    Message(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition);
+
+    const MessageDefinition& definition() const { return *m_definition; }
+    const MessageSet& messageSet() const { return *m_set; }
+    const std::string& name() const { return m_definition->name; }
+
+    // Meta-data: written by the library when it sends or receives.
+    DeviceId origin() const { return m_origin; }
+    DeviceId target() const { return m_target; }
+    Timestamp timestamp() const { return m_timestamp; }
+    MessageId id() const { return {m_origin, m_definition->number}; }
+
+    /// When the last byte arrived here, on the monotonic clock; the epoch for a message that was not received.
+    std::chrono::steady_clock::time_point arrival() const { return m_arrival; }
+
+    /// Age at arrival by both clocks (arrival − (timestamp + offset)); nothing while the clock offset is unknown.
+    std::optional<std::chrono::nanoseconds> latency() const { return m_latency; }
+
+    /// T: bool, an integer, a floating-point type, std::string_view (String fields, and the name of an enum's value),
+    /// std::span<const std::byte> (Bytes fields; valid while the message lives unchanged), std::vector<double> (arrays and sequences).
+    template <typename T>
+    T get(std::string_view field) const
+    {
+        return get<T>(position(field));
+    }
+
+    template <typename T>
+    T get(std::size_t field) const
+    {
+        if constexpr (std::same_as<T, bool>)
+            return unsignedAt(field) != 0;
+        else if constexpr (std::floating_point<T>)
+            return static_cast<T>(realAt(field));
+        else if constexpr (std::is_enum_v<T> || std::signed_integral<T>)
+            return static_cast<T>(signedAt(field));
+        else if constexpr (std::unsigned_integral<T>)
+            return static_cast<T>(unsignedAt(field));
+        else if constexpr (std::same_as<T, std::string_view> || std::same_as<T, std::string>)
+            return T(textAt(field));
+        else if constexpr (std::same_as<T, std::span<const std::byte>>)
+            return bytesAt(field);
+        else {
+            static_assert(std::same_as<T, std::vector<double>>, "a field cannot be read as this type");
+            return realsAt(field);
+        }
+    }
+
+    /// Chainable: `message.set("engaged", true).set("guidewire_velocity", 2.5)`.
+    template <typename T>
+    Message& set(std::string_view field, const T& value)
+    {
+        return set(position(field), value);
+    }
+
+    template <typename T>
+    Message& set(std::size_t field, const T& value)
+    {
+        if constexpr (std::floating_point<T>)
+            assign(field, Number(static_cast<double>(value)));
+        else if constexpr (std::is_enum_v<T> || std::signed_integral<T>)
+            assign(field, Number(static_cast<std::int64_t>(value)));
+        else if constexpr (std::unsigned_integral<T>)
+            assign(field, Number(static_cast<std::uint64_t>(value)));
+        else if constexpr (std::convertible_to<const T&, std::string_view>)
+            assignText(field, value);
+        else if constexpr (std::convertible_to<const T&, std::span<const std::byte>>)
+            assignBytes(field, value);
+        else {
+            static_assert(std::convertible_to<const T&, std::span<const double>>, "a field cannot hold this type");
+            assignReals(field, value);
+        }
+        return *this;
+    }
+
+    /// The first value that the definition refused, if any: message, field, value and bounds.
+    const std::optional<Error>& fault() const { return m_fault; }
+
+    /// The encoded fields in wire form, without the safety record.
+    std::span<const std::byte> fieldBytes() const { return {m_fields.data(), m_fields.size()}; }
+
+    /// `MotionCommand permit=4 engaged=true …`, for logs and for the tool; long values are cut.
+    std::string toString() const;
+
+private:
+    friend class MessageAccess;
+
+    std::size_t position(std::string_view field) const;
+    std::uint64_t unsignedAt(std::size_t field) const;
+    std::int64_t signedAt(std::size_t field) const;
+    double realAt(std::size_t field) const;
+    std::string_view textAt(std::size_t field) const;
+    std::span<const std::byte> bytesAt(std::size_t field) const;
+    std::vector<double> realsAt(std::size_t field) const;
+    void assign(std::size_t field, const Number& value);
+    void assignText(std::size_t field, std::string_view value);
+    void assignBytes(std::size_t field, std::span<const std::byte> value);
+    void assignReals(std::size_t field, std::span<const double> value);
+
+    std::shared_ptr<const MessageSet> m_set;
+    const MessageDefinition* m_definition; ///< inside *m_set
+    DeviceId m_origin;
+    DeviceId m_target;
+    Timestamp m_timestamp;
+    std::chrono::steady_clock::time_point m_arrival;
+    std::optional<std::chrono::nanoseconds> m_latency;
+    FieldBytes m_fields;
+    std::optional<Error> m_fault;
+};
+
+} // namespace liena
