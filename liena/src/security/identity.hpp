@@ -6,6 +6,7 @@
 #include "security/openssl_types.hpp"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace liena::security {

@@ -29,6 +29,8 @@ const char* wordsFor(int reason)
     case SSL_R_TLSV1_ALERT_NO_APPLICATION_PROTOCOL:
     case SSL_R_CALLBACK_FAILED: // requireOffer() refused
         return "the two ends have no application protocol (ALPN) in common; LiENa devices offer liena/1";
+    case SSL_R_BAD_EXTENSION:
+        return "the peer's answer is not one to our offer, such as another application protocol (ALPN) than liena/1";
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
         return "the peer does not know the authority of our certificate; all devices need certificates of one site's authority";
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
