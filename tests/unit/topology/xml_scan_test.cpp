@@ -6,7 +6,7 @@
 #include "topology/xml_document.hpp"
 #include "topology/xml_text.hpp"
 
-#include <QElapsedTimer>
+#include <ctime>
 
 using namespace liena;
 using namespace liena::test;
@@ -222,10 +222,10 @@ void XmlScanTest::refusesBombs()
     QFETCH(QByteArray, xml);
     const auto text = xml.toStdString();
     Findings findings;
-    QElapsedTimer timer;
-    timer.start();
+    const auto before = std::clock();
     QVERIFY(!MessageSet::parse(text, "bomb.xml", &findings));
-    QVERIFY(timer.elapsed() < 2'000);
+    // Of the processor, so that a busy machine fails no test.
+    QVERIFY(std::clock() - before < 2 * CLOCKS_PER_SEC);
     QVERIFY(findings.size() <= FindingList::most + 1);
     QVERIFY(hasErrors(findings));
     for (const auto& finding : findings)
