@@ -77,13 +77,22 @@ Result<std::vector<NamedDevice>> devicesOf(const IssueOptions& options)
 }
 
 /// All of a topology's devices or none: what is in the way of one is found before the first is issued.
-Result<void> requireFree(const std::filesystem::path& folder, const std::vector<NamedDevice>& devices)
+Result<void> requireFree(const std::filesystem::path& folder, const std::vector<NamedDevice>& devices, bool replace)
 {
     for (const auto& device : devices)
+        if (device.name == "ca")
+            return fail(Errc::InvalidArgument,
+                        "a device cannot be called ca, since its files would be the authority's; give it another name");
+    for (const auto& device : devices)
         for (const char* ending : {".crt", ".key"})
-            if (const auto file = folder / (device.name + ending); std::filesystem::exists(file))
+            if (const auto file = folder / (device.name + ending); !replace && std::filesystem::exists(file))
                 return fail(Errc::FileUnwritable, fmt::format("{} exists already; give --replace to issue it anew", file.string()));
     return ok();
+}
+
+std::string remedyFor(const std::filesystem::path& folder)
+{
+    return std::filesystem::exists(folder / "ca.crt") ? "" : "; `liena pki init` makes an authority";
 }
 
 int issue(const IssueOptions& options)
@@ -93,8 +102,8 @@ int issue(const IssueOptions& options)
         return refuse(devices.error().what);
     const auto authority = CertificateAuthority::open(options.folder);
     if (!authority)
-        return refuse(authority.error().what + "; `liena pki init` makes an authority");
-    if (const auto free = options.replace ? Result<void>(ok()) : requireFree(options.folder, devices.value()); !free)
+        return refuse(authority.error().what + remedyFor(options.folder));
+    if (const auto free = requireFree(options.folder, devices.value(), options.replace); !free)
         return refuse(free.error().what);
     for (const auto& device : devices.value()) {
         if (const auto issued = authority.value().issue(device.id, device.name, hoursOf(options.days), options.replace); !issued)
