@@ -1,0 +1,32 @@
+// Cuts an encoded message into datagrams (protocol section 2).
+#pragma once
+
+#include "liena/message.hpp"
+#include "protocol/datagram.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace liena::protocol {
+
+/// A message in wire form on its way out.
+struct EncodedMessage {
+    DatagramHeader header; ///< length and moreSegments are written per segment
+    FieldBytes part;       ///< the information part with its safety record, if any
+};
+
+/// How far a message has been cut. It does not hold the message, so that a queue may move it.
+class DatagramEncoder {
+public:
+    /// Appends the next segment of `message`, with a body of at most `maximum` bytes, to `out`; true when it was the last.
+    bool appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out);
+
+    bool begun() const { return m_begun; }
+
+private:
+    std::size_t m_sent = 0;
+    bool m_begun = false;
+};
+
+} // namespace liena::protocol
