@@ -97,7 +97,7 @@ Q_SIGNALS:
     void raised(quint64 id);
 
 private:
-    void raise(const AlarmReport& report, Instant now, qint64 wallMs);
+    bool raise(const AlarmReport& report, Instant now, qint64 wallMs);
     void write(qint64 wallMs, AlarmPriority priority, const QString& text);
     void sort();
 

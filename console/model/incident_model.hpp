@@ -51,12 +51,14 @@ struct PromptContent {
 /// Pure: no clock, no state.
 PromptContent promptContent(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around, Instant now);
 
-/// Headline, likely cause and what to try for what a probe found (console design, the table of the prompt).
+/// The likely cause and what to try first for what a probe found.
 struct ProbeAdvice {
     QString cause;
     QString tryFirst;
 };
-ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink);
+/// `othersThereAnswer`: whether other devices at the same site are in session; nothing when there is none to compare with.
+ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink,
+                      std::optional<bool> othersThereAnswer);
 
 /// `heartbeats stopped`, `connection broke`, …
 QString word(LossKind kind);

@@ -95,6 +95,7 @@ Q_SIGNALS:
     void profileChanged();
 
 private:
+    PictureCondition condition(Instant now) const;
     double paintedPerSecond(Instant now) const;
 
     std::optional<PictureStamp> m_newest;
