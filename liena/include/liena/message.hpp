@@ -119,7 +119,9 @@ public:
 
 private:
     friend class MessageAccess;
+    Message(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition, FieldBytes&& fields);
 
+    void refuse(std::string why);
     std::size_t position(std::string_view field) const;
     std::uint64_t unsignedAt(std::size_t field) const;
     std::int64_t signedAt(std::size_t field) const;

@@ -1,0 +1,31 @@
+// A device's certificate, its key and its authority, loaded and held against each other.
+#pragma once
+
+#include "liena/device_id.hpp"
+#include "liena/error.hpp"
+#include "security/openssl_types.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace liena::security {
+
+struct Identity {
+    std::vector<CertificatePtr> certificates; ///< the device's own first, then intermediate ones
+    KeyPtr key;
+    std::vector<CertificatePtr> authorities;
+};
+
+/// Everything that can be known to be wrong before the first connection is refused here.
+Result<Identity> loadIdentity(const std::filesystem::path& certificate, const std::filesystem::path& key,
+                              const std::filesystem::path& authority, DeviceId device);
+
+/// What a failed verification of a certificate chain means, in words for a person.
+std::string explainVerification(long verifyResult);
+
+/// The strength and the length of chain that are asked of every certificate, our own and a peer's.
+inline constexpr int securityLevel = 2; // RSA from 2048 bits, elliptic curves from 224, SHA-256
+inline constexpr int longestChain = 1;  // intermediate authorities
+
+} // namespace liena::security

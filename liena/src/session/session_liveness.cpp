@@ -1,0 +1,259 @@
+// Heartbeats, silence, reconnecting and stand-by (protocol section 8; rulings A3, A9 to A13, B3, B18, B19).
+#include "session/session_machine.hpp"
+
+#include <algorithm>
+
+namespace liena::session {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto rejectedWait = 200ms; ///< a side that loses lane 0 in a dialogue waits that long for a Rejected (ruling A5)
+constexpr auto rejectedGrace = 100ms;
+
+} // namespace
+
+void SessionMachine::on(const Tick& /*input*/)
+{
+    sendDueHeartbeat();
+    if (isDialogue())
+        judgeDialogue();
+    else if (carriesMessages(m_state))
+        judgeLiveness();
+    else if (m_state == SessionState::Reconnecting)
+        judgeReconnecting();
+    else if (m_state == SessionState::Closing && m_now.mono >= m_deadline)
+        finishClosing(m_closeReason);
+    if (m_pending && carriesMessages(m_state))
+        judgeProof();
+}
+
+void SessionMachine::sendDueHeartbeat()
+{
+    if (beats() && m_now.mono >= m_nextHeartbeat)
+        sendHeartbeat();
+}
+
+void SessionMachine::sendHeartbeat()
+{
+    if (!beats())
+        return;
+    protocol::Heartbeat heartbeat;
+    heartbeat.sequence = ++m_sequence;
+    heartbeat.sentNs = m_now.wall.ns;
+    heartbeat.echoSequence = m_newest.sequence;
+    heartbeat.echoSentNs = m_newest.sentNs;
+    heartbeat.echoReceivedNs = m_newestArrival.ns;
+    heartbeat.state = m_state;
+    heartbeat.incidents = m_incidents;
+    heartbeat.epoch = m_guard.epoch();
+    m_guard.sentHeartbeat(heartbeat.sequence, m_now.mono);
+    if (m_nextHeartbeat <= m_now.mono) // one that is sent early does not delay the beat
+        m_nextHeartbeat = std::max(m_nextHeartbeat + m_settings.timing.heartbeat, m_now.mono + m_settings.timing.heartbeat / 2);
+    emit(Send{heartbeat});
+}
+
+void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
+{
+    if (m_state == SessionState::Closed || m_state == SessionState::StandBy || heartbeat.sequence <= m_newest.sequence)
+        return;
+    m_monitor.heartbeat(m_now.mono, heartbeat.sequence, heartbeat.state);
+    if (heartbeat.echoSequence != 0 && heartbeat.echoSequence != m_newest.echoSequence)
+        m_clock.add({heartbeat.echoSentNs}, {heartbeat.echoReceivedNs}, {heartbeat.sentNs}, m_now.wall);
+    const auto transit = Nanoseconds(static_cast<std::int64_t>(m_now.wall.ns - heartbeat.sentNs));
+    if (m_lastTransit)
+        m_jitter += (std::chrono::abs(transit - *m_lastTransit) - m_jitter) / 16;
+    m_lastTransit = transit;
+    m_newest = heartbeat;
+    m_newestArrival = m_now.wall;
+    m_stamper.heardHeartbeat(heartbeat.epoch, heartbeat.sequence);
+    if (m_state == SessionState::Reconnecting)
+        healIfWhole();
+    if (m_pending && carriesMessages(m_state) && carriesMessages(heartbeat.state)) {
+        refuse(*m_pending, RejectReason::AlreadyOpen, "this device already has a session here and is healthy in it");
+        m_pending.reset();
+    }
+}
+
+void SessionMachine::on(const LifeHeard& input)
+{
+    m_monitor.heard(m_now.mono, input.laneZero);
+    if (m_state == SessionState::Suspect && !m_monitor.isSuspect(m_now.mono))
+        enter(SessionState::Open);
+}
+
+void SessionMachine::judgeLiveness()
+{
+    if (m_monitor.isLost(m_now.mono))
+        enterReconnecting(LossCause::HeartbeatLost, "nothing was heard of the peer");
+    else if (m_monitor.isLaneZeroLost(m_now.mono)) {
+        m_incomingUp = false;
+        enterReconnecting(LossCause::ConnectionLost, "lane 0 was silent while other paths were not");
+    } else if (m_monitor.isUnwell(m_now.mono))
+        enterStandBy(LossCause::HeartbeatLost, "the peer lives, but says that it is not open");
+    else if (m_monitor.isSuspect(m_now.mono))
+        enter(SessionState::Suspect);
+}
+
+void SessionMachine::judgeDialogue()
+{
+    if (m_now.mono >= m_deadline)
+        abandonAttempt(RejectReason::Timeout, ProbeResult::PeerSilent, "the dialogue took longer than 3 s", m_outgoingUp);
+    else if (m_rejectedWait && m_now.mono >= *m_rejectedWait)
+        abandonAttempt(RejectReason::None, m_lostProbe, m_lostDetail, false);
+}
+
+void SessionMachine::judgeReconnecting()
+{
+    if (m_now.mono >= m_lossAt + m_settings.timing.reconnect) {
+        enterStandBy(m_cause, m_lostDetail);
+    } else if (m_retryAt && m_now.mono >= *m_retryAt) {
+        connect();
+    }
+}
+
+void SessionMachine::judgeProof()
+{
+    if (m_now.mono < m_proofDeadline)
+        return;
+    const auto pending = *m_pending;
+    m_pending.reset();
+    enterStandBy(LossCause::PeerRestarted, "the peer opens anew and was not heard in the old session any more");
+    refuse(pending, RejectReason::StandBy, "the old session was lost by your restart: it has to be re-opened by a person");
+}
+
+void SessionMachine::enterReconnecting(LossCause cause, std::string detail)
+{
+    if (m_pending) {
+        const auto pending = *m_pending;
+        m_pending.reset();
+        m_lossAt = m_now.mono;
+        enterStandBy(LossCause::PeerRestarted, "the peer opens anew");
+        refuse(pending, RejectReason::StandBy, "the old session was lost by your restart: it has to be re-opened by a person");
+        return;
+    }
+    m_cause = cause;
+    m_lossAt = m_now.mono;
+    m_lostDetail = std::move(detail);
+    m_guard.raiseEpoch(m_now.mono);
+    if (cause == LossCause::LocalStall)
+        emit(DiscardAll{});
+    else
+        emit(DiscardControl{});
+    enter(SessionState::Reconnecting);
+    sendHeartbeat();
+    // After silence lane 0 is connected again even if it looks whole; the old one serves until the new one stands.
+    if (!m_outgoingUp || cause == LossCause::HeartbeatLost)
+        connect();
+}
+
+void SessionMachine::healIfWhole()
+{
+    if (!m_outgoingUp || !m_incomingUp)
+        return;
+    m_retryAt.reset();
+    const auto duration = m_now.mono - m_lossAt;
+    m_monitor.start(m_now.mono);
+    enter(SessionState::Open);
+    emit(SessionInterrupted{duration});
+    sendHeartbeat();
+}
+
+void SessionMachine::on(const OutgoingLost& input)
+{
+    if (!m_outgoingUp)
+        return;
+    m_outgoingUp = false;
+    if (isDialogue()) {
+        lostInDialogue(input.probe, input.detail);
+    } else if (carriesMessages(m_state)) {
+        enterReconnecting(LossCause::ConnectionLost, input.detail);
+    } else if (m_state == SessionState::Reconnecting) {
+        if (!m_connecting)
+            m_retryAt = m_now.mono + 50ms;
+    } else if (m_state == SessionState::Closing) {
+        finishClosing(m_closeReason);
+    }
+}
+
+void SessionMachine::on(const IncomingUp& /*input*/) { m_incomingUp = true; }
+
+void SessionMachine::on(const IncomingLost& input)
+{
+    m_incomingUp = false;
+    if (isDialogue())
+        lostInDialogue(ProbeResult::NotProbed, input.detail);
+    else if (carriesMessages(m_state))
+        enterReconnecting(LossCause::ConnectionLost, input.detail);
+    else if (m_state == SessionState::Closing)
+        finishClosing(m_closeReason);
+}
+
+void SessionMachine::lostInDialogue(ProbeResult probe, const std::string& detail)
+{
+    if (probe != ProbeResult::NotProbed)
+        m_lostProbe = probe;
+    if (!m_rejectedWait)
+        m_rejectedWait = m_now.mono + rejectedWait;
+    m_lostDetail = "the connection was lost during the dialogue: " + detail;
+}
+
+void SessionMachine::on(const ViolationFound& input)
+{
+    const auto tell = [&] {
+        if (m_outgoingUp)
+            emit(Send{protocol::Rejected{m_token, RejectReason::ProtocolViolation, {input.detail}}});
+    };
+    if (isDialogue()) {
+        abandonAttempt(RejectReason::ProtocolViolation, ProbeResult::NotProbed, input.detail, m_outgoingUp);
+    } else if (isLive()) {
+        tell();
+        if (carriesMessages(m_state))
+            m_lossAt = m_now.mono;
+        enterStandBy(LossCause::ProtocolViolation, input.detail);
+    } else if (m_state == SessionState::Closing) {
+        tell();
+        finishClosing(input.detail);
+    }
+}
+
+void SessionMachine::on(const Stalled& /*input*/)
+{
+    if (carriesMessages(m_state))
+        enterReconnecting(LossCause::LocalStall, "this device itself did not run");
+}
+
+void SessionMachine::on(const IncidentHeld& input)
+{
+    if (isLive() && input.incident == m_token) {
+        enterStandBy(LossCause::ConnectionLost, "the other end says that this session is lost");
+    } else if (m_state == SessionState::Closed) {
+        m_incident = input.incident;
+        enter(SessionState::StandBy);
+    } else if (m_state == SessionState::StandBy && m_incident == 0) {
+        m_incident = input.incident;
+    }
+}
+
+void SessionMachine::on(const IncidentGone& /*input*/)
+{
+    m_incident = 0;
+    if (m_state == SessionState::StandBy)
+        enter(SessionState::Closed);
+}
+
+void SessionMachine::enterStandBy(LossCause cause, const std::string& detail)
+{
+    if (m_state != SessionState::Reconnecting)
+        m_lossAt = m_now.mono;
+    const auto diagnosis = diagnose(cause, detail);
+    m_guard.raiseEpoch(m_now.mono);
+    m_incident = m_token;
+    emit(DiscardAll{});
+    closeLanes(rejectedGrace);
+    enter(SessionState::StandBy);
+    emit(SessionLost{m_incident, diagnosis});
+}
+
+} // namespace liena::session

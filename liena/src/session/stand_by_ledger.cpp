@@ -1,0 +1,260 @@
+// The rules of incidents.
+#include "session/stand_by_ledger.hpp"
+
+#include <algorithm>
+
+namespace liena::session {
+
+namespace {
+
+SessionEvent eventOf(SessionEvent::Kind kind, const Incident& incident, Now now)
+{
+    SessionEvent event;
+    event.kind = kind;
+    event.at = now.mono;
+    event.incident = incident;
+    return event;
+}
+
+} // namespace
+
+std::vector<Incident> StandByLedger::incidents() const
+{
+    std::vector<Incident> all;
+    for (const auto& [id, incident] : m_incidents)
+        all.push_back(incident);
+    std::sort(all.begin(), all.end(), [](const Incident& a, const Incident& b) { return a.since < b.since; });
+    return all;
+}
+
+const Incident* StandByLedger::find(IncidentId id) const
+{
+    const auto found = m_incidents.find(id);
+    return found != m_incidents.end() ? &found->second : nullptr;
+}
+
+LedgerActions StandByLedger::lost(DeviceId peer, IncidentId id, LossCause cause, Timestamp since, Now now)
+{
+    LedgerActions actions;
+    const auto [a, b] = std::minmax(m_self, peer);
+    if (m_incidents.contains(id))
+        actions.push_back(PairChanged{peer, id});
+    else
+        raise(Incident{id, a, b, cause, since, {}}, std::nullopt, actions, now);
+    return actions;
+}
+
+void StandByLedger::raise(const Incident& incident, std::optional<DeviceId> from, LedgerActions& actions, Now now)
+{
+    const bool first = m_incidents.empty();
+    m_incidents.emplace(incident.id, incident);
+    if (const auto peer = otherEnd(incident))
+        actions.push_back(PairChanged{*peer, incident.id});
+    actions.push_back(Broadcast{messageOf(incident), from});
+    auto raised = eventOf(SessionEvent::Kind::IncidentRaised, incident, now);
+    if (from)
+        raised.peer = *from;
+    actions.push_back(Tell{raised});
+    if (first)
+        actions.push_back(Tell{eventOf(SessionEvent::Kind::StandByBegan, incident, now)});
+    if (m_holding) {
+        m_incidents[incident.id].holds.push_back({m_self, true, m_holdingSince});
+        report(incident.id, actions);
+    }
+}
+
+LedgerActions StandByLedger::reopened(DeviceId peer, std::uint64_t token, IncidentId named, Now now)
+{
+    LedgerActions actions;
+    const auto [a, b] = std::minmax(m_self, peer);
+    const protocol::ChannelReOpened message{token, named, a, b};
+    remember(token);
+    std::vector<IncidentId> ids;
+    for (const auto& [id, incident] : m_incidents)
+        if ((incident.a == a && incident.b == b) || id == named)
+            ids.push_back(id);
+    rememberEnded(named, message, now);
+    for (const auto id : ids)
+        end(id, message, m_self, false, {}, actions, now);
+    actions.push_back(Broadcast{message, std::nullopt});
+    return actions;
+}
+
+LedgerActions StandByLedger::dismiss(IncidentId id, const std::string& reason, Now now)
+{
+    LedgerActions actions;
+    if (!m_incidents.contains(id))
+        return actions;
+    const protocol::IncidentDismissed message{id, m_self, {reason}};
+    end(id, message, m_self, true, reason, actions, now);
+    actions.push_back(Broadcast{message, std::nullopt});
+    return actions;
+}
+
+LedgerActions StandByLedger::confirmHold(bool holding, Now now)
+{
+    LedgerActions actions;
+    if (holding == m_holding)
+        return actions;
+    m_holding = holding;
+    m_holdingSince = now.wall;
+    for (auto& [id, incident] : m_incidents) {
+        std::erase_if(incident.holds, [this](const HoldReport& hold) { return hold.device == m_self; });
+        incident.holds.push_back({m_self, holding, m_holdingSince});
+        auto event = eventOf(SessionEvent::Kind::HoldReported, incident, now);
+        event.hold = incident.holds.back();
+        actions.push_back(Tell{event});
+        report(id, actions);
+    }
+    return actions;
+}
+
+void StandByLedger::report(IncidentId id, LedgerActions& actions) const
+{
+    actions.push_back(Broadcast{protocol::StandByReport{id, m_self, m_holding, m_holdingSince.ns}, std::nullopt});
+}
+
+LedgerActions StandByLedger::greet(DeviceId peer) const
+{
+    LedgerActions actions;
+    for (const auto& [id, incident] : m_incidents) {
+        actions.push_back(Answer{peer, messageOf(incident)});
+        for (const auto& hold : incident.holds)
+            actions.push_back(Answer{peer, protocol::StandByReport{id, hold.device, hold.holding, hold.confirmed.ns}});
+    }
+    return actions;
+}
+
+LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandBy& message, Now now)
+{
+    LedgerActions actions;
+    if (const auto* ended = findEnded(message.incident)) {
+        actions.push_back(Answer{from, ended->by});
+        return actions;
+    }
+    if (m_incidents.contains(message.incident))
+        return actions;
+    if (message.incident == 0 || !(message.peerA < message.peerB)) {
+        actions.push_back(LedgerViolation{from, "StandBy with a pair or an incident that cannot be"});
+        return actions;
+    }
+    if (m_incidents.size() >= mostIncidents) {
+        actions.push_back(LedgerViolation{from, "more incidents than a system can have"});
+        return actions;
+    }
+    raise(Incident{message.incident, message.peerA, message.peerB, message.cause, Timestamp{message.sinceNs}, {}}, from, actions, now);
+    return actions;
+}
+
+LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandByReport& message, Now now)
+{
+    LedgerActions actions;
+    const auto found = m_incidents.find(message.incident);
+    if (found == m_incidents.end() || message.device == m_self)
+        return actions;
+    auto& holds = found->second.holds;
+    const auto known = std::find_if(holds.begin(), holds.end(), [&](const HoldReport& hold) { return hold.device == message.device; });
+    const HoldReport report{message.device, message.holding, Timestamp{message.confirmedNs}};
+    if (known != holds.end()) {
+        if (known->confirmed >= report.confirmed)
+            return actions;
+        *known = report;
+    } else {
+        if (holds.size() >= mostIncidents)
+            return actions;
+        holds.push_back(report);
+    }
+    auto event = eventOf(SessionEvent::Kind::HoldReported, found->second, now);
+    event.hold = report;
+    actions.push_back(Tell{event});
+    actions.push_back(Broadcast{message, from});
+    return actions;
+}
+
+LedgerActions StandByLedger::heard(DeviceId from, const protocol::IncidentDismissed& message, Now now)
+{
+    LedgerActions actions;
+    if (!m_incidents.contains(message.incident))
+        return actions;
+    end(message.incident, message, from, true, message.reason.value, actions, now);
+    actions.push_back(Broadcast{message, from});
+    return actions;
+}
+
+LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpened& message, Timestamp stamp, Now now)
+{
+    LedgerActions actions;
+    if (!remember(message.token))
+        return actions;
+    std::vector<IncidentId> ids;
+    for (const auto& [id, incident] : m_incidents) {
+        const bool pair = incident.a == message.peerA && incident.b == message.peerB;
+        if (id == message.incident || (pair && incident.since < stamp))
+            ids.push_back(id);
+    }
+    rememberEnded(message.incident, message, now);
+    for (const auto id : ids)
+        end(id, message, from, false, {}, actions, now);
+    actions.push_back(Broadcast{message, from});
+    return actions;
+}
+
+void StandByLedger::end(IncidentId id, const protocol::SessionMessage& by, DeviceId teller, bool dismissed, const std::string& detail,
+                        LedgerActions& actions, Now now)
+{
+    const auto incident = m_incidents.at(id);
+    m_incidents.erase(id);
+    rememberEnded(id, by, now);
+    if (const auto peer = otherEnd(incident)) {
+        const auto other = std::find_if(m_incidents.begin(), m_incidents.end(),
+                                        [&](const auto& entry) { return entry.second.a == incident.a && entry.second.b == incident.b; });
+        actions.push_back(PairChanged{*peer, other != m_incidents.end() ? other->first : 0});
+    }
+    auto event = eventOf(SessionEvent::Kind::IncidentEnded, incident, now);
+    event.peer = teller;
+    event.dismissed = dismissed;
+    event.detail = detail;
+    actions.push_back(Tell{event});
+    if (m_incidents.empty())
+        actions.push_back(Tell{eventOf(SessionEvent::Kind::StandByEnded, incident, now)});
+}
+
+void StandByLedger::rememberEnded(IncidentId id, const protocol::SessionMessage& by, Now now)
+{
+    if (id == 0 || m_incidents.contains(id) || findEnded(id) != nullptr)
+        return;
+    while (!m_ended.empty() && (m_ended.size() >= mostEnded || now.mono - m_ended.front().at > endedLife))
+        m_ended.pop_front();
+    m_ended.push_back({id, by, now.mono});
+}
+
+const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id) const
+{
+    const auto found = std::find_if(m_ended.begin(), m_ended.end(), [id](const Ended& ended) { return ended.id == id; });
+    return found != m_ended.end() ? &*found : nullptr;
+}
+
+/// False when it was known.
+bool StandByLedger::remember(std::uint64_t token)
+{
+    if (std::find(m_reopenings.begin(), m_reopenings.end(), token) != m_reopenings.end())
+        return false;
+    if (m_reopenings.size() >= mostEnded)
+        m_reopenings.pop_front();
+    m_reopenings.push_back(token);
+    return true;
+}
+
+std::optional<DeviceId> StandByLedger::otherEnd(const Incident& incident) const
+{
+    if (incident.a == m_self)
+        return incident.b;
+    return incident.b == m_self ? std::optional(incident.a) : std::nullopt;
+}
+
+protocol::StandBy StandByLedger::messageOf(const Incident& incident)
+{
+    return {incident.id, incident.a, incident.b, incident.cause, incident.since.ns};
+}
+
+} // namespace liena::session

@@ -1,0 +1,105 @@
+// The incidents that a device holds, and how they spread and end (protocol section 8; rulings A8, B20).
+#pragma once
+
+#include "liena/session_event.hpp"
+#include "protocol/session_messages.hpp"
+#include "session/instant.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace liena::session {
+
+/// To every session that carries messages, except the one with `except` (from which it came).
+struct Broadcast {
+    protocol::SessionMessage message;
+    std::optional<DeviceId> except;
+};
+/// To one neighbour.
+struct Answer {
+    DeviceId to;
+    protocol::SessionMessage message;
+};
+/// For the application: one of the event kinds that begin with Incident, Hold or StandBy.
+struct Tell {
+    SessionEvent event;
+};
+/// The link between this device and `peer` holds that incident now, or none any more (0).
+struct PairChanged {
+    DeviceId peer;
+    IncidentId incident = 0;
+};
+/// A neighbour brought more incidents than can be honest.
+struct LedgerViolation {
+    DeviceId peer;
+    std::string detail;
+};
+
+using LedgerAction = std::variant<Broadcast, Answer, Tell, PairChanged, LedgerViolation>;
+using LedgerActions = std::vector<LedgerAction>;
+
+/// Pure; one per device. A device that holds an incident stands by.
+class StandByLedger {
+public:
+    explicit StandByLedger(DeviceId self) : m_self(self) {}
+
+    bool standsBy() const { return !m_incidents.empty(); }
+    std::size_t size() const { return m_incidents.size(); }
+    std::vector<Incident> incidents() const;
+    const Incident* find(IncidentId id) const;
+
+    /// Our session with a peer was lost.
+    LedgerActions lost(DeviceId peer, IncidentId id, LossCause cause, Timestamp since, Now now);
+
+    /// Our session with a peer was re-opened by the dialogue with that token.
+    LedgerActions reopened(DeviceId peer, std::uint64_t token, IncidentId named, Now now);
+
+    /// A person gives an incident up; empty when it is not held.
+    LedgerActions dismiss(IncidentId id, const std::string& reason, Now now);
+
+    /// This device holds, or no longer does.
+    LedgerActions confirmHold(bool holding, Now now);
+
+    /// A session was opened: what the new neighbour has to know.
+    LedgerActions greet(DeviceId peer) const;
+
+    LedgerActions heard(DeviceId from, const protocol::StandBy& message, Now now);
+    LedgerActions heard(DeviceId from, const protocol::StandByReport& message, Now now);
+    LedgerActions heard(DeviceId from, const protocol::IncidentDismissed& message, Now now);
+    LedgerActions heard(DeviceId from, const protocol::ChannelReOpened& message, Timestamp stamp, Now now);
+
+private:
+    struct Ended {
+        IncidentId id = 0;
+        protocol::SessionMessage by; ///< the ChannelReOpened or IncidentDismissed that ended it
+        Instant at;
+    };
+
+    void raise(const Incident& incident, std::optional<DeviceId> from, LedgerActions& actions, Now now);
+    void end(IncidentId id, const protocol::SessionMessage& by, DeviceId teller, bool dismissed, const std::string& detail,
+             LedgerActions& actions, Now now);
+    void report(IncidentId id, LedgerActions& actions) const;
+    void rememberEnded(IncidentId id, const protocol::SessionMessage& by, Now now);
+    const Ended* findEnded(IncidentId id) const;
+    bool remember(std::uint64_t token);
+    std::optional<DeviceId> otherEnd(const Incident& incident) const;
+    static protocol::StandBy messageOf(const Incident& incident);
+
+    static constexpr std::size_t mostIncidents = 256;
+    static constexpr std::size_t mostEnded = 4096;
+    static constexpr auto endedLife = std::chrono::hours(24);
+
+    DeviceId m_self;
+    std::map<IncidentId, Incident> m_incidents;
+    std::deque<Ended> m_ended;
+    std::deque<std::uint64_t> m_reopenings; ///< tokens of the ChannelReOpened already handed on
+    bool m_holding = false;
+    Timestamp m_holdingSince;
+};
+
+} // namespace liena::session
