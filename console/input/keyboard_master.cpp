@@ -1,9 +1,6 @@
 // The keyboard as a master.
 #include "input/keyboard_master.hpp"
 
-#include <QKeyEvent>
-#include <QWindow>
-
 #include <algorithm>
 #include <array>
 
@@ -12,35 +9,27 @@ namespace console {
 namespace {
 
 constexpr int deadManKey = Qt::Key_D;
+constexpr int pedalKey = Qt::Key_F;
 constexpr int clutchKey = Qt::Key_C;
 constexpr int armKey = Qt::Key_R;
-constexpr int panicKey = Qt::Key_F12;
 
-constexpr std::array handKeys{deadManKey,         clutchKey,      armKey,         int(Qt::Key_Up), int(Qt::Key_Down), int(Qt::Key_Left),
-                              int(Qt::Key_Right), int(Qt::Key_I), int(Qt::Key_K), int(Qt::Key_J),  int(Qt::Key_L)};
+constexpr std::array<int, 12> handKeys{deadManKey,   pedalKey,      clutchKey, armKey,    Qt::Key_Up, Qt::Key_Down,
+                                       Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J,  Qt::Key_L};
 
 bool isHandKey(int key) { return std::find(handKeys.begin(), handKeys.end(), key) != handKeys.end(); }
 
-int scaleStep(int key) { return key == Qt::Key_PageUp ? 1 : key == Qt::Key_PageDown ? -1 : 0; }
-
-/// With these a key is a shortcut, not the hand's.
-bool isShortcut(const QKeyEvent& event) { return (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0; }
+int scaleStep(int key)
+{
+    if (key == Qt::Key_PageUp)
+        return 1;
+    return key == Qt::Key_PageDown ? -1 : 0;
+}
 
 } // namespace
 
 KeyboardMaster::KeyboardMaster(QObject* parent) : MasterDevice(parent) {}
 
 QString KeyboardMaster::name() const { return tr("Keyboard"); }
-
-void KeyboardMaster::watch(QWindow* window)
-{
-    if (m_window)
-        m_window->removeEventFilter(this);
-    m_window = window;
-    if (m_window)
-        m_window->installEventFilter(this);
-    releaseAll();
-}
 
 void KeyboardMaster::setListening(bool listening)
 {
@@ -51,13 +40,18 @@ void KeyboardMaster::setListening(bool listening)
         releaseAll();
 }
 
+void KeyboardMaster::tell(int key, bool pressed)
+{
+    if (key == deadManKey)
+        Q_EMIT deadManChanged(pressed);
+    else if (key == armKey)
+        Q_EMIT armHeldChanged(pressed);
+    else if (key == pedalKey)
+        Q_EMIT pedalChanged(pressed);
+}
+
 bool KeyboardMaster::press(int key, bool autoRepeat)
 {
-    if (key == panicKey) {
-        if (!autoRepeat)
-            Q_EMIT panicRequested();
-        return true;
-    }
     if (!m_listening || (!isHandKey(key) && scaleStep(key) == 0))
         return false;
     if (autoRepeat || isDown(key))
@@ -67,60 +61,26 @@ bool KeyboardMaster::press(int key, bool autoRepeat)
         return true;
     }
     m_down.insert(key);
-    if (key == deadManKey)
-        Q_EMIT deadManChanged(true);
-    else if (key == armKey)
-        Q_EMIT armHeldChanged(true);
+    tell(key, true);
     return true;
 }
 
 bool KeyboardMaster::release(int key, bool autoRepeat)
 {
     if (autoRepeat)
-        return isHandKey(key) && m_listening;
+        return m_listening && isHandKey(key);
     if (!m_down.remove(key))
         return false;
-    if (key == deadManKey)
-        Q_EMIT deadManChanged(false);
-    else if (key == armKey)
-        Q_EMIT armHeldChanged(false);
+    tell(key, false);
     return true;
 }
 
 void KeyboardMaster::releaseAll()
 {
-    const bool deadMan = isDown(deadManKey);
-    const bool arm = isDown(armKey);
+    const auto down = m_down;
     m_down.clear();
-    if (deadMan)
-        Q_EMIT deadManChanged(false);
-    if (arm)
-        Q_EMIT armHeldChanged(false);
-}
-
-bool KeyboardMaster::handleKey(const QKeyEvent& event, bool pressed)
-{
-    if (pressed && isShortcut(event))
-        return false;
-    return pressed ? press(event.key(), event.isAutoRepeat()) : release(event.key(), event.isAutoRepeat());
-}
-
-bool KeyboardMaster::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched != m_window)
-        return MasterDevice::eventFilter(watched, event);
-    switch (event->type()) {
-    case QEvent::KeyPress:
-        return handleKey(*static_cast<QKeyEvent*>(event), true);
-    case QEvent::KeyRelease:
-        return handleKey(*static_cast<QKeyEvent*>(event), false);
-    case QEvent::FocusOut:
-    case QEvent::Hide:
-        releaseAll();
-        return false;
-    default:
-        return false;
-    }
+    for (const int key : down)
+        tell(key, false);
 }
 
 double KeyboardMaster::direction(int positive, int negative) const
@@ -145,20 +105,20 @@ MasterReading KeyboardMaster::read(Instant)
 void KeyboardMaster::rezero(Instant)
 {
     // A motion key that was down before the dead-man must be pressed again, or the robot would move at once.
-    m_down &= QSet<int>{deadManKey, clutchKey, armKey};
+    m_down &= QSet<int>{deadManKey, pedalKey, clutchKey, armKey};
 }
 
 QList<QPair<QString, QString>> KeyboardMaster::bindings()
 {
     return {{tr("D, held"), tr("dead-man: motion only while it is down")},
+            {tr("F, held"), tr("X-ray pedal")},
             {tr("R, held 1.5 s"), tr("arm")},
             {tr("Up / Down"), tr("advance / retract the guidewire")},
             {tr("Right / Left"), tr("turn the guidewire clockwise / counter-clockwise")},
             {tr("I / K"), tr("advance / retract the catheter")},
             {tr("L / J"), tr("turn the catheter clockwise / counter-clockwise")},
             {tr("C, held"), tr("clutch: the hand moves, the robot does not")},
-            {tr("Page Up / Page Down"), tr("larger / smaller scale; never larger while engaged")},
-            {tr("F12"), tr("panic Hold")}};
+            {tr("Page Up / Page Down"), tr("larger / smaller scale; never larger while engaged")}};
 }
 
 } // namespace console

@@ -32,7 +32,6 @@ public:
 Q_SIGNALS:
     void deadManChanged(bool pressed);
     void armHeldChanged(bool held);
-    void panicRequested();
     void scaleStepRequested(int steps); ///< positive: larger
 };
 

@@ -266,6 +266,20 @@ void SystemLink::repeatEmergencyStop()
     }
 }
 
+void SystemLink::resetEmergencyStop()
+{
+    const auto& status = m_models.instrument.robot();
+    if (!m_robot || !status.known() || status.value.emergencyStopToken == 0)
+        return;
+    const liena::DeviceId robot(*m_robot);
+    auto message = m_system->command(robot, "ResetEmergencyStop");
+    if (!message)
+        return;
+    message.value().set("token", status.value.emergencyStopToken);
+    const auto sent = m_system->send(robot, std::move(message).value());
+    note(LogKind::Operator, sent ? tr("emergency stop reset") : tr("emergency stop not reset: %1").arg(text(sent.error().what)));
+}
+
 void SystemLink::setMotion(const MotionSnapshot& snapshot)
 {
     if (m_motion)

@@ -81,6 +81,9 @@ public:
     /// To the robot, repeated until it reports the stop or its session ends.
     void emergencyStop(const QString& reason);
 
+    /// Ends the stop that the robot reports; the robot then holds.
+    void resetEmergencyStop();
+
     void setMotion(const MotionSnapshot& snapshot);
     void setPedal(const PedalSnapshot& snapshot);
     void confirmHold(bool holding);

@@ -61,9 +61,9 @@ std::vector<QString> Measurements::failures() const
             all.push_back(text);
     };
     for (const auto& [peer, session] : sessions)
-        need(session.openingMs.has_value(),
-             QStringLiteral("the session with %1 did not open%2")
-                 .arg(session.device, session.failure.isEmpty() ? QString() : QStringLiteral(": ") + session.failure));
+        need(session.open, QStringLiteral("the session with %1 did not open%2")
+                               .arg(session.device, session.failure.isEmpty() ? QString() : QStringLiteral(": ") + session.failure));
+    need(stepFailure.isEmpty(), stepFailure);
     need(!sessions.empty(), QStringLiteral("this device has no links"));
     need(framesPainted > 0, QStringLiteral("no picture was painted"));
     need(armed, QStringLiteral("the robot was not armed"));

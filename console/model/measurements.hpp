@@ -23,6 +23,7 @@ public:
     struct Session {
         QString device;
         QString state;
+        bool open = false;
         std::optional<double> openingMs;
         QString failure;
     };
@@ -42,6 +43,7 @@ public:
     bool armed = false;
     bool engaged = false;
     QString holdCause;              ///< why motion ended before its time; empty
+    QString stepFailure;            ///< the step that was not reached in time; empty
     std::optional<double> armingMs; ///< from the request to the robot's answer
 
     /// Counted while measuring, between begin() and end().

@@ -242,7 +242,8 @@ void hold(Move& move, const PermitEvent& event)
 {
     auto& state = move.state;
     if (event.kind == Kind::RobotReported)
-        state.robotHolds = event.robot == RobotState::Hold && event.holdConfirmed && event.permit != state.spentPermit;
+        state.robotHolds = (event.robot == RobotState::Hold || event.robot == RobotState::Ready) && event.holdConfirmed &&
+                           event.permit != state.spentPermit;
     if (state.robotHolds && state.deadManReleasedSeen && !state.deadMan)
         move.enter(Phase::Standby);
 }
@@ -301,7 +302,7 @@ MotionStream PermitState::stream() const
 {
     if (phase == Phase::Engaged)
         return MotionStream::Motion;
-    return phase == Phase::Armed || (phase == Phase::Arming && awaitingRobot) ? MotionStream::Zero : MotionStream::None;
+    return phase == Phase::Armed ? MotionStream::Zero : MotionStream::None;
 }
 
 double PermitState::armProgress(Instant now) const

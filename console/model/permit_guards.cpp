@@ -60,18 +60,19 @@ GuardLine pictureLine(const GuardReadings& r, const GuardLimits& limits)
                 pictureMissing(r));
 }
 
+/// A robot that stands still, has a permit to give and could be armed says so by its state Ready.
 GuardLine holdLine(const GuardReadings& r)
 {
     const bool newPermit = r.robotPermit != r.spentPermit;
     auto missing = Text::tr("Robot reports %1").arg(word(r.robotState));
     if (!r.robotFresh)
         missing = Text::tr("Robot's hold is not known");
-    else if (r.robotState == RobotState::Hold && !r.robotHoldConfirmed)
+    else if (r.robotState == RobotState::Ready && !r.robotHoldConfirmed)
         missing = Text::tr("Robot has not confirmed its hold");
-    else if (r.robotState == RobotState::Hold && !newPermit)
+    else if (r.robotState == RobotState::Ready && !newPermit)
         missing = Text::tr("Robot has not issued a new permit");
-    return line(Guard::RobotHolds, r.robotFresh && r.robotState == RobotState::Hold && r.robotHoldConfirmed && newPermit,
-                Text::tr("Robot holds"), missing);
+    return line(Guard::RobotHolds, r.robotFresh && r.robotState == RobotState::Ready && r.robotHoldConfirmed && newPermit,
+                Text::tr("Robot holds and is ready"), missing);
 }
 
 GuardLine forceLine(const GuardReadings& r, const GuardLimits& limits)
