@@ -7,18 +7,20 @@
 
 namespace liena::protocol {
 
-void DatagramEncoder::appendSegment(std::size_t maximum, std::vector<std::byte>& out)
+bool DatagramEncoder::appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out)
 {
-    const auto size = std::min(remaining(), std::min(maximum, maximumBody));
-    auto header = m_message.header;
+    const auto remaining = message.part.size() - m_sent;
+    const auto size = std::min({remaining, maximum, maximumBody});
+    auto header = message.header;
     header.length = static_cast<std::uint16_t>(size);
-    header.moreSegments = size < remaining();
+    header.moreSegments = size < remaining;
     ByteWriter writer(out);
     const auto bytes = encodeHeader(header);
     writer.append(std::span<const std::byte>(bytes));
-    writer.append(std::span(m_message.part.data() + m_sent, size));
+    writer.append(std::span(message.part.data() + m_sent, size));
     m_sent += size;
-    m_done = !header.moreSegments;
+    m_begun = true;
+    return !header.moreSegments;
 }
 
 } // namespace liena::protocol

@@ -16,20 +16,17 @@ struct EncodedMessage {
     FieldBytes part;       ///< the information part with its safety record, if any
 };
 
+/// How far a message has been cut. It does not hold the message, so that a queue may move it.
 class DatagramEncoder {
 public:
-    explicit DatagramEncoder(const EncodedMessage& message) : m_message(message) {}
+    /// Appends the next segment of `message`, with a body of at most `maximum` bytes, to `out`; true when it was the last.
+    bool appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out);
 
-    /// Appends the next segment with a body of at most `maximum` bytes to `out`.
-    void appendSegment(std::size_t maximum, std::vector<std::byte>& out);
-
-    bool done() const { return m_done; }
-    std::size_t remaining() const { return m_message.part.size() - m_sent; }
+    bool begun() const { return m_begun; }
 
 private:
-    const EncodedMessage& m_message;
     std::size_t m_sent = 0;
-    bool m_done = false;
+    bool m_begun = false;
 };
 
 } // namespace liena::protocol

@@ -1,0 +1,77 @@
+// What other threads may see of the sessions: copies of one moment, written by the network thread.
+#pragma once
+
+#include "liena/message_set.hpp"
+#include "liena/session_event.hpp"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace liena::cache {
+
+class LinkBoard {
+public:
+    void show(const LinkStatus& status)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_links.insert_or_assign(status.peer, status);
+    }
+
+    std::vector<LinkStatus> links() const
+    {
+        const std::lock_guard lock(m_mutex);
+        std::vector<LinkStatus> all;
+        for (const auto& [peer, status] : m_links)
+            all.push_back(status);
+        return all;
+    }
+
+    std::optional<LinkStatus> link(DeviceId peer) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_links.find(peer);
+        return found != m_links.end() ? std::optional(found->second) : std::nullopt;
+    }
+
+    void showIncidents(std::vector<Incident> incidents)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_incidents = std::move(incidents);
+    }
+
+    std::vector<Incident> incidents() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_incidents;
+    }
+
+    bool standsBy() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return !m_incidents.empty();
+    }
+
+    void showSet(DeviceId device, std::shared_ptr<const MessageSet> set)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_sets.insert_or_assign(device, std::move(set));
+    }
+
+    std::shared_ptr<const MessageSet> set(DeviceId device) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_sets.find(device);
+        return found != m_sets.end() ? found->second : nullptr;
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::map<DeviceId, LinkStatus> m_links;
+    std::vector<Incident> m_incidents;
+    std::map<DeviceId, std::shared_ptr<const MessageSet>> m_sets;
+};
+
+} // namespace liena::cache

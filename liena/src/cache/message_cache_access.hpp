@@ -1,0 +1,36 @@
+// The network thread's side of the message cache.
+#pragma once
+
+#include "liena/message_cache.hpp"
+
+#include <deque>
+#include <mutex>
+
+namespace liena {
+
+struct MessageCache::State {
+    mutable std::mutex mutex;
+    std::function<void()> notify;
+    std::deque<SessionEvent> events;
+    std::deque<Message> messages;
+    std::size_t bytes = 0;
+    bool notified = false;
+    bool overflowTold = false;
+};
+
+class MessageCacheAccess {
+public:
+    static constexpr std::size_t mostMessages = 4096;
+    static constexpr std::size_t mostBytes = std::size_t{256} << 20U;
+    static constexpr std::size_t mostEvents = 4096;
+
+    static void put(MessageCache& cache, Message message);
+    static void put(MessageCache& cache, SessionEvent event);
+
+private:
+    static void makeRoom(MessageCache::State& state, const Message& message);
+    static void dropOldest(MessageCache::State& state, std::deque<Message>::iterator at);
+    static void notify(MessageCache::State& state, std::unique_lock<std::mutex>& lock);
+};
+
+} // namespace liena

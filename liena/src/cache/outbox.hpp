@@ -1,0 +1,62 @@
+// What the application's threads hand to the network thread for sending: bounded, one wake-up per burst.
+#pragma once
+
+#include "liena/device_id.hpp"
+#include "liena/message.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace liena::cache {
+
+class Outbox {
+public:
+    struct Letter {
+        DeviceId target; ///< broadcast: to every open session
+        Message message;
+    };
+
+    static constexpr std::size_t mostLetters = 4096;
+    static constexpr std::size_t mostBytes = std::size_t{64} << 20U;
+
+    /// `wake` is called under no lock when the outbox was empty.
+    explicit Outbox(std::function<void()> wake) : m_wake(std::move(wake)) {}
+
+    /// False when the outbox is full.
+    bool put(DeviceId target, Message message)
+    {
+        const auto size = message.fieldBytes().size();
+        bool first = false;
+        {
+            const std::lock_guard lock(m_mutex);
+            if (m_letters.size() >= mostLetters || (m_bytes + size > mostBytes && !m_letters.empty()))
+                return false;
+            first = m_letters.empty();
+            m_bytes += size;
+            m_letters.push_back({target, std::move(message)});
+        }
+        if (first)
+            m_wake();
+        return true;
+    }
+
+    std::vector<Letter> take()
+    {
+        std::vector<Letter> letters;
+        const std::lock_guard lock(m_mutex);
+        letters.swap(m_letters);
+        m_bytes = 0;
+        return letters;
+    }
+
+private:
+    std::mutex m_mutex;
+    std::vector<Letter> m_letters;
+    std::size_t m_bytes = 0;
+    std::function<void()> m_wake;
+};
+
+} // namespace liena::cache

@@ -1,0 +1,484 @@
+// Dialogues and lanes of one peer.
+#include "system/distributed_module.hpp"
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace liena::system {
+
+using namespace std::chrono_literals;
+using session::SessionMachine;
+
+namespace {
+
+constexpr auto connectLimit = 1s;
+constexpr auto reconnectLimit = 250ms;
+constexpr auto probeLimit = 1s;
+constexpr auto reportPeriod = 200ms;
+
+session::SessionSettings settingsOf(ModuleHost& host, const TopologyDevice& peer, const TopologyLink& link)
+{
+    return {host.ownDevice().id, peer.id, link.timing, host.topologyHash(), host.ownSet()->hash(), host.software()};
+}
+
+} // namespace
+
+DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, TopologyLink link)
+    : m_host(host),
+      m_peer(std::move(peer)),
+      m_link(std::move(link)),
+      m_machine(settingsOf(host, m_peer, m_link)),
+      m_laneZero(host.io(), m_peer, host.identity(), {8192, 32768},
+                 {[this] { handle(session::OutgoingUp{}); },
+                  [this](const transport::ConnectionFailure& failure) {
+                      handle(session::OutgoingFailed{failure.probe, failure.detail});
+                  },
+                  [this](const std::string& detail, bool identity) {
+                      handle(session::OutgoingLost{identity ? ProbeResult::TlsFailure : ProbeResult::NotProbed, detail});
+                  },
+                  [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); }}),
+      m_bulk(host.io(), m_peer, host.identity(), {16384, 65536},
+             {[] {}, [this](const transport::ConnectionFailure&) { retryBulk(); }, [this](const std::string&, bool) { retryBulk(); },
+              [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); }}),
+      m_bulkRetry(host.io()),
+      m_couriers(host, m_peer),
+      m_timer(host.io())
+{}
+
+Result<void> DistributedModule::open()
+{
+    switch (m_machine.state()) {
+    case SessionState::Closed:
+        break;
+    case SessionState::StandBy:
+        return fail(Errc::StandBy, fmt::format("the link to {} is in stand-by: a person has to re-open it", m_peer.name));
+    default:
+        return fail(Errc::Busy, fmt::format("the session with {} is {} already", m_peer.name, toString(m_machine.state())));
+    }
+    handle(session::OpenRequested{m_host.freshToken()});
+    return ok();
+}
+
+Result<void> DistributedModule::reopen()
+{
+    if (m_machine.state() != SessionState::StandBy)
+        return fail(Errc::NoIncident,
+                    fmt::format("the session with {} is {}, there is nothing to re-open", m_peer.name, toString(m_machine.state())));
+    handle(session::ReopenRequested{m_host.freshToken()});
+    return ok();
+}
+
+Result<void> DistributedModule::close(std::string_view reason)
+{
+    if (m_machine.state() == SessionState::Closed || m_machine.state() == SessionState::StandBy ||
+        m_machine.state() == SessionState::Closing)
+        return fail(Errc::NotOpen, fmt::format("the session with {} is {}", m_peer.name, toString(m_machine.state())));
+    handle(session::CloseRequested{std::string(reason)});
+    return ok();
+}
+
+void DistributedModule::revoke() { perform(m_machine.revoke(m_host.now())); }
+
+void DistributedModule::stalled(session::Nanoseconds gap)
+{
+    if (gap >= m_link.timing.suspect)
+        handle(session::Stalled{gap});
+}
+
+void DistributedModule::setIncident(IncidentId incident)
+{
+    if (incident != 0)
+        handle(session::IncidentHeld{incident});
+    else
+        handle(session::IncidentGone{});
+}
+
+void DistributedModule::setIncidentCount(std::size_t count)
+{
+    m_machine.setIncidents(static_cast<std::uint16_t>(std::min<std::size_t>(count, 0xFFFF)));
+}
+
+void DistributedModule::handle(const session::SessionInput& input)
+{
+    perform(m_machine.handle(input, m_host.now()));
+    armTimer();
+}
+
+void DistributedModule::perform(session::SessionActions actions)
+{
+    for (auto& action : actions)
+        perform(action);
+}
+
+void DistributedModule::perform(session::SessionAction& action)
+{
+    struct Doer {
+        DistributedModule& module;
+        void operator()(const session::ConnectLaneZero&) { module.connectLaneZero(); }
+        void operator()(const session::CloseLanes& close) { module.closeLanes(close.grace); }
+        void operator()(const session::Adopt& adopt) { module.adopt(adopt.connection); }
+        void operator()(const session::Refuse& refuse) { module.refuse(refuse); }
+        void operator()(const session::Ignore& ignore)
+        {
+            if (const auto fresh = module.m_fresh.find(ignore.connection); fresh != module.m_fresh.end())
+                fresh->second->ignore();
+        }
+        void operator()(const session::Send& send)
+        {
+            const auto rank = send.afterOutput ? tasks::Rank::Last : tasks::Rank::Safety;
+            module.m_laneZero.push({module.encode(send.message, module.m_peer.id), rank, 0, std::nullopt, {}});
+        }
+        void operator()(const session::SendOwnSet&)
+        {
+            const auto& set = *module.m_host.ownSet();
+            const auto bytes = std::as_bytes(std::span(set.xml().data(), set.xml().size()));
+            module.sendSession(protocol::MessageSetAnswer{set.hash(), {bytes.begin(), bytes.end()}}, module.m_peer.id);
+        }
+        void operator()(const session::DiscardControl&) { module.m_laneZero.queue().discard(tasks::Rank::Control); }
+        void operator()(const session::DiscardAll&)
+        {
+            module.m_laneZero.queue().discardApplication();
+            module.m_bulk.queue().discardApplication();
+        }
+        void operator()(const session::Entered& change) { module.entered(change); }
+        void operator()(const session::SessionOpened& opened) { module.opened(opened); }
+        void operator()(const session::OpenFailed& failed) { module.openFailed(failed); }
+        void operator()(const session::SessionClosed& closed)
+        {
+            auto event = module.event(SessionEvent::Kind::Closed);
+            event.detail = closed.byPeer ? "by the peer: " + printable(closed.detail) : closed.detail;
+            module.m_host.tell(std::move(event));
+        }
+        void operator()(const session::SessionInterrupted& interrupted)
+        {
+            ++module.m_interruptions;
+            auto event = module.event(SessionEvent::Kind::Interrupted);
+            event.duration = interrupted.duration;
+            module.m_host.tell(std::move(event));
+        }
+        void operator()(const session::SessionLost& lost) { module.lost(lost); }
+    };
+    std::visit(Doer{*this}, action);
+}
+
+protocol::EncodedMessage DistributedModule::encode(const protocol::SessionMessage& message, DeviceId target)
+{
+    const auto body = protocol::encodeSessionMessage(message);
+    protocol::EncodedMessage encoded;
+    encoded.header.message = {m_host.ownDevice().id, protocol::numberOf(message)};
+    encoded.header.target = target;
+    encoded.header.timestamp = m_host.stamp();
+    encoded.part.assign(body.begin(), body.end());
+    return encoded;
+}
+
+void DistributedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
+{
+    m_laneZero.push({encode(message, target), tasks::Rank::Safety, 0, std::nullopt, {}});
+}
+
+void DistributedModule::connectLaneZero()
+{
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    m_laneZero.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), 0}, m_peer.id),
+                       dialogue ? connectLimit : reconnectLimit);
+}
+
+void DistributedModule::connectBulk()
+{
+    if (m_bulk.isUp() || m_bulk.isConnecting() || m_bulk.queue().empty() || !carriesMessages(m_machine.state()))
+        return;
+    m_bulk.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), bulkLane}, m_peer.id), connectLimit);
+}
+
+void DistributedModule::retryBulk()
+{
+    m_bulkRetry.after(50ms, [this] { connectBulk(); });
+}
+
+void DistributedModule::closeLanes(session::Nanoseconds grace)
+{
+    m_laneZero.close(grace);
+    m_bulk.close(0ns);
+    m_bulkRetry.cancel();
+    std::vector<std::shared_ptr<tasks::ReceptionTask>> ended;
+    if (m_incoming)
+        ended.push_back(std::move(m_incoming));
+    for (auto& [lane, task] : m_incomingBulk)
+        ended.push_back(std::move(task));
+    m_incomingBulk.clear();
+    for (auto& task : ended) {
+        m_bytesReceived += task->bytesReceived();
+        if (grace <= 0ns) {
+            task->close();
+            bury(task);
+            continue;
+        }
+        task->orphan();
+        auto timer = std::make_shared<boost::asio::steady_timer>(m_host.io(), grace);
+        timer->async_wait([timer, task](const boost::system::error_code&) {});
+    }
+}
+
+void DistributedModule::adopt(session::ConnectionNumber number)
+{
+    const auto fresh = m_fresh.find(number);
+    if (fresh == m_fresh.end())
+        return;
+    m_incoming = fresh->second->release();
+    m_incoming->setSink(*this);
+    bury(std::move(fresh->second));
+    m_fresh.erase(fresh);
+    boost::asio::post(m_host.io(), [this, task = m_incoming.get()] {
+        if (m_incoming.get() == task)
+            task->start();
+    });
+}
+
+void DistributedModule::refuse(const session::Refuse& refusal)
+{
+    const auto fresh = m_fresh.find(refusal.connection);
+    if (fresh == m_fresh.end())
+        return;
+    m_host.log(LogLevel::Warning, fmt::format("refused a session with {}: {}: {}", m_peer.name, toString(refusal.reason), refusal.detail));
+    m_couriers.send(std::move(fresh->second), encode(protocol::Attach{protocol::protocolVersion, refusal.token, 0}, m_peer.id),
+                    encode(protocol::Rejected{refusal.token, refusal.reason, {refusal.detail}}, m_peer.id));
+    m_fresh.erase(fresh);
+}
+
+void DistributedModule::attached(transport::AttachedConnection connection)
+{
+    const auto state = m_machine.state();
+    const bool inSession = state != SessionState::Closed && state != SessionState::StandBy && connection.attach.token == m_machine.token();
+    if (connection.attach.protocol != protocol::protocolVersion) {
+        m_host.log(LogLevel::Warning, fmt::format("{} speaks version {} of the protocol, this device version {}", m_peer.name,
+                                                  connection.attach.protocol, protocol::protocolVersion));
+        const auto token = connection.attach.token;
+        auto fresh = std::make_unique<FreshConnection>(m_host.io(), std::move(connection), m_host.ownDevice().id, m_host.budget(),
+                                                       FreshConnection::Handlers{[] {}, [](const auto&) {}, [] {}});
+        m_couriers.send(std::move(fresh), encode(protocol::Attach{protocol::protocolVersion, token, 0}, m_peer.id),
+                        encode(protocol::Rejected{token, RejectReason::ProtocolVersion, {"version 1 is spoken here"}}, m_peer.id));
+        return;
+    }
+    if (connection.attach.lane > 0)
+        return inSession && m_incoming ? admitBulk(std::move(connection)) : connection.channel->close();
+    if (!inSession)
+        return admitFresh(std::move(connection));
+    if (m_incoming) {
+        m_bytesReceived += m_incoming->bytesReceived();
+        m_incoming->close();
+        bury(std::move(m_incoming));
+    }
+    m_incoming = std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(),
+                                                        std::uint8_t{0}, *this);
+    auto* task = m_incoming.get();
+    handle(session::IncomingUp{});
+    if (m_incoming.get() == task)
+        task->start();
+}
+
+void DistributedModule::admitFresh(transport::AttachedConnection connection)
+{
+    constexpr std::size_t mostFresh = 4;
+    if (m_fresh.size() >= mostFresh)
+        endFresh(m_fresh.begin()->first);
+    const auto number = ++m_nextConnection;
+    auto fresh = std::make_unique<FreshConnection>(
+        m_host.io(), std::move(connection), m_host.ownDevice().id, m_host.budget(),
+        FreshConnection::Handlers{[this] { m_host.turned(); },
+                                  [this, number](const protocol::SessionMessage& message) { handshakeHeard(number, message); },
+                                  [this, number] { endFresh(number); }});
+    auto* raw = fresh.get();
+    m_fresh.emplace(number, std::move(fresh));
+    raw->start();
+}
+
+void DistributedModule::endFresh(session::ConnectionNumber number)
+{
+    const auto fresh = m_fresh.find(number);
+    if (fresh == m_fresh.end())
+        return;
+    fresh->second->close();
+    bury(std::move(fresh->second));
+    m_fresh.erase(fresh);
+}
+
+void DistributedModule::handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message)
+{
+    session::HandshakeHeard input;
+    input.connection = number;
+    if (const auto* plain = std::get_if<protocol::Handshake>(&message)) {
+        input.handshake = *plain;
+    } else {
+        const auto& diagnosis = std::get<protocol::DiagnosisHandshake>(message);
+        input.handshake = diagnosis.handshake;
+        input.diagnosis = true;
+        input.previous = diagnosis.previous;
+    }
+    input.standing = m_host.standingOf(m_peer.id, input.handshake.set);
+    if (input.standing == session::SetStanding::Held)
+        m_peerSet = m_host.setOf(m_peer.id, input.handshake.set);
+    handle(input);
+}
+
+void DistributedModule::admitBulk(transport::AttachedConnection connection)
+{
+    constexpr std::uint8_t mostLanes = 8;
+    const auto lane = connection.attach.lane;
+    if (lane > mostLanes)
+        return connection.channel->close();
+    auto& task = m_incomingBulk[lane];
+    if (task) {
+        m_bytesReceived += task->bytesReceived();
+        task->close();
+        bury(std::move(task));
+    }
+    task =
+        std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(), lane, *this);
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    if (!dialogue) // in a dialogue it is attached and not read
+        task->start();
+}
+
+void DistributedModule::entered(const session::Entered& change)
+{
+    auto event = this->event(SessionEvent::Kind::StateChanged);
+    event.from = change.from;
+    event.to = change.to;
+    m_host.log(LogLevel::Info, fmt::format("session with {}: {} -> {}", m_peer.name, toString(change.from), toString(change.to)));
+    showStatus();
+    m_host.tell(std::move(event));
+    if (change.to == SessionState::Open)
+        for (auto& [lane, task] : m_incomingBulk)
+            task->start();
+}
+
+void DistributedModule::opened(const session::SessionOpened& opened)
+{
+    m_deadlines.reset();
+    auto event = this->event(opened.reopened ? SessionEvent::Kind::ReOpened : SessionEvent::Kind::Opened);
+    event.duration = opened.duration;
+    event.incident.id = opened.incident;
+    m_host.sessionOpened(m_peer.id, opened);
+    m_host.tell(std::move(event));
+}
+
+void DistributedModule::openFailed(const session::OpenFailed& failed)
+{
+    auto event = this->event(SessionEvent::Kind::OpenFailed);
+    event.reason = failed.reason;
+    event.diagnosis.probe = failed.probe;
+    event.diagnosis.probeDetail = printable(failed.detail, 512);
+    const auto why = failed.reason != RejectReason::None      ? explain(failed.reason)
+                     : failed.probe != ProbeResult::NotProbed ? explain(failed.probe)
+                                                              : std::string_view();
+    event.detail = fmt::format("{}{}{}", printable(failed.detail, 512), why.empty() || failed.detail.empty() ? "" : ". ", why);
+    m_host.log(LogLevel::Warning, fmt::format("no session with {}: {}", m_peer.name, event.detail));
+    m_host.tell(std::move(event));
+}
+
+void DistributedModule::lost(const session::SessionLost& lost)
+{
+    m_host.log(LogLevel::Error, fmt::format("session with {} lost: {}: {}", m_peer.name, toString(lost.diagnosis.cause),
+                                            printable(lost.diagnosis.detail, 256)));
+    auto event = this->event(SessionEvent::Kind::Lost);
+    event.diagnosis = lost.diagnosis;
+    event.incident.id = lost.incident;
+    event.incident.cause = lost.diagnosis.cause;
+    event.incident.since = lost.diagnosis.since;
+    std::tie(event.incident.a, event.incident.b) = std::minmax(m_host.ownDevice().id, m_peer.id);
+    m_host.tell(std::move(event));
+    m_host.sessionLost(m_peer.id, lost);
+    startProbe(lost);
+}
+
+void DistributedModule::probe() { startProbe(std::nullopt); }
+
+void DistributedModule::startProbe(std::optional<session::SessionLost> lost)
+{
+    if (m_probe)
+        m_probe->cancel();
+    bury(std::move(m_probe));
+    m_probe = std::make_unique<transport::TcpClient>(
+        m_host.io(), m_peer, m_host.identity(), probeLimit, [this, lost = std::move(lost)](transport::TcpClient::Outcome outcome) {
+            bury(std::move(m_probe));
+            auto event = this->event(SessionEvent::Kind::Diagnosed);
+            event.incident.id = m_machine.incident();
+            if (lost)
+                event.diagnosis = lost->diagnosis;
+            if (auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome)) {
+                (*channel)->close();
+                event.diagnosis.probe = ProbeResult::Reachable;
+            } else {
+                const auto& failure = std::get<transport::ConnectionFailure>(outcome);
+                event.diagnosis.probe = failure.probe;
+                event.diagnosis.probeDetail = printable(failure.detail, 256);
+            }
+            m_host.log(LogLevel::Info, fmt::format("probe of {}: {}", m_peer.name, toString(event.diagnosis.probe)));
+            m_host.tell(std::move(event));
+        });
+}
+
+void DistributedModule::armTimer()
+{
+    const auto deadline = m_machine.nextDeadline();
+    // A timer that is due earlier than needed ticks harmlessly; moving it for every datagram would cost more.
+    if (!deadline || (m_armed && *m_armed <= *deadline))
+        return;
+    m_armed = deadline;
+    m_timer.at(*deadline, [this] {
+        m_armed.reset();
+        m_host.turned();
+        handle(session::Tick{});
+    });
+}
+
+void DistributedModule::housekeeping()
+{
+    const auto now = m_host.now().mono;
+    m_deadlines.check(now, [this](const MessageDefinition& definition) {
+        auto event = this->event(SessionEvent::Kind::DeadlineMissed);
+        event.message = definition.name;
+        m_host.tell(std::move(event));
+    });
+    if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
+        m_nextReport = now + reportPeriod;
+        sendSession(m_books.takeReport(now, m_incoming ? m_incoming->backlog() : 0), m_peer.id);
+    }
+    showStatus();
+}
+
+void DistributedModule::showStatus() { m_host.show(status()); }
+
+void DistributedModule::abort()
+{
+    m_timer.cancel();
+    closeLanes(0ns);
+    m_couriers.clear();
+    while (!m_fresh.empty())
+        endFresh(m_fresh.begin()->first);
+    if (m_probe)
+        m_probe->cancel();
+}
+
+void DistributedModule::bury(std::shared_ptr<void> ended)
+{
+    if (ended)
+        boost::asio::post(m_host.io(), [ended = std::move(ended)] {});
+}
+
+SessionEvent DistributedModule::event(SessionEvent::Kind kind) const
+{
+    SessionEvent event;
+    event.kind = kind;
+    event.at = m_host.now().mono;
+    event.peer = m_peer.id;
+    event.from = event.to = m_machine.state();
+    return event;
+}
+
+} // namespace liena::system

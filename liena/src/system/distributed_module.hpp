@@ -1,0 +1,141 @@
+// One peer: its session machine, its lanes, and what crosses them.
+#pragma once
+
+#include "session/session_machine.hpp"
+#include "system/deadline_watch.hpp"
+#include "system/fresh_connection.hpp"
+#include "system/module_host.hpp"
+#include "system/reject_courier.hpp"
+#include "system/traffic_books.hpp"
+#include "tasks/output_lane.hpp"
+#include "tasks/reception_task.hpp"
+#include "transport/tcp_server.hpp"
+#include "transport/timer.hpp"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace liena::system {
+
+/// Network thread. The shell around SessionMachine: it moves bytes and time in, and does what the machine says.
+class DistributedModule : public tasks::LaneSink {
+public:
+    DistributedModule(ModuleHost& host, TopologyDevice peer, TopologyLink link);
+
+    // Dialogues; the outcome is an event.
+    Result<void> open();
+    Result<void> reopen();
+    Result<void> close(std::string_view reason);
+    void probe();
+
+    void revoke();
+
+    /// Accepts a message for the peer or says why not.
+    Result<void> send(Message message);
+
+    /// A connection of the peer with its Attach.
+    void attached(transport::AttachedConnection connection);
+
+    /// To the peer alone, or as the next hop of a broadcast.
+    void sendSession(const protocol::SessionMessage& message, DeviceId target);
+
+    /// This pair's incident, 0 when it has none any more.
+    void setIncident(IncidentId incident);
+    void setIncidentCount(std::size_t count);
+
+    /// The thread did not run for `gap`.
+    void stalled(session::Nanoseconds gap);
+
+    /// Once per heartbeat or so: deadlines, reports, figures.
+    void housekeeping();
+
+    SessionState state() const { return m_machine.state(); }
+    const TopologyDevice& peer() const { return m_peer; }
+    const LinkTiming& timing() const { return m_link.timing; }
+    std::shared_ptr<const MessageSet> peerSet() const { return m_peerSet; }
+    LinkStatus status() const;
+
+    /// Ends everything at once, without a word.
+    void abort();
+
+private:
+    // LaneSink (module_reception.cpp)
+    void turned() override { m_host.turned(); }
+    tasks::Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) override;
+    void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned) override;
+    void violated(std::uint8_t lane, const std::string& detail) override;
+    void laneLost(std::uint8_t lane, const std::string& detail) override;
+
+    tasks::Judgement judgeSession(std::uint8_t lane, const protocol::DatagramHeader& header);
+    tasks::Judgement judgeApplication(std::uint8_t lane, const protocol::DatagramHeader& header);
+    tasks::Judgement violation(const std::string& detail);
+    tasks::Judgement skip(const std::string& cause, const protocol::DatagramHeader& header);
+    const MessageDefinition* definitionOf(std::uint16_t number) const;
+    void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
+    void receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned);
+    bool passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part);
+    void deliver(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> fields,
+                 FieldBytes* owned);
+    void commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous);
+    void setHeard(const protocol::MessageSetAnswer& answer);
+    void drop(const std::string& cause, std::uint16_t number, const std::string& detail = {});
+
+    // Sessions (distributed_module.cpp)
+    void handle(const session::SessionInput& input);
+    void perform(session::SessionActions actions);
+    void perform(session::SessionAction& action);
+    void connectLaneZero();
+    void connectBulk();
+    void retryBulk();
+    void notSent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate);
+    void closeLanes(session::Nanoseconds grace);
+    void adopt(session::ConnectionNumber number);
+    void refuse(const session::Refuse& refusal);
+    void entered(const session::Entered& change);
+    void opened(const session::SessionOpened& opened);
+    void lost(const session::SessionLost& lost);
+    void openFailed(const session::OpenFailed& failed);
+    void handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message);
+    void admitFresh(transport::AttachedConnection connection);
+    void admitBulk(transport::AttachedConnection connection);
+    void endFresh(session::ConnectionNumber number);
+    void armTimer();
+    void showStatus();
+    void bury(std::shared_ptr<void> ended);
+    void startProbe(std::optional<session::SessionLost> lost);
+    bool flowAllowed(const MessageDefinition& definition, DeviceId from) const;
+    Result<void> checkSendable(const Message& message) const;
+    SessionEvent event(SessionEvent::Kind kind) const;
+    protocol::EncodedMessage encode(const protocol::SessionMessage& message, DeviceId target);
+
+    static constexpr std::size_t bulkLane = 1;
+
+    ModuleHost& m_host;
+    TopologyDevice m_peer;
+    TopologyLink m_link;
+    session::SessionMachine m_machine;
+    std::shared_ptr<const MessageSet> m_peerSet; ///< pinned or learnt; null while unknown
+
+    tasks::OutputLane m_laneZero;
+    tasks::OutputLane m_bulk;
+    transport::Timer m_bulkRetry;
+    std::unique_ptr<tasks::ReceptionTask> m_incoming;
+    std::map<std::uint8_t, std::unique_ptr<tasks::ReceptionTask>> m_incomingBulk;
+    std::map<session::ConnectionNumber, std::unique_ptr<FreshConnection>> m_fresh;
+    session::ConnectionNumber m_nextConnection = 0;
+    RejectCouriers m_couriers;
+
+    transport::Timer m_timer;
+    std::optional<session::Instant> m_armed;
+    std::unique_ptr<transport::TcpClient> m_probe;
+
+    TrafficBooks m_books;
+    DeadlineWatch m_deadlines;
+    session::Instant m_nextReport;
+    std::uint32_t m_interruptions = 0;
+    std::uint64_t m_bytesReceived = 0; ///< of lanes that ended
+};
+
+} // namespace liena::system

@@ -1,0 +1,269 @@
+// The facade's calls, from any thread.
+#include "system/distributed_system_state.hpp"
+
+#include <boost/asio/post.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace liena {
+
+namespace asio = boost::asio;
+
+namespace {
+
+std::filesystem::path defaultStore()
+{
+    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
+        return std::filesystem::path(state) / "liena" / "sets";
+    if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+        return std::filesystem::path(home) / ".local" / "state" / "liena" / "sets";
+    return {};
+}
+
+bool isLoopback(const std::string& host)
+{
+    boost::system::error_code notNumeric;
+    const auto address = asio::ip::make_address(host, notNumeric);
+    return notNumeric ? host == "localhost" : address.is_loopback();
+}
+
+Result<std::shared_ptr<security::TlsIdentity>> loadIdentity(const Settings& settings, const SystemTopology& topology,
+                                                            const TopologyDevice& own)
+{
+    if (topology.security() == SecurityMode::Tls)
+        return security::TlsIdentity::load(settings.certificate, settings.key, settings.authority, own.id);
+    settings.log(LogLevel::Warning, "NO SECURITY: the topology says mode none; whoever reaches this port can command this device");
+    if (!isLoopback(own.host) && !settings.allowInsecureNetwork)
+        return fail(Errc::Forbidden,
+                    fmt::format("security mode none binds to loopback addresses only, not to {}; use mode tls, or allow an insecure "
+                                "network on purpose",
+                                own.host));
+    return std::shared_ptr<security::TlsIdentity>();
+}
+
+} // namespace
+
+DistributedSystem::DistributedSystem(std::unique_ptr<State> state) : m_state(std::move(state)) {}
+DistributedSystem::~DistributedSystem() { stop(); }
+
+Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings settings)
+{
+    auto topology = SystemTopology::load(settings.topology);
+    if (!topology)
+        return topology.as_failure();
+    auto own = topology.value().device(settings.device);
+    if (!own)
+        return own.as_failure();
+    auto registry = Registry::load(settings.registry);
+    if (!registry)
+        return registry.as_failure();
+    if (!registry.value().find(own.value().id))
+        return fail(Errc::MessageSetInvalid, fmt::format("the register has no message set for {} ({}): name the folder that holds {}.xml",
+                                                         own.value().name, own.value().id.toString(), own.value().messageSet));
+    auto identity = loadIdentity(settings, topology.value(), own.value());
+    if (!identity)
+        return identity.as_failure();
+    const auto folder = settings.store.empty() ? defaultStore() : settings.store;
+    std::optional<LocalStore> store;
+    if (!folder.empty()) {
+        auto opened = LocalStore::open(folder);
+        if (!opened)
+            return opened.as_failure();
+        store.emplace(std::move(opened.value()));
+    }
+    auto state = std::make_unique<State>(std::move(settings), std::move(topology.value()), std::move(own.value()),
+                                         std::move(registry.value()), std::move(store), std::move(identity.value()));
+    if (auto listening = state->listen(); !listening)
+        return listening.as_failure();
+    return std::unique_ptr<DistributedSystem>(new DistributedSystem(std::move(state)));
+}
+
+Result<void> DistributedSystem::subscribe(std::string_view message, MessageHandler handler)
+{
+    const auto knows = [&](const std::shared_ptr<const MessageSet>& set) { return set && set->find(message) != nullptr; };
+    const auto& peers = m_state->modules;
+    const bool known = knows(m_state->ownMessageSet) ||
+                       std::any_of(peers.begin(), peers.end(), [&](const auto& peer) { return knows(m_state->registry.find(peer.first)); });
+    if (!known)
+        return fail(Errc::UnknownMessage, fmt::format("no message set of this device or of a linked one has a message {}", message));
+    m_state->messageHandlers[std::string(message)].push_back(std::move(handler));
+    return ok();
+}
+
+void DistributedSystem::subscribe(EventHandler handler) { m_state->eventHandlers.push_back(std::move(handler)); }
+
+void DistributedSystem::every(std::chrono::nanoseconds period, std::function<void()> task)
+{
+    auto periodic = std::make_unique<State::Periodic>();
+    periodic->period = period;
+    periodic->task = std::move(task);
+    m_state->periodics.push_back(std::move(periodic));
+}
+
+void DistributedSystem::start() { m_state->start(); }
+void DistributedSystem::stop() { m_state->stop(); }
+
+const SystemTopology& DistributedSystem::topology() const { return m_state->topology; }
+const TopologyDevice& DistributedSystem::self() const { return m_state->ownTopologyDevice; }
+std::shared_ptr<const MessageSet> DistributedSystem::messageSet(DeviceId device) const { return m_state->board.set(device); }
+MessageCache& DistributedSystem::cache() { return m_state->messageCache; }
+std::vector<LinkStatus> DistributedSystem::links() const { return m_state->board.links(); }
+std::vector<Incident> DistributedSystem::incidents() const { return m_state->board.incidents(); }
+
+Result<DeviceId> DistributedSystem::State::linkedPeer(DeviceId peer) const
+{
+    if (stopped)
+        return fail(Errc::Stopped, "this device's part in the system has stopped");
+    if (modules.contains(peer))
+        return peer;
+    if (topology.find(peer) == nullptr)
+        return fail(Errc::UnknownDevice, fmt::format("{} is not in topology {}", peer.toString(), topology.name()));
+    return fail(Errc::NoLink, fmt::format("topology {} has no link between {} and {}", topology.name(), ownTopologyDevice.id.toString(),
+                                          peer.toString()));
+}
+
+Result<void> DistributedSystem::openChannel(DeviceId peer)
+{
+    if (const auto linked = m_state->linkedPeer(peer); !linked)
+        return linked.as_failure();
+    const auto status = m_state->board.link(peer);
+    if (status->state == SessionState::StandBy)
+        return fail(Errc::StandBy, "the link is in stand-by: a person has to re-open it");
+    if (status->state != SessionState::Closed)
+        return fail(Errc::Busy, fmt::format("the session is {} already", toString(status->state)));
+    post([state = m_state.get(), peer] { (void)state->module(peer)->open(); });
+    return ok();
+}
+
+Result<void> DistributedSystem::closeChannel(DeviceId peer, std::string_view reason)
+{
+    if (const auto linked = m_state->linkedPeer(peer); !linked)
+        return linked.as_failure();
+    const auto status = m_state->board.link(peer);
+    if (status->state == SessionState::Closed || status->state == SessionState::StandBy)
+        return fail(Errc::NotOpen, fmt::format("the session is {}", toString(status->state)));
+    post([state = m_state.get(), peer, why = std::string(reason)] { (void)state->module(peer)->close(why); });
+    return ok();
+}
+
+Result<void> DistributedSystem::reopenChannel(DeviceId peer)
+{
+    if (const auto linked = m_state->linkedPeer(peer); !linked)
+        return linked.as_failure();
+    const auto status = m_state->board.link(peer);
+    if (status->state == SessionState::Reopening)
+        return fail(Errc::Busy, "the session is being re-opened");
+    if (status->state != SessionState::StandBy)
+        return fail(Errc::NoIncident, fmt::format("the session is {}, there is nothing to re-open", toString(status->state)));
+    post([state = m_state.get(), peer] { (void)state->module(peer)->reopen(); });
+    return ok();
+}
+
+Result<void> DistributedSystem::dismissIncident(IncidentId incident, std::string_view reason)
+{
+    const auto held = incidents();
+    if (std::none_of(held.begin(), held.end(), [&](const Incident& one) { return one.id == incident; }))
+        return fail(Errc::NoIncident, "this device holds no such incident");
+    post([state = m_state.get(), incident, why = std::string(reason)] {
+        state->perform(state->ledger.dismiss(incident, why, state->now()));
+    });
+    return ok();
+}
+
+Result<void> DistributedSystem::probe(DeviceId peer)
+{
+    if (const auto linked = m_state->linkedPeer(peer); !linked)
+        return linked.as_failure();
+    post([state = m_state.get(), peer] { state->module(peer)->probe(); });
+    return ok();
+}
+
+void DistributedSystem::confirmHold(bool holding)
+{
+    post([state = m_state.get(), holding] { state->perform(state->ledger.confirmHold(holding, state->now())); });
+}
+
+void DistributedSystem::revokeControl()
+{
+    const auto revoke = [state = m_state.get()] {
+        for (auto& [peer, one] : state->modules)
+            one->revoke();
+    };
+    if (m_state->isNetworkThread())
+        revoke();
+    else
+        post(revoke);
+}
+
+Result<Message> DistributedSystem::report(std::string_view name) const
+{
+    const auto* definition = m_state->ownMessageSet->find(name);
+    if (definition == nullptr || definition->role != Role::Report)
+        return fail(Errc::UnknownMessage, fmt::format("message set {} has no report {}", m_state->ownMessageSet->name(), name));
+    return Message(m_state->ownMessageSet, *definition);
+}
+
+Result<Message> DistributedSystem::command(DeviceId target, std::string_view name) const
+{
+    auto set = m_state->board.set(target);
+    if (!set)
+        return fail(Errc::NotYet, fmt::format("the message set of {} is not known before its first session", target.toString()));
+    const auto* definition = set->find(name);
+    if (definition == nullptr || definition->role != Role::Command)
+        return fail(Errc::UnknownMessage, fmt::format("message set {} has no command {}", set->name(), name));
+    return Message(std::move(set), *definition);
+}
+
+Result<void> DistributedSystem::State::checkSend(DeviceId target, const Message& message) const
+{
+    if (const auto linked = linkedPeer(target); !linked)
+        return linked.as_failure();
+    if (message.fault())
+        return boost::outcome_v2::failure(*message.fault());
+    const auto& definition = message.definition();
+    const auto owner = definition.role == Role::Command ? target : ownTopologyDevice.id;
+    const auto set = board.set(owner);
+    if (!set || set->hash() != message.messageSet().hash())
+        return fail(Errc::UnknownMessage, fmt::format("{} does not belong to the message set of {}", definition.name, owner.toString()));
+    if (isNetworkThread())
+        return ok(); // the module says the rest
+    const auto status = board.link(target);
+    const bool control = definition.priority == Priority::Control;
+    if (!carriesMessages(status->state) && (control || status->state != SessionState::Reconnecting))
+        return fail(Errc::NotOpen, fmt::format("the session is {}", toString(status->state)));
+    if (!definition.allowedInStandBy && board.standsBy())
+        return fail(Errc::StandBy, fmt::format("{} is refused while the system stands by", definition.name));
+    return ok();
+}
+
+Result<void> DistributedSystem::send(DeviceId target, Message message)
+{
+    if (auto allowed = m_state->checkSend(target, message); !allowed)
+        return allowed;
+    if (m_state->isNetworkThread())
+        return m_state->module(target)->send(std::move(message));
+    if (!m_state->outbox.put(target, std::move(message)))
+        return fail(Errc::QueueFull, "too many messages wait for the network thread");
+    return ok();
+}
+
+std::size_t DistributedSystem::publish(const Message& message)
+{
+    const auto all = links();
+    const auto open = static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const LinkStatus& status) { return carriesMessages(status.state); }));
+    if (message.fault() || message.definition().role != Role::Report || m_state->stopped)
+        return 0;
+    if (m_state->isNetworkThread())
+        m_state->publishNow(message);
+    else if (open == 0 || !m_state->outbox.put(DeviceId::broadcast(), message))
+        return 0;
+    return open;
+}
+
+void DistributedSystem::post(std::function<void()> task) { asio::post(m_state->context, std::move(task)); }
+
+} // namespace liena

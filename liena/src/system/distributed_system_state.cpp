@@ -1,0 +1,356 @@
+// The network thread's work for the whole device.
+#include "system/distributed_system_state.hpp"
+
+#include "security/random_token.hpp"
+
+#include <boost/asio/post.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace liena {
+
+namespace asio = boost::asio;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto housekeepingPeriod = 20ms;
+constexpr auto closingLimit = 1s;
+
+} // namespace
+
+DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, std::optional<LocalStore> learnt,
+                                std::shared_ptr<security::TlsIdentity> tls)
+    : settings(std::move(given)),
+      topology(std::move(read)),
+      ownTopologyDevice(std::move(own)),
+      registry(std::move(sets)),
+      store(std::move(learnt)),
+      tlsIdentity(std::move(tls)),
+      ownMessageSet(registry.find(ownTopologyDevice.id)),
+      outbox([this] { asio::post(context, [this] { drainOutbox(); }); }),
+      ledger(ownTopologyDevice.id),
+      server(context, ownTopologyDevice.id, tlsIdentity,
+             {[this](transport::AttachedConnection connection) { attached(std::move(connection)); },
+              [this](DeviceId device, const std::string& detail) { identityRefused(device, detail); }},
+             settings.log)
+{
+    board.showSet(ownTopologyDevice.id, ownMessageSet);
+    for (const auto* link : topology.linksOf(ownTopologyDevice.id)) {
+        const auto& peer = *topology.find(link->otherEnd(ownTopologyDevice.id));
+        auto made = std::make_unique<system::DistributedModule>(*this, peer, *link);
+        if (auto set = registry.find(peer.id))
+            board.showSet(peer.id, std::move(set));
+        board.show(made->status());
+        modules.emplace(peer.id, std::move(made));
+    }
+}
+
+DistributedSystem::State::~State() { stop(); }
+
+Result<void> DistributedSystem::State::listen() { return server.listen(ownTopologyDevice.host, ownTopologyDevice.port); }
+
+void DistributedSystem::State::start()
+{
+    if (thread.joinable() || stopped)
+        return;
+    auto keeper = std::make_unique<Periodic>();
+    keeper->period = housekeepingPeriod;
+    keeper->task = [this] { housekeeping(); };
+    periodics.push_back(std::move(keeper));
+    log(LogLevel::Info, fmt::format("{} ({}) listening on {}:{}", ownTopologyDevice.name, ownTopologyDevice.id.toString(),
+                                    ownTopologyDevice.host, ownTopologyDevice.port));
+    server.start();
+    for (auto& periodic : periodics)
+        startPeriodic(*periodic);
+    thread = std::thread([this] {
+        threadId = std::this_thread::get_id();
+        context.run();
+    });
+}
+
+void DistributedSystem::State::startPeriodic(Periodic& periodic)
+{
+    if (!periodic.timer) {
+        periodic.timer = std::make_unique<transport::Timer>(context);
+        periodic.due = std::chrono::steady_clock::now();
+    }
+    periodic.due = std::max(periodic.due + periodic.period, std::chrono::steady_clock::now());
+    periodic.timer->at(periodic.due, [this, &periodic] {
+        turned();
+        startPeriodic(periodic);
+        periodic.task();
+    });
+}
+
+void DistributedSystem::State::stop()
+{
+    if (stopped.exchange(true))
+        return;
+    if (thread.joinable()) {
+        asio::post(context, [this] { closeAll(); });
+        thread.join();
+    }
+    periodics.clear();
+    for (auto& [peer, one] : modules)
+        one->abort();
+    server.close();
+    modules.clear();
+    // Buried objects die with the handlers that hold them.
+    context.restart();
+    context.poll();
+}
+
+/// Closes what is open, waits for that at most `closingLimit`, and ends the thread.
+void DistributedSystem::State::closeAll()
+{
+    for (auto& [peer, one] : modules)
+        (void)one->close("the application is stopping");
+    auto timer = std::make_shared<transport::Timer>(context);
+    const auto limit = std::chrono::steady_clock::now() + closingLimit;
+    auto check = std::make_shared<std::function<void()>>();
+    *check = [this, timer, limit, weak = std::weak_ptr(check)] {
+        const auto self = weak.lock();
+        if (!self)
+            return;
+        if (!allClosed() && std::chrono::steady_clock::now() < limit)
+            return timer->after(5ms, [self] { (*self)(); });
+        // What a closing dialogue wrote last may still be on its way to the kernel.
+        timer->after(20ms, [this] { context.stop(); });
+    };
+    (*check)();
+}
+
+bool DistributedSystem::State::allClosed() const
+{
+    return std::all_of(modules.begin(), modules.end(), [](const auto& entry) {
+        return entry.second->state() == SessionState::Closed || entry.second->state() == SessionState::StandBy;
+    });
+}
+
+system::DistributedModule* DistributedSystem::State::module(DeviceId peer)
+{
+    const auto found = modules.find(peer);
+    return found != modules.end() ? found->second.get() : nullptr;
+}
+
+std::uint64_t DistributedSystem::State::freshToken() { return security::randomToken(); }
+
+void DistributedSystem::State::turned()
+{
+    const auto gap = stallWatch.turn(std::chrono::steady_clock::now());
+    if (handlingStall)
+        return;
+    const bool concerned = std::any_of(modules.begin(), modules.end(), [&](const auto& entry) {
+        return carriesMessages(entry.second->state()) && gap >= entry.second->timing().suspect;
+    });
+    if (!concerned)
+        return;
+    handlingStall = true;
+    SessionEvent event;
+    event.kind = SessionEvent::Kind::LocalStall;
+    event.at = std::chrono::steady_clock::now();
+    event.duration = gap;
+    log(LogLevel::Error,
+        fmt::format("this process did not run for {} ms", std::chrono::duration_cast<std::chrono::milliseconds>(gap).count()));
+    tell(std::move(event));
+    for (auto& [peer, one] : modules)
+        one->stalled(gap);
+    handlingStall = false;
+}
+
+void DistributedSystem::State::housekeeping()
+{
+    for (auto& [peer, one] : modules)
+        one->housekeeping();
+}
+
+void DistributedSystem::State::attached(transport::AttachedConnection connection)
+{
+    if (stopped)
+        return connection.channel->close();
+    turned();
+    if (auto* one = module(connection.peer))
+        return one->attached(std::move(connection));
+    rejectUnlinked(std::move(connection));
+}
+
+void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection connection)
+{
+    connection.channel->close();
+    const auto* device = topology.find(connection.peer);
+    const auto why = device == nullptr ? "it is not in the topology" : "the topology has no link to it";
+    identityRefused(connection.peer, fmt::format("{} asked for a session, and {}", connection.peer.toString(), why));
+}
+
+void DistributedSystem::State::identityRefused(DeviceId device, const std::string& detail)
+{
+    log(LogLevel::Warning, "refused a connection from " + printable(detail, 512));
+    SessionEvent event;
+    event.kind = SessionEvent::Kind::IdentityRefused;
+    event.at = std::chrono::steady_clock::now();
+    event.peer = device;
+    event.detail = printable(detail, 512);
+    tell(std::move(event));
+}
+
+session::SetStanding DistributedSystem::State::standingOf(DeviceId peer, const Sha256& set)
+{
+    using session::SetStanding;
+    if (const auto known = registry.find(peer))
+        return known->hash() == set ? SetStanding::Held : SetStanding::Changed;
+    if (!store)
+        return SetStanding::Unknown;
+    const auto pin = store->pinFor(peer.deviceType());
+    if (pin && pin.value() && *pin.value() != set)
+        return SetStanding::Changed;
+    return setOf(peer, set) ? SetStanding::Held : SetStanding::Unknown;
+}
+
+std::shared_ptr<const MessageSet> DistributedSystem::State::setOf(DeviceId peer, const Sha256& set)
+{
+    auto known = registry.find(peer);
+    if (!known && store)
+        if (auto learnt = store->find(set))
+            known = learnt.value();
+    if (!known || known->hash() != set || known->deviceType() != peer.deviceType())
+        return nullptr;
+    board.showSet(peer, known);
+    return known;
+}
+
+session::SetHeard DistributedSystem::State::learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml)
+{
+    using session::SetStanding;
+    const std::string_view text(reinterpret_cast<const char*>(xml.data()), xml.size());
+    if (Sha256::of(xml) != set)
+        return {SetStanding::Invalid, "the message set's bytes do not have the hash that was announced"};
+    auto parsed = MessageSet::parse(text, "message set of " + peer.toString());
+    if (!parsed)
+        return {SetStanding::Invalid, printable(parsed.error().what, 400)};
+    if (parsed.value()->deviceType() != peer.deviceType())
+        return {SetStanding::Invalid,
+                fmt::format("the message set is that of {}, the device is {}", parsed.value()->deviceType().toString(), peer.toString())};
+    if (!store)
+        return {SetStanding::Invalid, "there is no local store to keep the message set in"};
+    if (auto saved = store->save(*parsed.value()); !saved)
+        return {SetStanding::Invalid, saved.error().what};
+    const auto pinned = store->pinFirst(peer.deviceType(), set);
+    if (!pinned)
+        return {SetStanding::Invalid, pinned.error().what};
+    if (pinned.value() != set)
+        return {SetStanding::Changed, "another message set was accepted for this type of device"};
+    return {SetStanding::Held, {}};
+}
+
+void DistributedSystem::State::sessionOpened(DeviceId peer, const session::SessionOpened& opened)
+{
+    if (opened.reopened)
+        perform(ledger.reopened(peer, opened.token, opened.incident, now()));
+    perform(ledger.greet(peer));
+}
+
+void DistributedSystem::State::sessionLost(DeviceId peer, const session::SessionLost& lost)
+{
+    perform(ledger.lost(peer, lost.incident, lost.diagnosis.cause, lost.diagnosis.since, now()));
+}
+
+void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamped)
+{
+    if (const auto* standBy = std::get_if<protocol::StandBy>(&message))
+        perform(ledger.heard(from, *standBy, now()));
+    else if (const auto* report = std::get_if<protocol::StandByReport>(&message))
+        perform(ledger.heard(from, *report, now()));
+    else if (const auto* dismissed = std::get_if<protocol::IncidentDismissed>(&message))
+        perform(ledger.heard(from, *dismissed, now()));
+    else if (const auto* reopened = std::get_if<protocol::ChannelReOpened>(&message)) {
+        log(LogLevel::Info, fmt::format("{} says that {} and {} re-opened their channel", from.toString(), reopened->peerA.toString(),
+                                        reopened->peerB.toString()));
+        perform(ledger.heard(from, *reopened, stamped, now()));
+    }
+}
+
+void DistributedSystem::State::perform(const session::LedgerActions& actions)
+{
+    board.showIncidents(ledger.incidents());
+    for (auto& [peer, one] : modules)
+        one->setIncidentCount(ledger.size());
+    for (const auto& action : actions) {
+        if (const auto* broadcast = std::get_if<session::Broadcast>(&action)) {
+            performBroadcast(*broadcast);
+        } else if (const auto* answer = std::get_if<session::Answer>(&action)) {
+            if (auto* one = module(answer->to))
+                one->sendSession(answer->message, DeviceId::broadcast());
+        } else if (const auto* changed = std::get_if<session::PairChanged>(&action)) {
+            if (auto* one = module(changed->peer))
+                one->setIncident(changed->incident);
+        } else if (const auto* told = std::get_if<session::Tell>(&action)) {
+            log(LogLevel::Info, fmt::format("{}: {} - {}", toString(told->event.kind), told->event.incident.a.toString(),
+                                            told->event.incident.b.toString()));
+            tell(told->event);
+        } else if (const auto* violation = std::get_if<session::LedgerViolation>(&action)) {
+            log(LogLevel::Warning, fmt::format("{}: {}", violation->peer.toString(), violation->detail));
+        }
+    }
+}
+
+void DistributedSystem::State::performBroadcast(const session::Broadcast& broadcast)
+{
+    for (auto& [peer, one] : modules)
+        if (carriesMessages(one->state()) && peer != broadcast.except)
+            one->sendSession(broadcast.message, DeviceId::broadcast());
+}
+
+void DistributedSystem::State::deliver(Message message)
+{
+    const auto found = messageHandlers.find(message.name());
+    if (found == messageHandlers.end())
+        return MessageCacheAccess::put(messageCache, std::move(message));
+    for (const auto& handler : found->second)
+        handler(message);
+}
+
+void DistributedSystem::State::tell(SessionEvent event)
+{
+    for (const auto& handler : eventHandlers)
+        handler(event);
+    MessageCacheAccess::put(messageCache, std::move(event));
+}
+
+void DistributedSystem::State::drainOutbox()
+{
+    for (auto& letter : outbox.take()) {
+        if (letter.target.isBroadcast())
+            publishNow(letter.message);
+        else
+            sendNow(letter.target, std::move(letter.message));
+    }
+}
+
+void DistributedSystem::State::sendNow(DeviceId target, Message message)
+{
+    auto* one = module(target);
+    const auto& name = message.definition().name;
+    const auto sent = one->send(std::move(message));
+    if (sent)
+        return;
+    SessionEvent event;
+    event.kind = SessionEvent::Kind::SendFailed;
+    event.at = std::chrono::steady_clock::now();
+    event.peer = target;
+    event.message = name;
+    event.count = 1;
+    event.detail = sent.error().what;
+    tell(std::move(event));
+}
+
+void DistributedSystem::State::publishNow(const Message& message)
+{
+    for (auto& [peer, one] : modules)
+        if (carriesMessages(one->state()) || one->state() == SessionState::Reconnecting)
+            (void)one->send(message); // what a single session refuses is no failure of a publication
+}
+
+} // namespace liena

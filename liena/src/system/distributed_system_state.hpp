@@ -1,0 +1,118 @@
+// Everything behind the facade: the modules of all peers, the ledger, and the network thread that runs them.
+#pragma once
+
+#include "cache/link_board.hpp"
+#include "cache/message_cache_access.hpp"
+#include "cache/outbox.hpp"
+#include "liena/distributed_system.hpp"
+#include "session/stall_watch.hpp"
+#include "session/stand_by_ledger.hpp"
+#include "system/distributed_module.hpp"
+#include "system/module_host.hpp"
+#include "topology/local_store.hpp"
+#include "topology/registry.hpp"
+#include "transport/tcp_server.hpp"
+#include "transport/timer.hpp"
+
+#include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/io_context.hpp>
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace liena {
+
+struct DistributedSystem::State final : public system::ModuleHost {
+    State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, std::optional<LocalStore> learnt,
+          std::shared_ptr<security::TlsIdentity> tls);
+    ~State() override;
+
+    Result<void> listen();
+    void start();
+    void stop();
+    bool isNetworkThread() const { return std::this_thread::get_id() == threadId.load(); }
+
+    system::DistributedModule* module(DeviceId peer);
+    Result<DeviceId> linkedPeer(DeviceId peer) const;
+    Result<void> checkSend(DeviceId target, const Message& message) const;
+    void sendNow(DeviceId target, Message message);
+    void publishNow(const Message& message);
+    void drainOutbox();
+    void perform(const session::LedgerActions& actions);
+    void performBroadcast(const session::Broadcast& broadcast);
+    void housekeeping();
+    void attached(transport::AttachedConnection connection);
+    void identityRefused(DeviceId device, const std::string& detail);
+    void rejectUnlinked(transport::AttachedConnection connection);
+    bool allClosed() const;
+
+    // ModuleHost
+    boost::asio::io_context& io() override { return context; }
+    const TopologyDevice& ownDevice() const override { return ownTopologyDevice; }
+    const Sha256& topologyHash() const override { return topology.hash(); }
+    const std::shared_ptr<const MessageSet>& ownSet() const override { return ownMessageSet; }
+    const std::string& software() const override { return settings.software; }
+    std::shared_ptr<security::TlsIdentity> identity() override { return tlsIdentity; }
+    protocol::PartialBudget& budget() override { return partialBudget; }
+    Timestamp stamp() override { return stamps.next(Timestamp::now()); }
+    session::Now now() const override { return {std::chrono::steady_clock::now(), Timestamp::now()}; }
+    std::uint64_t freshToken() override;
+    void turned() override;
+    session::SetStanding standingOf(DeviceId peer, const Sha256& set) override;
+    std::shared_ptr<const MessageSet> setOf(DeviceId peer, const Sha256& set) override;
+    session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) override;
+    bool standsBy() const override { return ledger.standsBy(); }
+    void sessionOpened(DeviceId peer, const session::SessionOpened& opened) override;
+    void sessionLost(DeviceId peer, const session::SessionLost& lost) override;
+    void heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamp) override;
+    void deliver(Message message) override;
+    void tell(SessionEvent event) override;
+    void show(const LinkStatus& status) override { board.show(status); }
+    void log(LogLevel level, const std::string& text) override { settings.log(level, text); }
+
+    Settings settings;
+    SystemTopology topology;
+    TopologyDevice ownTopologyDevice;
+    Registry registry;
+    std::optional<LocalStore> store;
+    std::shared_ptr<security::TlsIdentity> tlsIdentity;
+    std::shared_ptr<const MessageSet> ownMessageSet;
+
+    // Shared with other threads
+    MessageCache messageCache;
+    cache::LinkBoard board;
+    cache::Outbox outbox;
+    std::atomic<bool> stopped = false;
+    std::atomic<std::thread::id> threadId{};
+
+    // The network thread's, after start()
+    boost::asio::io_context context{1};
+    boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{context.get_executor()};
+    protocol::PartialBudget partialBudget;
+    TimestampSource stamps;
+    session::StandByLedger ledger;
+    session::StallWatch stallWatch;
+    std::map<std::string, std::vector<MessageHandler>, std::less<>> messageHandlers;
+    std::vector<EventHandler> eventHandlers;
+    struct Periodic {
+        std::chrono::nanoseconds period;
+        std::function<void()> task;
+        std::unique_ptr<transport::Timer> timer;
+        std::chrono::steady_clock::time_point due;
+    };
+    std::vector<std::unique_ptr<Periodic>> periodics;
+    std::map<DeviceId, std::unique_ptr<system::DistributedModule>> modules;
+    transport::TcpServer server;
+    std::thread thread;
+    bool handlingStall = false;
+
+private:
+    void startPeriodic(Periodic& periodic);
+    void closeAll();
+};
+
+} // namespace liena

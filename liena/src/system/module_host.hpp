@@ -1,0 +1,56 @@
+// What a module needs of the device it is part of.
+#pragma once
+
+#include "liena/log.hpp"
+#include "liena/message.hpp"
+#include "liena/session_event.hpp"
+#include "liena/system_topology.hpp"
+#include "protocol/reassembler.hpp"
+#include "security/tls_identity.hpp"
+#include "session/session_machine.hpp"
+
+#include <boost/asio/io_context.hpp>
+
+#include <memory>
+#include <string>
+
+namespace liena::system {
+
+/// Network thread. Outlives its modules.
+class ModuleHost {
+public:
+    virtual ~ModuleHost() = default;
+
+    virtual boost::asio::io_context& io() = 0;
+    virtual const TopologyDevice& ownDevice() const = 0;
+    virtual const Sha256& topologyHash() const = 0;
+    virtual const std::shared_ptr<const MessageSet>& ownSet() const = 0;
+    virtual const std::string& software() const = 0;
+    virtual std::shared_ptr<security::TlsIdentity> identity() = 0;
+    virtual protocol::PartialBudget& budget() = 0;
+
+    virtual Timestamp stamp() = 0;
+    virtual session::Now now() const = 0;
+    virtual std::uint64_t freshToken() = 0;
+
+    /// The network thread turned; judged before anything is acted on.
+    virtual void turned() = 0;
+
+    /// The set with that hash as the set of `peer`: held, unknown, or not to be accepted.
+    virtual session::SetStanding standingOf(DeviceId peer, const Sha256& set) = 0;
+    virtual std::shared_ptr<const MessageSet> setOf(DeviceId peer, const Sha256& set) = 0;
+    /// Checks and keeps a set that a peer has sent.
+    virtual session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) = 0;
+
+    virtual bool standsBy() const = 0;
+    virtual void sessionOpened(DeviceId peer, const session::SessionOpened& opened) = 0;
+    virtual void sessionLost(DeviceId peer, const session::SessionLost& lost) = 0;
+    virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamp) = 0;
+
+    virtual void deliver(Message message) = 0;
+    virtual void tell(SessionEvent event) = 0;
+    virtual void show(const LinkStatus& status) = 0;
+    virtual void log(LogLevel level, const std::string& text) = 0;
+};
+
+} // namespace liena::system

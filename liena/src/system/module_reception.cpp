@@ -1,0 +1,228 @@
+// What a peer's lanes bring: judged by the header, by the session's state, by the definition and by the safety record.
+#include "protocol/byte_reader.hpp"
+#include "protocol/information_part.hpp"
+#include "protocol/message_access.hpp"
+#include "system/distributed_module.hpp"
+
+#include <fmt/format.h>
+
+namespace liena::system {
+
+using protocol::HeaderVerdict;
+
+namespace {
+
+bool isReserved(std::uint16_t number) { return number == 0 || number >= 0x1000; }
+
+} // namespace
+
+const MessageDefinition* DistributedModule::definitionOf(std::uint16_t number) const
+{
+    if (number >= 0x0100 && number <= 0x01FF)
+        return m_host.ownSet()->find(number);
+    return m_peerSet ? m_peerSet->find(number) : nullptr;
+}
+
+tasks::Judgement DistributedModule::violation(const std::string& detail)
+{
+    handle(session::ViolationFound{detail});
+    return {HeaderVerdict::Refuse, 0};
+}
+
+tasks::Judgement DistributedModule::skip(const std::string& cause, const protocol::DatagramHeader& header)
+{
+    drop(cause, header.message.number);
+    return {HeaderVerdict::Skip, 0};
+}
+
+tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::DatagramHeader& header)
+{
+    if (header.message.origin != m_peer.id)
+        return violation(fmt::format("origin {} on the connection of {}", header.message.origin.toString(), m_peer.id.toString()));
+    if (header.target != m_host.ownDevice().id && !header.target.isBroadcast())
+        return skip("target is another device", header);
+    if (isReserved(header.message.number))
+        return skip("reserved message number", header);
+    return header.message.isSessionManagement() ? judgeSession(lane, header) : judgeApplication(lane, header);
+}
+
+tasks::Judgement DistributedModule::judgeSession(std::uint8_t lane, const protocol::DatagramHeader& header)
+{
+    const auto maximum = protocol::maximumSessionBody(header.message.number);
+    if (!maximum)
+        return skip("unknown session message", header);
+    if (lane != 0 && header.message.number != protocol::Abandon::number)
+        return violation("session management on a bulk lane");
+    if (header.length > *maximum)
+        return violation(fmt::format("session message 0x{:04x} is longer than it can be", header.message.number));
+    handle(session::LifeHeard{lane == 0});
+    return {HeaderVerdict::Take, *maximum};
+}
+
+tasks::Judgement DistributedModule::judgeApplication(std::uint8_t lane, const protocol::DatagramHeader& header)
+{
+    const auto* definition = definitionOf(header.message.number);
+    if (definition == nullptr)
+        return skip("unknown message number", header);
+    if ((definition->priority == Priority::Bulk) != (lane > 0))
+        return violation(fmt::format("{} on the wrong kind of lane", definition->name));
+    if (header.target.isBroadcast() && definition->role == Role::Command)
+        return skip("a command that is broadcast", header);
+    const auto maximum = definition->maximumSize();
+    if (header.length > maximum)
+        return violation(fmt::format("{} is longer than the {} bytes its definition allows", definition->name, maximum));
+    if (definition->priority == Priority::Control && header.moreSegments)
+        return violation(fmt::format("{} is a control message in several segments", definition->name));
+    handle(session::LifeHeard{lane == 0});
+    return {HeaderVerdict::Take, maximum};
+}
+
+void DistributedModule::received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part,
+                                 FieldBytes* owned)
+{
+    if (header.message.isSessionManagement())
+        receivedSession(lane, header, part);
+    else
+        receivedApplication(header, part, owned);
+}
+
+void DistributedModule::receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part)
+{
+    const auto message = protocol::decodeSessionMessage(header.message.number, part);
+    if (!message)
+        return drop("session message that does not decode", header.message.number);
+    const auto state = m_machine.state();
+    const bool shares = carriesMessages(state) || state == SessionState::Reconnecting || state == SessionState::Closing;
+    if (const auto* commit = std::get_if<protocol::HandshakeCommit>(&*message)) {
+        commitHeard(*commit, false, 0);
+    } else if (const auto* diagnosis = std::get_if<protocol::DiagnosisHandshakeCommit>(&*message)) {
+        commitHeard(diagnosis->commit, true, diagnosis->previous);
+    } else if (const auto* answer = std::get_if<protocol::MessageSetAnswer>(&*message)) {
+        setHeard(*answer);
+    } else if (header.target.isBroadcast()) {
+        const bool known =
+            std::holds_alternative<protocol::StandBy>(*message) || std::holds_alternative<protocol::StandByReport>(*message) ||
+            std::holds_alternative<protocol::IncidentDismissed>(*message) || std::holds_alternative<protocol::ChannelReOpened>(*message);
+        if (!known || !shares)
+            return (void)violation(fmt::format("{} cannot be broadcast now", protocol::nameOf(*message)));
+        m_host.heardBroadcast(m_peer.id, *message, header.timestamp);
+    } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
+        auto* task = lane == 0 ? m_incoming.get() : m_incomingBulk[lane].get();
+        if (task != nullptr)
+            task->abandon(abandon->message, Timestamp{abandon->timestamp});
+    } else {
+        handle(session::SessionMessageHeard{*message});
+    }
+}
+
+void DistributedModule::commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous)
+{
+    const auto standing = m_host.standingOf(m_peer.id, commit.set);
+    if (standing == session::SetStanding::Held)
+        m_peerSet = m_host.setOf(m_peer.id, commit.set);
+    handle(session::CommitHeard{commit, diagnosis, previous, standing});
+}
+
+void DistributedModule::setHeard(const protocol::MessageSetAnswer& answer)
+{
+    const auto state = m_machine.state();
+    if (state != SessionState::Opening && state != SessionState::Reopening)
+        return (void)violation("a message set outside an opening");
+    const auto heard = m_host.learn(m_peer.id, answer.set, answer.xml);
+    if (heard.standing == session::SetStanding::Held)
+        m_peerSet = m_host.setOf(m_peer.id, answer.set);
+    handle(heard);
+}
+
+void DistributedModule::receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned)
+{
+    const auto* definition = definitionOf(header.message.number);
+    const auto state = m_machine.state();
+    const bool control = definition->priority == Priority::Control;
+    m_books.received(part.size());
+    if (!carriesMessages(state) && (control || (state != SessionState::Reconnecting && state != SessionState::Closing)))
+        return drop("session not open", header.message.number);
+    if (!flowAllowed(*definition, m_peer.id))
+        return drop("the topology's flows forbid it", header.message.number);
+    if (control && !passesGuard(*definition, header, part))
+        return;
+    if (!definition->allowedInStandBy && m_host.standsBy())
+        return drop("the system stands by", header.message.number);
+    const auto fields = part.subspan(definition->recordSize());
+    if (const auto fault = protocol::checkFields(*definition, fields))
+        return drop("malformed", header.message.number, *fault);
+    deliver(*definition, header, fields, owned);
+}
+
+bool DistributedModule::passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header,
+                                    std::span<const std::byte> part)
+{
+    if (part.size() < protocol::safetyRecordSize) {
+        drop("no safety record", header.message.number);
+        return false;
+    }
+    const auto record = protocol::decodeSafetyRecord(part.first<protocol::safetyRecordSize>());
+    const auto now = m_host.now().mono;
+    const auto fault = m_machine.guard().judge(header, record, part.subspan(protocol::safetyRecordSize),
+                                               definition.maxAge.value_or(m_link.timing.lost), now);
+    if (fault == session::ControlFault::None)
+        return true;
+    drop(std::string(session::toString(fault)), header.message.number);
+    if (m_machine.guard().isExceeded(now))
+        handle(session::ViolationFound{
+            fmt::format("more than ten control messages refused in one second, the last: {}", session::toString(fault))});
+    return false;
+}
+
+void DistributedModule::deliver(const MessageDefinition& definition, const protocol::DatagramHeader& header,
+                                std::span<const std::byte> fields, FieldBytes* owned)
+{
+    const auto now = m_host.now();
+    std::optional<std::chrono::nanoseconds> latency;
+    if (const auto offset = m_machine.clock().offset())
+        latency = std::chrono::nanoseconds(static_cast<std::int64_t>(now.wall.ns - header.timestamp.ns)) + *offset;
+    if (definition.lifespan && latency && *latency > *definition.lifespan + m_machine.clock().uncertainty()) {
+        m_books.late();
+        return drop("older than its lifespan", header.message.number);
+    }
+    m_deadlines.arrived(definition, now.mono);
+    m_books.delivered(latency);
+    auto bytes = owned != nullptr && definition.recordSize() == 0 ? std::move(*owned) : FieldBytes(fields.begin(), fields.end());
+    auto message = MessageAccess::fromFields(header.message.isCommand() ? m_host.ownSet() : m_peerSet, definition, std::move(bytes));
+    MessageAccess::setMeta(message, header.message.origin, header.target, header.timestamp);
+    MessageAccess::setArrival(message, now.mono, latency);
+    m_host.deliver(std::move(message));
+}
+
+void DistributedModule::violated(std::uint8_t /*lane*/, const std::string& detail) { violation(detail); }
+
+void DistributedModule::laneLost(std::uint8_t lane, const std::string& detail)
+{
+    m_host.turned();
+    auto& task = lane == 0 ? m_incoming : m_incomingBulk[lane];
+    if (!task)
+        return;
+    m_bytesReceived += task->bytesReceived();
+    bury(std::move(task));
+    if (lane == 0)
+        handle(session::IncomingLost{detail});
+    else
+        m_incomingBulk.erase(lane);
+}
+
+void DistributedModule::drop(const std::string& cause, std::uint16_t number, const std::string& detail)
+{
+    // Numbers that nothing defines share one entry: a peer must not be able to fill the books.
+    const auto* definition = definitionOf(number);
+    const auto count = m_books.dropped(cause, definition != nullptr ? number : std::uint16_t{0}, m_host.now().mono);
+    if (!count)
+        return;
+    auto event = this->event(SessionEvent::Kind::MessagesDropped);
+    event.message = definition != nullptr ? definition->name : fmt::format("0x{:04x}", number);
+    event.count = *count;
+    event.detail = detail.empty() ? cause : fmt::format("{}: {}", cause, printable(detail, 256));
+    m_host.log(LogLevel::Warning, fmt::format("dropped {} of {}: {}", event.message, m_peer.name, event.detail));
+    m_host.tell(std::move(event));
+}
+
+} // namespace liena::system

@@ -1,0 +1,115 @@
+// What a module sends for the application, and the figures of its link.
+#include "protocol/byte_writer.hpp"
+#include "protocol/message_access.hpp"
+#include "system/distributed_module.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace liena::system {
+
+bool DistributedModule::flowAllowed(const MessageDefinition& definition, DeviceId from) const
+{
+    if (m_link.flows.empty())
+        return true;
+    return std::any_of(m_link.flows.begin(), m_link.flows.end(),
+                       [&](const TopologyFlow& flow) { return flow.from == from && flow.message == definition.name; });
+}
+
+Result<void> DistributedModule::checkSendable(const Message& message) const
+{
+    const auto& definition = message.definition();
+    const auto state = m_machine.state();
+    if (!flowAllowed(definition, m_host.ownDevice().id))
+        return fail(Errc::Forbidden, fmt::format("{} may not flow to {}: the topology's link says what may", definition.name, m_peer.name));
+    if (!definition.allowedInStandBy && m_host.standsBy())
+        return fail(Errc::StandBy, fmt::format("{} is refused while the system stands by", definition.name));
+    const bool control = definition.priority == Priority::Control;
+    if (!carriesMessages(state) && (control || state != SessionState::Reconnecting))
+        return fail(Errc::NotOpen, fmt::format("the session with {} is {}", m_peer.name, toString(state)));
+    if (control && !m_machine.stamper().ready())
+        return fail(Errc::NotYet, fmt::format("no heartbeat of {} was heard in this session yet", m_peer.name));
+    return ok();
+}
+
+Result<void> DistributedModule::send(Message message)
+{
+    if (auto allowed = checkSendable(message); !allowed)
+        return allowed;
+    const auto& definition = message.definition();
+    protocol::EncodedMessage encoded;
+    encoded.header.message = {m_host.ownDevice().id, definition.number};
+    encoded.header.target = m_peer.id;
+    encoded.header.timestamp = m_host.stamp();
+    if (definition.priority == Priority::Control) {
+        const auto fields = message.fieldBytes();
+        const auto record = m_machine.stamper().next(encoded.header, fields);
+        if (!record) {
+            handle(session::ViolationFound{"the sequence numbers of a control message are used up"});
+            return fail(Errc::NotOpen, fmt::format("the sequence numbers of {} are used up", definition.name));
+        }
+        const auto bytes = protocol::encodeSafetyRecord(*record);
+        protocol::ByteWriter(encoded.part).append(std::span<const std::byte>(bytes)).append(fields);
+    } else {
+        encoded.part = MessageAccess::takeFields(message);
+    }
+    tasks::OutputQueue::Entry entry{std::move(encoded), tasks::rankOf(definition.priority), definition.history, std::nullopt,
+                                    definition.name};
+    if (definition.lifespan)
+        entry.expires = m_host.now().mono + *definition.lifespan;
+    const bool bulk = definition.priority == Priority::Bulk;
+    if (!(bulk ? m_bulk : m_laneZero).push(std::move(entry)))
+        return fail(Errc::QueueFull, fmt::format("too much waits for {} already: {} is refused", m_peer.name, definition.name));
+    m_books.sent();
+    if (bulk)
+        connectBulk();
+    return ok();
+}
+
+void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate)
+{
+    if (fate == tasks::OutputQueue::Fate::Superseded || entry.name.empty())
+        return;
+    auto event = this->event(SessionEvent::Kind::SendFailed);
+    event.message = entry.name;
+    event.count = 1;
+    event.detail = fate == tasks::OutputQueue::Fate::Expired ? "its lifespan ended before it could leave"
+                                                             : "the session was interrupted before it left";
+    m_host.tell(std::move(event));
+}
+
+LinkStatus DistributedModule::status() const
+{
+    LinkStatus status;
+    const auto& monitor = m_machine.monitor();
+    status.peer = m_peer.id;
+    status.state = m_machine.state();
+    status.peerState = monitor.peerState();
+    if (monitor.lastHeard() != session::Instant{})
+        status.lastHeard = monitor.lastHeard();
+    status.roundTrip = m_machine.clock().lastDelay();
+    status.jitter = m_machine.jitter();
+    status.clockOffset = m_machine.clock().offset();
+    status.clockUncertainty = m_machine.clock().uncertainty();
+    status.heartbeatsOnTime = monitor.onTimeRun();
+    status.heartbeatsReceived = monitor.received();
+    status.heartbeatsMissed = monitor.missed();
+    status.messagesSent = m_books.messagesSent();
+    status.messagesReceived = m_books.messagesReceived();
+    status.messagesDropped = m_books.messagesDropped();
+    status.bytesSent = m_laneZero.bytesSent() + m_bulk.bytesSent();
+    status.bytesReceived = m_bytesReceived + (m_incoming ? m_incoming->bytesReceived() : 0);
+    for (const auto& [lane, task] : m_incomingBulk)
+        status.bytesReceived += task->bytesReceived();
+    status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queue().size());
+    status.epoch = m_machine.guard().epoch();
+    status.peerEpoch = m_machine.stamper().targetEpoch();
+    status.interruptions = m_interruptions;
+    status.toPeerConnected = m_machine.isOutgoingUp();
+    status.fromPeerConnected = m_machine.isIncomingUp();
+    status.incident = m_machine.incident();
+    return status;
+}
+
+} // namespace liena::system

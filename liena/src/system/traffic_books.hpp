@@ -1,0 +1,69 @@
+// The books of one link: what was received, delivered, late and dropped, by cause.
+#pragma once
+
+#include "protocol/session_messages.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace liena::system {
+
+class TrafficBooks {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+
+    /// The count to report now, or nothing: the first of a cause is told at once, later ones at most every ten seconds.
+    std::optional<std::uint64_t> dropped(const std::string& cause, std::uint16_t number, Instant now)
+    {
+        ++m_dropped;
+        ++m_window.droppedMessages;
+        auto& entry = m_causes[{cause, number}];
+        ++entry.untold;
+        if (entry.lastTold && now - *entry.lastTold < std::chrono::seconds(10))
+            return std::nullopt;
+        entry.lastTold = now;
+        return std::exchange(entry.untold, 0);
+    }
+
+    void received(std::size_t bytes)
+    {
+        ++m_received;
+        ++m_window.receivedMessages;
+        m_window.receivedBytes += bytes;
+    }
+    void delivered(std::optional<std::chrono::nanoseconds> latency)
+    {
+        ++m_window.deliveredMessages;
+        if (latency && m_latencies.size() < 4096)
+            m_latencies.push_back(*latency);
+    }
+    void late() { ++m_window.lateMessages; }
+    void sent() { ++m_sent; }
+
+    /// The LinkReport of the window since the last call (ruling B15).
+    protocol::LinkReport takeReport(Instant now, std::size_t backlog);
+
+    std::uint64_t messagesReceived() const { return m_received; }
+    std::uint64_t messagesDropped() const { return m_dropped; }
+    std::uint64_t messagesSent() const { return m_sent; }
+
+private:
+    struct Cause {
+        std::uint64_t untold = 0;
+        std::optional<Instant> lastTold;
+    };
+    std::map<std::pair<std::string, std::uint16_t>, Cause> m_causes;
+    std::uint64_t m_received = 0;
+    std::uint64_t m_dropped = 0;
+    std::uint64_t m_sent = 0;
+    protocol::LinkReport m_window;
+    std::vector<std::chrono::nanoseconds> m_latencies;
+    std::optional<Instant> m_windowBegan;
+};
+
+} // namespace liena::system

@@ -1,0 +1,107 @@
+// Connecting, replacing and ending an output lane.
+#include "tasks/output_lane.hpp"
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+namespace liena::tasks {
+
+namespace asio = boost::asio;
+
+OutputLane::OutputLane(asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity,
+                       TransmissionTask::Settings settings, Handlers handlers)
+    : m_io(io),
+      m_peer(std::move(peer)),
+      m_identity(std::move(identity)),
+      m_settings(settings),
+      m_handlers(std::move(handlers)),
+      m_queue(makeQueue())
+{}
+
+OutputLane::~OutputLane() = default;
+
+std::unique_ptr<OutputQueue> OutputLane::makeQueue() const { return std::make_unique<OutputQueue>(m_handlers.dropped); }
+
+void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit)
+{
+    m_attach = std::move(attach);
+    cancelAttempt();
+    m_client = std::make_unique<transport::TcpClient>(m_io, m_peer, m_identity, limit, [this](transport::TcpClient::Outcome outcome) {
+        bury(std::move(m_client));
+        if (auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome))
+            established(std::move(*channel));
+        else
+            m_handlers.failed(std::get<transport::ConnectionFailure>(outcome));
+    });
+}
+
+void OutputLane::cancelAttempt()
+{
+    if (m_client)
+        m_client->cancel();
+    bury(std::move(m_client));
+}
+
+void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
+{
+    if (m_task) {
+        m_bytesSent += m_task->bytesSent();
+        m_task->close();
+        bury(std::move(m_task));
+    }
+    m_queue->restart();
+    m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, m_settings,
+                                                [this](const std::string& detail, bool identity) { lost(detail, identity); });
+    m_task->sendFirst(m_attach);
+    m_handlers.up();
+}
+
+void OutputLane::lost(const std::string& detail, bool identity)
+{
+    m_bytesSent += m_task->bytesSent();
+    bury(std::move(m_task));
+    m_handlers.lost(detail, identity);
+}
+
+bool OutputLane::push(OutputQueue::Entry entry)
+{
+    if (!m_queue->push(std::move(entry)))
+        return false;
+    if (m_task)
+        m_task->wake();
+    return true;
+}
+
+void OutputLane::close(std::chrono::nanoseconds grace)
+{
+    cancelAttempt();
+    m_queue->discardApplication();
+    if (!m_task) {
+        m_queue = makeQueue();
+        return;
+    }
+    m_bytesSent += m_task->bytesSent();
+    struct Remains {
+        std::unique_ptr<OutputQueue> queue;
+        std::unique_ptr<TransmissionTask> task;
+    };
+    auto remains = std::make_shared<Remains>();
+    remains->queue = std::exchange(m_queue, makeQueue());
+    remains->task = std::move(m_task);
+    if (grace <= std::chrono::nanoseconds::zero()) {
+        remains->task->close();
+        return bury(std::move(remains));
+    }
+    remains->task->orphan();
+    auto timer = std::make_shared<asio::steady_timer>(m_io, grace);
+    timer->async_wait([timer, remains](const boost::system::error_code&) {});
+}
+
+/// What ended may be further up the call stack: it dies in a later turn.
+void OutputLane::bury(std::shared_ptr<void> ended)
+{
+    if (ended)
+        asio::post(m_io, [ended = std::move(ended)] {});
+}
+
+} // namespace liena::tasks

@@ -1,0 +1,66 @@
+// One lane of our output channel: its queue, its connection, and how both are made anew.
+#pragma once
+
+#include "liena/system_topology.hpp"
+#include "tasks/output_queue.hpp"
+#include "tasks/transmission_task.hpp"
+#include "transport/tcp_client.hpp"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace liena::tasks {
+
+/// Network thread. A new connection replaces the old one only when it stands.
+class OutputLane {
+public:
+    struct Handlers {
+        std::function<void()> up; ///< the Attach is on its way
+        std::function<void(const transport::ConnectionFailure&)> failed;
+        std::function<void(const std::string& detail, bool identity)> lost;
+        OutputQueue::Report dropped;
+    };
+
+    OutputLane(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity,
+               TransmissionTask::Settings settings, Handlers handlers);
+    ~OutputLane();
+    OutputLane(const OutputLane&) = delete;
+    OutputLane& operator=(const OutputLane&) = delete;
+
+    /// Replaces an attempt in hand. `attach` is the first message on the connection.
+    void connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit);
+
+    bool isUp() const { return m_task != nullptr; }
+    bool isConnecting() const { return m_client != nullptr; }
+
+    /// False when the queue is full.
+    bool push(OutputQueue::Entry entry);
+
+    OutputQueue& queue() { return *m_queue; }
+    const OutputQueue& queue() const { return *m_queue; }
+    std::uint64_t bytesSent() const { return m_bytesSent + (m_task ? m_task->bytesSent() : 0); }
+
+    /// Ends the connection and any attempt. Session management that waits may still leave within `grace`; nothing else does.
+    void close(std::chrono::nanoseconds grace);
+
+private:
+    void cancelAttempt();
+    void established(std::shared_ptr<transport::TcpChannel> channel);
+    void lost(const std::string& detail, bool identity);
+    void bury(std::shared_ptr<void> ended);
+    std::unique_ptr<OutputQueue> makeQueue() const;
+
+    boost::asio::io_context& m_io;
+    TopologyDevice m_peer;
+    std::shared_ptr<security::TlsIdentity> m_identity;
+    TransmissionTask::Settings m_settings;
+    Handlers m_handlers;
+    std::unique_ptr<OutputQueue> m_queue;
+    std::unique_ptr<TransmissionTask> m_task;
+    std::unique_ptr<transport::TcpClient> m_client;
+    protocol::EncodedMessage m_attach;
+    std::uint64_t m_bytesSent = 0;
+};
+
+} // namespace liena::tasks

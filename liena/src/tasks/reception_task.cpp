@@ -1,0 +1,85 @@
+// The read loop of one lane.
+#include "tasks/reception_task.hpp"
+
+#include <utility>
+
+namespace liena::tasks {
+
+ReceptionTask::ReceptionTask(std::shared_ptr<transport::TcpChannel> channel, std::unique_ptr<protocol::DatagramDecoder> decoder,
+                             protocol::PartialBudget& budget, std::uint8_t lane, LaneSink& sink)
+    : m_channel(std::move(channel)), m_decoder(std::move(decoder)), m_reassembler(budget), m_lane(lane), m_sink(&sink)
+{
+    m_channel->setListener(this);
+}
+
+ReceptionTask::~ReceptionTask() { close(); }
+
+void ReceptionTask::close()
+{
+    if (std::exchange(m_closed, true))
+        return;
+    m_channel->setListener(nullptr);
+    m_channel->close();
+    m_reassembler.clear();
+}
+
+void ReceptionTask::orphan()
+{
+    m_paused = true;
+    m_channel->setListener(nullptr);
+}
+
+void ReceptionTask::start()
+{
+    m_paused = false;
+    process();
+}
+
+void ReceptionTask::bytesRead(std::size_t count)
+{
+    m_reading = false;
+    m_bytesReceived += count;
+    m_decoder->commit(count);
+    process();
+}
+
+void ReceptionTask::process()
+{
+    if (m_closed || m_paused)
+        return;
+    m_sink->turned();
+    if (m_closed || m_paused)
+        return;
+    const auto judge = [this](const protocol::DatagramHeader& header) {
+        const auto judgement = m_sink->judge(m_lane, header);
+        m_maximum = judgement.maximum;
+        return m_closed || m_paused ? protocol::HeaderVerdict::Refuse : judgement.verdict;
+    };
+    m_decoder->process(judge,
+                       [this](const protocol::DatagramHeader& header, std::span<const std::byte> body) { return take(header, body); });
+    if (!m_closed && !m_paused && !m_reading) {
+        m_reading = true;
+        m_channel->read(m_decoder->writable());
+    }
+}
+
+bool ReceptionTask::take(const protocol::DatagramHeader& header, std::span<const std::byte> body)
+{
+    auto outcome = m_reassembler.take(header, body, m_maximum);
+    if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
+        m_sink->violated(m_lane, violation->what);
+    else if (std::holds_alternative<protocol::Reassembler::Whole>(outcome))
+        m_sink->received(m_lane, header, body, nullptr);
+    else if (auto* assembled = std::get_if<protocol::Reassembler::Assembled>(&outcome))
+        m_sink->received(m_lane, header, {assembled->bytes.data(), assembled->bytes.size()}, &assembled->bytes);
+    return !m_closed && !m_paused;
+}
+
+void ReceptionTask::channelLost(const std::string& detail, bool /*identity*/)
+{
+    m_closed = true;
+    m_reassembler.clear();
+    m_sink->laneLost(m_lane, detail);
+}
+
+} // namespace liena::tasks

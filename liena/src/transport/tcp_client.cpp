@@ -1,0 +1,135 @@
+// Resolve, connect, TLS, identity: each with one deadline over all.
+#include "transport/tcp_client.hpp"
+
+#include "transport/timer.hpp"
+
+#include <boost/asio/connect.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace liena::transport {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
+    Attempt(asio::io_context& context, const TopologyDevice& device, std::shared_ptr<security::TlsIdentity> tlsIdentity, Handler done)
+        : io(context),
+          peer(device),
+          place(fmt::format("{}:{}", device.host, device.port)),
+          identity(std::move(tlsIdentity)),
+          handler(std::move(done)),
+          resolver(context),
+          socket(context),
+          timer(context)
+    {}
+
+    void start(std::chrono::nanoseconds limit)
+    {
+        timer.after(limit, [this] { expire(); });
+        boost::system::error_code notNumeric;
+        const auto address = asio::ip::make_address(peer.host, notNumeric);
+        if (!notNumeric)
+            return connect({tcp::endpoint(address, peer.port)});
+        resolver.async_resolve(
+            peer.host, std::to_string(peer.port),
+            [self = shared_from_this()](const boost::system::error_code& error, const tcp::resolver::results_type& results) {
+                if (self->ended)
+                    return;
+                if (error)
+                    return self->finish(explainConnect(error, self->place));
+                self->connect({results.begin(), results.end()});
+            });
+    }
+
+    void connect(std::vector<tcp::endpoint> endpoints)
+    {
+        candidates = std::move(endpoints);
+        asio::async_connect(socket, candidates, [self = shared_from_this()](const boost::system::error_code& error, const tcp::endpoint&) {
+            if (self->ended)
+                return;
+            if (error)
+                return self->finish(explainConnect(error, self->place));
+            self->connected = true;
+            self->channel = std::make_shared<TcpChannel>(std::move(self->socket));
+            if (!self->identity)
+                return self->finish(std::exchange(self->channel, nullptr));
+            self->channel->secure(self->identity->clientContext(), false, [self](const Result<void>& result) { self->secured(result); });
+        });
+    }
+
+    void secured(const Result<void>& result)
+    {
+        if (ended)
+            return;
+        if (!result)
+            return finish(ConnectionFailure{ProbeResult::TlsFailure, place + ": " + result.error().what});
+        const auto device = channel->peerDevice();
+        if (!device)
+            return finish(ConnectionFailure{ProbeResult::TlsFailure, place + ": " + device.error().what});
+        if (device.value() != peer.id)
+            return finish(ConnectionFailure{ProbeResult::TlsFailure,
+                                            fmt::format("{} is device {}, not {} ({}): check the topology and the certificates there",
+                                                        place, device.value()->toString(), peer.id.toString(), peer.name)});
+        finish(std::exchange(channel, nullptr));
+    }
+
+    void expire()
+    {
+        if (connected)
+            finish(ConnectionFailure{ProbeResult::PeerSilent, place + ": connected, and then silence"});
+        else
+            finish(ConnectionFailure{ProbeResult::HostUnreachable, place + ": no answer"});
+    }
+
+    void finish(Outcome outcome)
+    {
+        end();
+        if (const auto done = std::exchange(handler, nullptr))
+            done(std::move(outcome));
+    }
+
+    void end()
+    {
+        ended = true;
+        timer.cancel();
+        resolver.cancel();
+        boost::system::error_code ignored;
+        socket.close(ignored);
+        if (channel)
+            channel->close();
+        channel.reset();
+    }
+
+    asio::io_context& io;
+    TopologyDevice peer;
+    std::string place;
+    std::shared_ptr<security::TlsIdentity> identity;
+    Handler handler;
+    tcp::resolver resolver;
+    tcp::socket socket;
+    Timer timer;
+    std::vector<tcp::endpoint> candidates;
+    std::shared_ptr<TcpChannel> channel;
+    bool connected = false;
+    bool ended = false;
+};
+
+TcpClient::TcpClient(asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
+                     std::chrono::nanoseconds limit, Handler handler)
+    : m_attempt(std::make_shared<Attempt>(io, peer, std::move(identity), std::move(handler)))
+{
+    m_attempt->start(limit);
+}
+
+TcpClient::~TcpClient() { cancel(); }
+
+void TcpClient::cancel()
+{
+    m_attempt->handler = nullptr;
+    m_attempt->end();
+}
+
+} // namespace liena::transport

@@ -1,0 +1,37 @@
+// Makes one connection to a peer and makes sure of who is there.
+#pragma once
+
+#include "liena/system_topology.hpp"
+#include "security/tls_identity.hpp"
+#include "transport/connection_failure.hpp"
+#include "transport/tcp_channel.hpp"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <variant>
+
+namespace liena::transport {
+
+/// Network thread only. The destructor cancels.
+class TcpClient {
+public:
+    using Outcome = std::variant<std::shared_ptr<TcpChannel>, ConnectionFailure>;
+    using Handler = std::function<void(Outcome)>;
+
+    /// `identity` is null in mode `none`. `handler` is called once, within `limit`.
+    TcpClient(boost::asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
+              std::chrono::nanoseconds limit, Handler handler);
+    ~TcpClient();
+    TcpClient(const TcpClient&) = delete;
+    TcpClient& operator=(const TcpClient&) = delete;
+
+    /// No callback from now on.
+    void cancel();
+
+private:
+    struct Attempt;
+    std::shared_ptr<Attempt> m_attempt; ///< shared with its operations in flight
+};
+
+} // namespace liena::transport

@@ -1,0 +1,42 @@
+// liena: the command line of the middleware.
+#include "check_command.hpp"
+
+#include <liena/version.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <iostream>
+
+namespace {
+
+constexpr int wrongUse = 2;
+
+int run(int argc, char** argv)
+{
+    CLI::App app("Checks, prepares and watches systems of LiENa devices.", "liena");
+    int exitCode = 0;
+    app.set_version_flag("--version", std::string("liena ") + liena::versionText);
+    app.require_subcommand(1);
+    app.footer("`liena COMMAND --help` explains a command, with examples.\n"
+               "Exit codes: 0 done, 1 the command found errors or failed, 2 wrong use of the command line.");
+    liena::tools::addCheckCommand(app, exitCode);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : wrongUse;
+    }
+    return exitCode;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    try {
+        return run(argc, argv);
+    } catch (const std::exception& error) {
+        std::cerr << "liena: " << error.what() << '\n';
+        return 1;
+    }
+}
