@@ -49,7 +49,7 @@ QSize AxisPanel::sizeHint() const
     const double scale = theme::scaleOf(this);
     const QFontMetrics value(theme::font(TextRole::Value, scale));
     const QFontMetrics caption(theme::font(TextRole::Caption, scale));
-    return {theme::px(this, 640), value.height() + 2 * caption.height() + theme::px(this, 16)};
+    return {theme::px(this, 600), value.height() + 2 * caption.height() + theme::px(this, 16)};
 }
 
 QString AxisPanel::figureText(double value, int decimals, const QString& unit) const
@@ -132,6 +132,11 @@ void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
     painter.setPen(valueInk(m_reading.freshness));
     drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignLeft | Qt::AlignVCenter,
                 figureText(m_reading.position, 1, tr("mm")));
+    const QString angle = tr("turned %1").arg(figureText(m_reading.angle, 0, tr("\u00B0")));
+    const double taken = figuresWidth(QFontMetricsF(painter.font()), tr("0000.0 mm")) + captionHeight;
+    painter.setFont(theme::font(TextRole::Strong, scale));
+    if (taken + figuresWidth(QFontMetricsF(painter.font()), tr("turned -0000\u00B0")) < where.width())
+        drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignRight | Qt::AlignVCenter, angle);
     const QString low = limitWord(m_reading.softLow, m_reading.hardLow);
     const QString high = limitWord(m_reading.softHigh, m_reading.hardHigh);
     const bool hard = m_reading.hardLow || m_reading.hardHigh;
@@ -155,6 +160,7 @@ void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, double value,
     painter.setPen(valueInk(m_reading.freshness));
     drawFigures(painter, QRectF(where.left(), where.top(), where.width(), line), Qt::AlignRight | Qt::AlignVCenter,
                 figureText(std::abs(value), 1, unit));
+    painter.setFont(theme::font(TextRole::Body, scale));
     painter.drawText(QRectF(where.left(), where.top(), where.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
                      m_reading.freshness == Freshness::Unknown ? QString() : words);
     const QRectF track(where.left(), where.top() + line + 2, where.width(), std::max(5.0, theme::px(this, 9) * 1.0));
@@ -178,8 +184,12 @@ void AxisPanel::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const double gap = theme::px(this, 24);
-    const double nameWidth = width() * 0.22;
-    const double speedWidth = width() * 0.30;
+    const double scale = theme::scaleOf(this);
+    const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
+    const QFontMetricsF body(theme::font(TextRole::Body, scale));
+    const double nameWidth = std::max(width() * 0.2, strong.horizontalAdvance(tr("Guidewire")) + strong.height() * 1.75 + gap * 0.75);
+    const double speedWidth =
+        std::max(width() * 0.28, body.horizontalAdvance(tr("anticlockwise")) + figuresWidth(strong, tr("000.0 mm/s")) + gap / 2);
     const QRectF all(rect());
     paintName(painter, QRectF(all.left(), all.top(), nameWidth - gap / 2, all.height()));
     paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedWidth - gap, all.height()));

@@ -18,6 +18,7 @@ constexpr double motionHeight = 176;
 constexpr double linksWidth = 300;
 constexpr double lowerShare = 574.0 / 1136.0; // of the column right of the live image
 constexpr double robotShare = 0.63;           // of the lower part
+constexpr double doseShare = 0.64;            // of the column's width
 
 struct Lines {
     int a, b, c, j;  // lower edges of A, B and the middle; of J
@@ -25,6 +26,7 @@ struct Lines {
     int upper;       // lower edge of E and F
     int robot;       // lower edge of G
     int half;        // between E and F
+    int dose;        // between H and I
 };
 
 Lines linesFor(const QSize& window)
@@ -42,6 +44,7 @@ Lines linesFor(const QSize& window)
     l.upper = l.b + int(std::lround((l.c - l.b) * (1 - lowerShare)));
     l.robot = l.upper + int(std::lround((l.c - l.upper) * robotShare));
     l.half = (l.live + window.width()) / 2;
+    l.dose = l.live + int(std::lround((window.width() - l.live) * doseShare));
     return l;
 }
 
@@ -71,9 +74,9 @@ QRect regionRect(Region region, const QSize& window)
     case Region::Robot:
         return between(l.live, l.upper, width, l.robot);
     case Region::Dose:
-        return between(l.live, l.robot, l.half, l.c);
+        return between(l.live, l.robot, l.dose, l.c);
     case Region::Trends:
-        return between(l.half, l.robot, width, l.c);
+        return between(l.dose, l.robot, width, l.c);
     case Region::Motion:
         return between(0, l.c, width, l.j);
     case Region::Sheet:

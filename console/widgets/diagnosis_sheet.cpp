@@ -19,7 +19,7 @@ DiagnosisSheet::DiagnosisSheet(QWidget* parent) : QFrame(parent)
 {
     setObjectName(QStringLiteral("diagnosisSheet"));
     setAccessibleName(tr("Diagnosis of a lost link"));
-    setAutoFillBackground(true);
+    setAttribute(Qt::WA_StyledBackground);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 10, 16, 10);
     column->setSpacing(6);
@@ -62,6 +62,8 @@ QWidget* DiagnosisSheet::makeHead()
 
 QLabel* DiagnosisSheet::addSection(QVBoxLayout* column, const QString& heading)
 {
+    if (column->count() > 0)
+        column->addSpacing(8);
     column->addWidget(headingLabel(heading, this));
     QLabel* text = plainLabel({}, TextRole::Body, this);
     text->setWordWrap(true);

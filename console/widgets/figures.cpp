@@ -71,7 +71,10 @@ void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment
 QString figure(std::optional<double> value, int decimals, const QString& unit)
 {
     const QString number = value && std::isfinite(*value) ? QString::number(*value, 'f', decimals) : QStringLiteral("\u2014");
-    return unit.isEmpty() ? number : number + QChar(0x00A0) + unit;
+    const bool degrees = unit.startsWith(QChar(0x00B0)) && !unit.endsWith(QLatin1Char('C'));
+    if (unit.isEmpty() || degrees)
+        return number + unit;
+    return number + QChar(0x00A0) + unit;
 }
 
 QString spokenAge(std::chrono::nanoseconds age)

@@ -30,7 +30,7 @@ ForceGauge::ForceGauge(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Force on the guidewire"));
 }
 
-QSize ForceGauge::sizeHint() const { return {theme::px(this, 280), theme::px(this, 250)}; }
+QSize ForceGauge::sizeHint() const { return {theme::px(this, 350), theme::px(this, 250)}; }
 
 void ForceGauge::setState(const InstrumentState& instrument, Instant now)
 {
@@ -121,7 +121,7 @@ void ForceGauge::paintEvent(QPaintEvent*)
     const double trailHeight = captionHeight * 1.6;
     const double room = height() - captionHeight * 1.3 - trailHeight - 4;
     const double marks = QFontMetricsF(caption).horizontalAdvance(tr("stop 2 N"));
-    const double diameter = std::min(room / 0.74, width() - 2 * marks);
+    const double diameter = std::min(room / 0.74, (width() - 2 * marks - 8) / 1.1);
     const QRectF circle((width() - diameter) / 2, captionHeight * 1.3 + diameter * 0.06, diameter, diameter);
     paintArc(painter, circle);
     painter.setFont(caption);

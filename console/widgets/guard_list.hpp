@@ -1,9 +1,11 @@
 // The live checklist of the motion permit: what is missing first, what is met after it.
 #pragma once
 
-#include "model/permit_guards.hpp"
+#include "model/motion_permit.hpp"
 
 #include <QWidget>
+
+#include <vector>
 
 namespace console {
 
@@ -11,7 +13,8 @@ class GuardList : public QWidget {
     Q_OBJECT
 public:
     explicit GuardList(QWidget* parent = nullptr);
-    void setChecklist(const GuardChecklist& checklist);
+    /// While armed or engaged only the conditions that must stay true are listed.
+    void setChecklist(const GuardChecklist& checklist, const PermitState& permit);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -19,9 +22,12 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    static constexpr int columns = 3;
+    int columnCount() const;
+    std::vector<double> columnWidths(int columns) const;
+    QString overflowText(std::size_t from) const;
+
     static constexpr int rows = 5;
-    std::array<GuardLine, guardCount> m_lines{};
+    std::vector<GuardLine> m_lines;
 };
 
 } // namespace console

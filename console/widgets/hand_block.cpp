@@ -24,7 +24,30 @@ HandBlock::HandBlock(QWidget* parent) : QWidget(parent)
 QSize HandBlock::sizeHint() const
 {
     const QFontMetrics body(font());
-    return {theme::px(this, 580), body.height() * 4};
+    return {int(namesWidth() + 2 * cellWidth() + theme::px(this, 28) + askedWidth()) + 1, body.height() * 4};
+}
+
+double HandBlock::lampSide() const { return QFontMetricsF(font()).height() * 1.9; }
+
+double HandBlock::namesWidth() const
+{
+    const QFontMetricsF caption(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    return caption.horizontalAdvance(tr("Dead-man")) + theme::px(this, 14);
+}
+
+double HandBlock::cellWidth() const
+{
+    const QFontMetricsF caption(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    return lampSide() * 1.25 + std::max(caption.horizontalAdvance(tr("released")), caption.horizontalAdvance(tr("unknown"))) +
+           theme::px(this, 12);
+}
+
+double HandBlock::askedWidth() const
+{
+    const double scale = theme::scaleOf(this);
+    const QFontMetricsF caption(theme::font(TextRole::Caption, scale));
+    const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
+    return caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(strong, tr("advance 00.0 mm/s")) + theme::px(this, 14);
 }
 
 void HandBlock::setState(const HandState& hand, const InstrumentState& instrument, Instant now)
@@ -42,7 +65,7 @@ void HandBlock::setState(const HandState& hand, const InstrumentState& instrumen
 
 void HandBlock::paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const
 {
-    const double side = std::min(where.height() * 0.9, where.width() * 0.5);
+    const double side = std::min(where.height() * 0.9, lampSide());
     const QRectF disc(where.left(), where.center().y() - side / 2, side, side);
     const bool on = lamp == Lamp::On;
     painter.setPen(QPen(on ? colour::armed : colour::strongLine, 1.8, lamp == Lamp::Unknown ? Qt::DashLine : Qt::SolidLine));
@@ -62,8 +85,8 @@ void HandBlock::paintLamps(QPainter& painter, const QRectF& where) const
 {
     const double head = QFontMetricsF(painter.font()).height();
     const double row = (where.height() - head) / 2;
-    const double names = where.width() * 0.26;
-    const double cell = (where.width() - names) / 2;
+    const double names = namesWidth();
+    const double cell = cellWidth();
     painter.setPen(colour::secondary);
     painter.drawText(QRectF(where.left() + names, where.top(), cell, head), Qt::AlignLeft | Qt::AlignVCenter, tr("Sent"));
     painter.drawText(QRectF(where.left() + names + cell, where.top(), cell, head), Qt::AlignLeft | Qt::AlignVCenter, tr("At the robot"));
@@ -116,7 +139,7 @@ void HandBlock::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(theme::font(TextRole::Caption, theme::scaleOf(this)));
     const double gap = theme::px(this, 28);
-    const double lamps = (width() - gap) * 0.58;
+    const double lamps = namesWidth() + 2 * cellWidth();
     paintLamps(painter, QRectF(0, 0, lamps, height()));
     painter.setFont(theme::font(TextRole::Caption, theme::scaleOf(this)));
     paintAsked(painter, QRectF(lamps + gap, 0, width() - lamps - gap, height()));

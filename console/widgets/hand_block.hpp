@@ -21,6 +21,10 @@ protected:
 
 private:
     enum class Lamp { Unknown, Off, On };
+    double namesWidth() const;
+    double cellWidth() const;
+    double askedWidth() const;
+    double lampSide() const;
     void paintLamps(QPainter& painter, const QRectF& where) const;
     void paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const;
     void paintAsked(QPainter& painter, const QRectF& where) const;

@@ -140,10 +140,10 @@ void HoldButton::paintEvent(QPaintEvent*)
     const double lineHeight = m_explanation.isEmpty() ? 0 : QFontMetricsF(line).height();
     const double top = body.center().y() - (wordHeight + lineHeight) / 2;
     painter.setFont(word);
-    painter.setPen(isEnabled() ? colour::bright : colour::secondary);
+    painter.setPen(isEnabled() || m_progress >= 1 ? colour::bright : colour::secondary);
     painter.drawText(QRectF(body.left(), top, body.width(), wordHeight), Qt::AlignCenter, text());
     painter.setFont(line);
-    painter.setPen(isEnabled() ? colour::text : colour::secondary);
+    painter.setPen(isEnabled() || m_progress >= 1 ? colour::bright : colour::secondary);
     painter.drawText(QRectF(body.left(), top + wordHeight, body.width(), lineHeight), Qt::AlignCenter, m_explanation);
 }
 

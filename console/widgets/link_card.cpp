@@ -38,7 +38,7 @@ LinkCard::Metrics LinkCard::metricsNow() const
     m.pad = theme::px(this, 12);
     m.caption = QFontMetricsF(theme::font(TextRole::Caption, scale)).height();
     m.strong = QFontMetricsF(theme::font(TextRole::Strong, scale)).height();
-    m.icon = m.strong * 1.5;
+    m.icon = m.strong * 2;
     const double left = m.pad * 1.3;
     const double width = this->width() - left - m.pad;
     double y = m.pad * 0.8;
@@ -55,7 +55,7 @@ LinkCard::Metrics LinkCard::metricsNow() const
 QSize LinkCard::sizeHint() const
 {
     const Metrics m = metricsNow();
-    return {theme::px(this, 270), int(m.spark.bottom() + m.pad * 1.6 + m_action->sizeHint().height())};
+    return {theme::px(this, 200), int(m.spark.bottom() + m.pad * 1.6 + m_action->sizeHint().height())};
 }
 
 void LinkCard::resizeEvent(QResizeEvent*)
@@ -109,11 +109,9 @@ void LinkCard::paintHead(QPainter& painter, const Metrics& m) const
     const double scale = theme::scaleOf(this);
     icons::draw(painter, QRectF(m.head.left(), m.head.top(), m.icon, m.icon), icons::forKind(m_device.kind), colour::text);
     painter.setFont(theme::font(TextRole::Strong, scale));
-    const QString state = word(m_link.state);
-    const double stateWidth = QFontMetricsF(painter.font()).horizontalAdvance(state);
+    const QRectF name = m.head.adjusted(m.icon + m.pad * 0.6, 0, 0, -m.strong);
     painter.setPen(isTrouble(m_link.state) ? colour::bright : colour::secondary);
-    painter.drawText(m.head, Qt::AlignRight | Qt::AlignVCenter, state);
-    const QRectF name = m.head.adjusted(m.icon + m.pad * 0.6, 0, -stateWidth - m.pad * 0.6, 0);
+    painter.drawText(name.translated(0, m.strong), Qt::AlignLeft | Qt::AlignVCenter, word(m_link.state));
     painter.setPen(colour::bright);
     painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
                      QFontMetricsF(painter.font()).elidedText(m_device.title, Qt::ElideRight, name.width()));
@@ -147,7 +145,7 @@ void LinkCard::paintFigures(QPainter& painter, const Metrics& m) const
     const auto heard = f.heardAgo(m_now);
     const struct {
         QString caption, value;
-    } cells[4] = {{tr("Heard"), heard && m_link.state != LinkState::Closed ? tr("%1 ago").arg(spokenAge(*heard)) : tr("\u2014")},
+    } cells[4] = {{tr("Heard ago"), heard && m_link.state != LinkState::Closed ? spokenAge(*heard) : tr("\u2014")},
                   {tr("Round trip"), ms(f.roundTrip)},
                   {tr("Jitter"), ms(f.jitter)},
                   {tr("Loss"), open ? figure(f.loss() * 100, 1, tr("%")) : figure({}, 1, tr("%"))}};

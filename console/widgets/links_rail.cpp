@@ -79,6 +79,21 @@ void LinksRail::rebuild()
     }
 }
 
+// Cards first: the small topology takes the room that they leave, and none when that is too little.
+void LinksRail::fitMini()
+{
+    if (!m_mini)
+        return;
+    const QMargins margins = m_column->contentsMargins();
+    const int cards = m_scroll->widget()->sizeHint().height();
+    const int others =
+        m_openAll->sizeHint().height() + m_topology->sizeHint().height() + 3 * m_column->spacing() + margins.top() + margins.bottom();
+    const int room = std::min(height() - cards - others, width() * 3 / 4);
+    m_mini->setVisible(room >= width() / 2);
+    if (room >= width() / 2)
+        m_mini->setFixedHeight(room);
+}
+
 void LinksRail::refresh(Instant now)
 {
     for (LinkCard* card : m_cards) {
@@ -91,8 +106,7 @@ void LinksRail::refresh(Instant now)
                                                     : tr("%1 of %2 open").arg(m_sessions.openCount()).arg(m_sessions.ownLinkCount()));
     const auto& links = m_sessions.links();
     m_openAll->setEnabled(std::any_of(links.begin(), links.end(), [](const LinkNode& link) { return link.own && mayOpen(link.state); }));
-    if (m_mini)
-        m_mini->setFixedHeight(width() * 3 / 4);
+    fitMini();
 }
 
 } // namespace console

@@ -36,6 +36,7 @@ Q_SIGNALS:
 
 private:
     void rebuild();
+    void fitMini();
 
     const SessionModel& m_sessions;
     QLabel* m_count;

@@ -47,8 +47,8 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     m_armOrReset->addWidget(m_arm);
     m_armOrReset->addWidget(m_reset);
     row->addWidget(m_permit, 5);
-    row->addWidget(m_guards, 10);
-    row->addWidget(m_hand, 8);
+    row->addWidget(m_guards, 12);
+    row->addWidget(m_hand);
     row->addWidget(swap, 3);
     row->addWidget(m_pedal, 3);
     row->addWidget(m_stop, 3);
@@ -114,7 +114,7 @@ void MotionBar::refreshReset(Instant now)
 void MotionBar::refresh(Instant now)
 {
     m_permit->setPermit(m_models.permit, now);
-    m_guards->setChecklist(m_models.permit.checklist());
+    m_guards->setChecklist(m_models.permit.checklist(), m_models.permit.state());
     m_hand->setState(m_models.hand, m_models.instrument, now);
     const bool beam = m_models.xray.fresh(now) && m_models.xray.beamOn();
     m_pedal->setTexts(tr("X-RAY"), beam ? tr("beam is on") : tr("hold to image"));

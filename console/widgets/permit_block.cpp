@@ -5,7 +5,6 @@
 #include "widgets/theme.hpp"
 
 #include <QPainter>
-#include <QTextLayout>
 
 #include <algorithm>
 
@@ -13,6 +12,17 @@ namespace console {
 
 using theme::TextRole;
 namespace colour = theme::colour;
+
+namespace {
+
+QString sentenceStart(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+} // namespace
 
 PermitBlock::PermitBlock(QWidget* parent) : QWidget(parent)
 {
@@ -50,11 +60,11 @@ QString PermitBlock::explanation(const PermitModel& permit, Instant now)
     case PermitPhase::Engaged:
         return tr("Instruments follow your hand");
     case PermitPhase::Hold:
-        return tr("%1. %2").arg(word(state.cause), !state.robotHolds ? tr("Waiting for the robot to hold")
-                                                   : state.deadMan   ? tr("Release the dead-man")
-                                                                     : tr("The robot holds"));
+        return tr("%1. %2").arg(sentenceStart(word(state.cause)), !state.robotHolds ? tr("Waiting for the robot to hold")
+                                                                  : state.deadMan   ? tr("Release the dead-man")
+                                                                                    : tr("The robot holds"));
     case PermitPhase::Incident:
-        return tr("A link is lost. The system stands by until a person re-opens it.");
+        return tr("A link is lost. Stand-by until it is re-opened");
     case PermitPhase::Verifying:
         return unmet == 0 ? tr("Re-opened. Checking for 1 s") : tr("Re-opened. %1 conditions are missing").arg(unmet);
     }
@@ -83,12 +93,17 @@ void PermitBlock::paintEvent(QPaintEvent*)
     if (held)
         painter.drawRoundedRect(box.adjusted(6, 6, -6, -6), 3, 3);
     const QColor ink = engaged ? colour::onAlarm : armed ? colour::armed : colour::bright;
-    const QFont caption = theme::font(TextRole::Body, theme::scaleOf(this));
     const double wordHeight = QFontMetricsF(font()).height();
     const double pad = theme::px(this, 18);
     const QRectF inner = box.adjusted(pad, 0, -pad, 0);
-    const QRectF room(0, 0, inner.width(), inner.height() - wordHeight);
-    const QRectF text = QFontMetricsF(caption).boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, m_explanation);
+    const QRectF room(0, 0, inner.width(), inner.height());
+    const auto heightIn = [&](const QFont& face) {
+        return QFontMetricsF(face).boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, m_explanation);
+    };
+    QFont caption = theme::font(TextRole::Body, theme::scaleOf(this));
+    if (wordHeight + heightIn(caption).height() > inner.height() - 8)
+        caption = theme::font(TextRole::Caption, theme::scaleOf(this));
+    const QRectF text = heightIn(caption);
     const double top = inner.center().y() - (wordHeight + text.height()) / 2;
     painter.setFont(font());
     painter.setPen(ink);

@@ -30,6 +30,7 @@ RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand,
       m_force(new ForceGauge(this))
 {
     setAccessibleName(tr("Robot"));
+    m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     theme::setTextRole(m_tip, TextRole::Caption);
     theme::setTextRole(m_drives, TextRole::Caption);
     auto* row = new QHBoxLayout(this);
@@ -41,13 +42,11 @@ RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand,
     head->addWidget(headingLabel(tr("Robot"), this));
     head->addSpacing(8);
     head->addWidget(m_state, 1);
+    head->addWidget(m_tip);
     left->addLayout(head);
     left->addWidget(m_guidewire, 1);
     left->addWidget(m_catheter, 1);
-    auto* foot = new QHBoxLayout;
-    foot->addWidget(m_drives, 1);
-    foot->addWidget(m_tip);
-    left->addLayout(foot);
+    left->addWidget(m_drives);
     row->addLayout(left, 1);
     row->addWidget(m_force);
 }

@@ -1,6 +1,7 @@
 // Which incident's sheet is open, and the way it comes out.
 #include "widgets/sheet_deck.hpp"
 
+#include "model/device_node.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 
 #include <QPropertyAnimation>
@@ -23,9 +24,22 @@ SheetDeck::SheetDeck(IncidentModel& incidents, QWidget* parent)
     hide();
     m_slide->setDuration(slideMs);
     connect(m_sheet, &DiagnosisSheet::foldRequested, this, [this](quint64 id) { m_incidents.setFolded(id, true); });
-    connect(&m_incidents, &IncidentModel::incidentRaised, this, &SheetDeck::choose);
+    connect(&m_incidents, &IncidentModel::incidentRaised, this, &SheetDeck::take);
     connect(&m_incidents, &IncidentModel::incidentEnded, this, &SheetDeck::choose);
     connect(&m_incidents, &IncidentModel::incidentChanged, this, &SheetDeck::choose);
+}
+
+// The robot's link comes before every other: what moves in the patient is asked about first.
+void SheetDeck::take(quint64 incident)
+{
+    const auto isRobots = [this](quint64 id) {
+        const IncidentRecord* record = m_incidents.incident(id);
+        return record && (kindOf(record->a) == DeviceKind::Hand || kindOf(record->b) == DeviceKind::Hand);
+    };
+    if (m_open != 0 && isRobots(incident) && !isRobots(m_open))
+        open(incident);
+    else
+        choose();
 }
 
 void SheetDeck::choose()

@@ -37,6 +37,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void take(quint64 incident);
     void choose();
     void slideOut();
 

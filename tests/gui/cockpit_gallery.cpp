@@ -1,11 +1,9 @@
 // Paints the cockpit in its main states with invented values into PNG files: `cockpit_gallery <folder>`.
+#include "editor/topology_canvas.hpp"
+#include "editor/topology_view.hpp"
 #include "invented_cockpit.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/theme.hpp"
-#ifdef COCKPIT_GALLERY_EDITOR
-#include "editor/topology_canvas.hpp"
-#include "editor/topology_view.hpp"
-#endif
 
 #include <QApplication>
 #include <QDir>
@@ -70,21 +68,20 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
     CockpitWindow window(cockpit.models);
     window.setLiveView(new Stand(QStringLiteral("INVENTED: live image")));
     window.setSceneView(new Stand(QStringLiteral("INVENTED: 3-D scene")));
-#ifdef COCKPIT_GALLERY_EDITOR
     auto* mini = new console::TopologyCanvas(cockpit.models.sessions, console::TopologyCanvas::Size::Mini);
     auto* topology = new console::TopologyView(cockpit.models.sessions);
     window.setMiniTopology(mini);
     window.setTopologyView(topology);
-#endif
-    window.setKeyLegend(QStringLiteral("Shift dead-man \u00B7 W S guidewire \u00B7 A D turn \u00B7 \u2191 \u2193 catheter"));
+    window.setKeyLegend(QStringLiteral(
+        "D dead-man \u00B7 F X-ray \u00B7 C clutch \u00B7 R arm \u00B7 \u2191 \u2193 \u2190 \u2192 guidewire \u00B7 I K J L catheter"));
     window.resize(size);
     window.show();
     if (!QTest::qWaitForWindowActive(&window))
         return false;
     state.bring(cockpit, window);
     QTest::qWait(250);
-    cockpit.now = std::chrono::steady_clock::now();
-    window.refresh(cockpit.now - std::chrono::milliseconds(260));
+    cockpit.renew();
+    window.refresh(cockpit.now);
     const QString file = folder.filePath(QStringLiteral("%1_%2.png").arg(QString::fromLatin1(state.name)).arg(size.height()));
     return window.grab().save(file);
 }

@@ -74,6 +74,7 @@ void InventedCockpit::fillHistory(quint32 peer, double roundTripMs, LinkState st
         models.sessions.setLinkState(peer, i > 560 ? LinkState::Closed : state, at);
         models.sessions.setLinkFigures(peer, f, at);
     }
+    models.sessions.noteOpened(peer, fromMilliseconds(160 + roundTripMs * 3));
     models.sessions.setLinkFigures(peer, figures(roundTripMs), now);
 }
 
@@ -83,7 +84,7 @@ RobotStatus InventedCockpit::status(RobotState state) const
     s.state = state;
     s.permit = permitNumber;
     s.engaged = state == RobotState::Engaged;
-    s.holdConfirmed = state == RobotState::Hold;
+    s.holdConfirmed = state == RobotState::Hold || state == RobotState::Ready;
     s.guidewirePosition = 842.6;
     s.guidewireAngle = 134.0;
     s.catheterPosition = 611.2;
@@ -112,7 +113,7 @@ GuardReadings InventedCockpit::goodReadings() const
     r.picture.expectedPerSecond = 15;
     r.pictureLimit = 250ms;
     r.robotFresh = true;
-    r.robotState = RobotState::Hold;
+    r.robotState = RobotState::Ready;
     r.robotHoldConfirmed = true;
     r.robotPermit = permitNumber;
     r.drivesHealthy = true;
@@ -147,7 +148,7 @@ void InventedCockpit::openAll()
         s.guidewireForce = 0.3 + 0.25 * std::sin(i / 8.0) + (i == 40 ? 0.4 : 0);
         models.instrument.receiveRobot(s, now - i * 100ms);
     }
-    models.instrument.receiveRobot(status(RobotState::Hold), now - 9ms);
+    models.instrument.receiveRobot(status(RobotState::Ready), now - 9ms);
     DriveStatus drives;
     drives.enabled = {true, true, true, true};
     drives.temperature = {38, 36, 41, 35};
@@ -179,7 +180,7 @@ void InventedCockpit::feed(PermitEventKind kind, RobotState robot)
     PermitEvent event;
     event.kind = kind;
     event.robot = robot;
-    event.holdConfirmed = robot == RobotState::Hold;
+    event.holdConfirmed = robot == RobotState::Hold || robot == RobotState::Ready;
     event.permit = permitNumber;
     const Instant at = kind == PermitEventKind::ArmPressed ? now - 4s : kind == PermitEventKind::Tick ? now - 2s : now - 1s;
     models.permit.apply(event, at);
@@ -289,9 +290,25 @@ void InventedCockpit::loseXray(quint64 incident)
     lose(xrayId, incident, diagnosis);
 }
 
+void InventedCockpit::renew()
+{
+    now = std::chrono::steady_clock::now();
+    for (const quint32 peer : {robotId, armId, xrayId})
+        if (carriesMessages(models.sessions.state(peer)))
+            models.sessions.setLinkFigures(peer, figures(peer == xrayId ? 11.7 : 8.4), now);
+    if (carriesMessages(models.sessions.state(robotId))) {
+        const RobotStatus last = models.instrument.robot().value;
+        models.instrument.receiveRobot(last, now - 9ms);
+    }
+    if (carriesMessages(models.sessions.state(xrayId))) {
+        const AcquisitionStatus last = models.xray.status().value;
+        models.xray.receive(last, now - 64ms);
+    }
+}
+
 void InventedCockpit::letReportsAge(Duration age)
 {
-    RobotStatus last = models.instrument.robot().value;
+    const RobotStatus last = models.instrument.robot().value;
     models.instrument.receiveRobot(last, now - age);
 }
 

@@ -1,7 +1,10 @@
 // A console's models filled with invented values, for pictures and for tests of what is shown.
 #pragma once
 
+#include "model/alarm_list.hpp"
 #include "model/console_models.hpp"
+
+#include <vector>
 
 namespace console::test {
 
@@ -24,6 +27,7 @@ struct InventedCockpit {
     void freezePicture();
     void loseRobot(quint64 incident = 0x5eed);
     void loseXray(quint64 incident = 0xf1a9);
+    void renew();                     ///< every open link has just been heard again
     void letReportsAge(Duration age); ///< the robot's newest report was received so long ago
 
     GuardReadings goodReadings() const;
@@ -33,8 +37,10 @@ private:
     void fillHistory(quint32 peer, double roundTripMs, LinkState state);
     void paintPictures(Duration since);
     LinkFigures figures(double roundTripMs) const;
-    void feed(PermitEventKind kind, RobotState robot = RobotState::Hold);
+    void feed(PermitEventKind kind, RobotState robot = RobotState::Ready);
     void lose(quint32 peer, quint64 incident, const LinkDiagnosis& diagnosis);
+
+    std::vector<AlarmReport> m_lost;
 };
 
 } // namespace console::test
