@@ -171,12 +171,17 @@ void CockpitApplication::showWindow()
     m_window->activateWindow();
 }
 
-int CockpitApplication::run()
+void CockpitApplication::show()
 {
     m_link->start();
     m_control->start();
     m_sceneClock.start();
     showWindow();
+}
+
+int CockpitApplication::run()
+{
+    show();
     if (m_options.unattended) {
         m_unattended = std::make_unique<UnattendedRun>(*m_window, m_models, *m_link, *m_options.unattended);
         connect(m_unattended.get(), &UnattendedRun::finished, this, [](int status, const QString& failure) {
