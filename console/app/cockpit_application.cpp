@@ -37,7 +37,7 @@ CockpitApplication::CockpitApplication(const Options& options) : m_options(optio
         if (const auto folder = resource(QStringLiteral("devices")); !folder.isEmpty())
             m_options.registry << folder;
     if (m_options.vessels.isEmpty())
-        m_options.vessels = resource(QStringLiteral("vessels/cerebrovascular.swc"));
+        m_options.vessels = resource(QStringLiteral("vessels/cerebral.swc"));
     if (m_options.unattended && m_options.recording.isEmpty())
         m_options.recording = resource(QStringLiteral("recordings/jog.csv"));
 }
