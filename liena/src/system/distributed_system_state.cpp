@@ -97,6 +97,7 @@ void DistributedSystem::State::stop()
     for (auto& [peer, one] : modules)
         one->abort();
     server.close();
+    closingTimer.cancel();
     modules.clear();
     // Buried objects die with the handlers that hold them.
     context.restart();
@@ -108,19 +109,15 @@ void DistributedSystem::State::closeAll()
 {
     for (auto& [peer, one] : modules)
         (void)one->close("the application is stopping");
-    auto timer = std::make_shared<transport::Timer>(context);
-    const auto limit = std::chrono::steady_clock::now() + closingLimit;
-    auto check = std::make_shared<std::function<void()>>();
-    *check = [this, timer, limit, weak = std::weak_ptr(check)] {
-        const auto self = weak.lock();
-        if (!self)
-            return;
-        if (!allClosed() && std::chrono::steady_clock::now() < limit)
-            return timer->after(5ms, [self] { (*self)(); });
-        // What a closing dialogue wrote last may still be on its way to the kernel.
-        timer->after(20ms, [this] { context.stop(); });
-    };
-    (*check)();
+    endWhenClosed(std::chrono::steady_clock::now() + closingLimit);
+}
+
+void DistributedSystem::State::endWhenClosed(std::chrono::steady_clock::time_point limit)
+{
+    if (!allClosed() && std::chrono::steady_clock::now() < limit)
+        return closingTimer.after(5ms, [this, limit] { endWhenClosed(limit); });
+    // What a closing dialogue wrote last may still be on its way to the kernel.
+    closingTimer.after(20ms, [this] { context.stop(); });
 }
 
 bool DistributedSystem::State::allClosed() const

@@ -113,6 +113,9 @@ struct DistributedSystem::State final : public system::ModuleHost {
 private:
     void startPeriodic(Periodic& periodic);
     void closeAll();
+    void endWhenClosed(std::chrono::steady_clock::time_point limit);
+
+    transport::Timer closingTimer{context};
 };
 
 } // namespace liena

@@ -1,0 +1,197 @@
+// The composition root.
+#include "app/cockpit_application.hpp"
+
+#include "editor/topology_canvas.hpp"
+#include "editor/topology_view.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/scene_view.hpp"
+#include "widgets/cockpit_window.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QStringList>
+
+#include <cstdio>
+
+namespace console {
+
+namespace {
+
+constexpr std::chrono::milliseconds scenePeriod{50};
+
+QString keyLegend()
+{
+    QStringList parts;
+    for (const auto& [key, meaning] : KeyboardMaster::bindings())
+        parts << key + QLatin1Char(' ') + meaning;
+    return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace
+
+CockpitApplication::CockpitApplication(const Options& options) : m_options(options)
+{
+    m_models.picture.setProfile(options.profile);
+    if (m_options.registry.isEmpty())
+        if (const auto folder = resource(QStringLiteral("devices")); !folder.isEmpty())
+            m_options.registry << folder;
+    if (m_options.vessels.isEmpty())
+        m_options.vessels = resource(QStringLiteral("vessels/cerebrovascular.swc"));
+    if (m_options.unattended && m_options.recording.isEmpty())
+        m_options.recording = resource(QStringLiteral("recordings/jog.csv"));
+}
+
+CockpitApplication::~CockpitApplication()
+{
+    // Widgets and the loop may still be told things while sessions close.
+    if (m_link)
+        m_link->stop();
+}
+
+bool CockpitApplication::loadRecording(QString* error)
+{
+    if (m_options.recording.isEmpty())
+        return !m_options.unattended || (*error = tr("the recording that comes with LiENa is missing; name one with --recording"), false);
+    auto samples = RecordedMaster::load(m_options.recording, error);
+    if (samples.empty())
+        return false;
+    m_recording = std::make_unique<RecordedMaster>(std::move(samples));
+    return true;
+}
+
+bool CockpitApplication::prepare(QString* error)
+{
+    if (!loadRecording(error))
+        return false;
+    LinkSettings settings{m_options.topology,    m_options.device, m_options.registry, m_options.store,
+                          m_options.certificate, m_options.key,    m_options.authority};
+    m_link = SystemLink::create(settings, m_models, m_pipeline, error);
+    if (!m_link)
+        return false;
+    m_control = std::make_unique<CockpitControl>(m_models, *m_link, m_keyboard, m_recording.get());
+    buildWindow();
+    return true;
+}
+
+void CockpitApplication::buildWindow()
+{
+    m_window = std::make_unique<CockpitWindow>(m_models);
+    m_live = new LiveImageView(m_models.picture);
+    m_scene = new SceneView;
+    m_window->setLiveView(m_live);
+    m_window->setSceneView(m_scene);
+    buildTopology();
+    if (!m_options.vessels.isEmpty())
+        m_scene->loadVessels(m_options.vessels);
+    m_window->setOperator(m_options.user);
+    m_window->setKeyLegend(keyLegend());
+    connectIntents();
+    connectHand();
+    connectPictures();
+}
+
+void CockpitApplication::buildTopology()
+{
+    auto* view = new TopologyView(m_models.sessions);
+    m_window->setTopologyView(view);
+    auto* mini = new TopologyCanvas(m_models.sessions, TopologyCanvas::Size::Mini);
+    m_window->setMiniTopology(mini);
+    connect(mini, &TopologyCanvas::chosen, m_window.get(), [this] { m_window->showView(View::Topology); });
+    auto* link = m_link.get();
+    connect(view, &TopologyView::openRequested, link, &SystemLink::open);
+    connect(view, &TopologyView::closeRequested, link, &SystemLink::close);
+    connect(view, &TopologyView::reopenRequested, link, &SystemLink::reopen);
+    connect(view, &TopologyView::openAllRequested, link, &SystemLink::openAll);
+}
+
+void CockpitApplication::connectIntents()
+{
+    auto* window = m_window.get();
+    auto* link = m_link.get();
+    connect(window, &CockpitWindow::openRequested, link, &SystemLink::open);
+    connect(window, &CockpitWindow::openAllRequested, link, &SystemLink::openAll);
+    connect(window, &CockpitWindow::closeRequested, link, &SystemLink::close);
+    connect(window, &CockpitWindow::reopenRequested, link, &SystemLink::reopen);
+    connect(window, &CockpitWindow::reopenAllRequested, link, &SystemLink::reopenAll);
+    connect(window, &CockpitWindow::probeRequested, link, &SystemLink::probe);
+    connect(window, &CockpitWindow::dismissRequested, link,
+            [link](quint64 incident) { link->dismiss(incident, tr("given up by the operator")); });
+    connect(window, &CockpitWindow::emergencyStopRequested, link, &SystemLink::emergencyStop);
+    connect(window, &CockpitWindow::emergencyStopResetRequested, link, &SystemLink::resetEmergencyStop);
+    connect(window, &CockpitWindow::acknowledgeRequested, this,
+            [this](quint64 alarm) { m_models.alarms.acknowledge(alarm, QDateTime::currentMSecsSinceEpoch()); });
+}
+
+void CockpitApplication::connectHand()
+{
+    auto* window = m_window.get();
+    auto* control = m_control.get();
+    connect(window, &CockpitWindow::armHoldChanged, control, &CockpitControl::setArmHeld);
+    connect(window, &CockpitWindow::pedalChanged, control, &CockpitControl::setPedal);
+    connect(window, &CockpitWindow::panicHoldRequested, control, &CockpitControl::panicHold);
+    connect(window, &CockpitWindow::handFocusChanged, control, &CockpitControl::setHandHasKeys);
+    connect(window, &CockpitWindow::handKeyPressed, &m_keyboard, [this](int key) { m_keyboard.press(key); });
+    connect(window, &CockpitWindow::handKeyReleased, &m_keyboard, [this](int key) { m_keyboard.release(key); });
+    control->setHandHasKeys(window->handHasKeys());
+}
+
+void CockpitApplication::connectPictures()
+{
+    connect(&m_pipeline, &FramePipeline::pictureReady, m_live, &LiveImageView::showPicture);
+    connect(&m_pipeline, &FramePipeline::pictureReady, m_scene, &SceneView::showPicture);
+    connect(&m_pipeline, &FramePipeline::pictureRefused, m_live, &LiveImageView::showRefusal);
+    connect(&m_pipeline, &FramePipeline::pictureRefused, this,
+            [this](quint32, const QString& reason) { m_models.picture.noteRefused(reason); });
+    connect(&m_models.picture, &PictureState::refused, this, [this](const QString& reason) {
+        m_models.log.append(LogKind::Trouble, tr("picture refused: %1").arg(reason), QDateTime::currentMSecsSinceEpoch());
+    });
+    m_sceneClock.setInterval(scenePeriod);
+    connect(&m_sceneClock, &QTimer::timeout, this, &CockpitApplication::refreshScene);
+}
+
+void CockpitApplication::refreshScene()
+{
+    const auto now = std::chrono::steady_clock::now();
+    const auto& tip = m_models.instrument.tip();
+    const auto& xray = m_models.xray;
+    m_scene->showTip(tip.known() ? std::optional<TipPose>(tip.value) : std::nullopt, !m_models.instrument.tipFresh(now));
+    m_scene->showCArm(xray.fresh(now) ? std::optional<XrayGeometry>(xray.status().value.geometry) : std::nullopt);
+    m_scene->showCondition(m_models.picture.reading(now).condition);
+}
+
+void CockpitApplication::showWindow()
+{
+    if (m_options.size) {
+        m_window->resize(*m_options.size);
+        m_window->show();
+    } else {
+        m_window->showFullScreen();
+    }
+    m_window->activateWindow();
+}
+
+void CockpitApplication::show()
+{
+    m_link->start();
+    m_control->start();
+    m_sceneClock.start();
+    showWindow();
+}
+
+int CockpitApplication::run()
+{
+    show();
+    if (m_options.unattended) {
+        m_unattended = std::make_unique<UnattendedRun>(*m_window, m_models, *m_link, *m_options.unattended);
+        connect(m_unattended.get(), &UnattendedRun::finished, this, [](int status, const QString& failure) {
+            if (!failure.isEmpty())
+                std::fprintf(stderr, "liena-console: the unattended run failed: %s\n", qUtf8Printable(failure));
+            QCoreApplication::exit(status);
+        });
+        m_unattended->start();
+    }
+    return QApplication::exec();
+}
+
+} // namespace console

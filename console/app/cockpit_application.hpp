@@ -1,0 +1,67 @@
+// Makes every object of the console and connects the rooms.
+#pragma once
+
+#include "app/cockpit_control.hpp"
+#include "app/command_line.hpp"
+#include "app/unattended_run.hpp"
+#include "imaging/frame_pipeline.hpp"
+#include "input/keyboard_master.hpp"
+#include "input/recorded_master.hpp"
+#include "link/system_link.hpp"
+#include "model/console_models.hpp"
+
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+namespace console {
+
+class CockpitWindow;
+class LiveImageView;
+class SceneView;
+
+class CockpitApplication : public QObject {
+    Q_OBJECT
+public:
+    explicit CockpitApplication(const Options& options);
+    ~CockpitApplication() override;
+
+    /// Reads the files and takes the port; false with one sentence in `error` when it cannot.
+    bool prepare(QString* error);
+
+    /// Takes part in the system and shows the window; the caller runs the event loop.
+    void show();
+
+    /// Shows the window and runs until it is closed, or the unattended run ends; the program's status.
+    int run();
+
+    CockpitWindow& window() { return *m_window; }
+    const ConsoleModels& models() const { return m_models; }
+
+private:
+    bool loadRecording(QString* error);
+    void buildWindow();
+    void buildTopology();
+    void connectIntents();
+    void connectHand();
+    void connectPictures();
+    void refreshScene();
+    void showWindow();
+
+    // In the order in which they need one another: what stands below uses what stands above, and goes first.
+    Options m_options;
+    ConsoleModels m_models;
+    FramePipeline m_pipeline;
+    KeyboardMaster m_keyboard;
+    std::unique_ptr<RecordedMaster> m_recording;
+    std::unique_ptr<SystemLink> m_link;
+    std::unique_ptr<CockpitControl> m_control;
+    std::unique_ptr<CockpitWindow> m_window;
+    LiveImageView* m_live = nullptr; ///< the window's
+    SceneView* m_scene = nullptr;    ///< the window's
+    QTimer m_sceneClock;
+    std::unique_ptr<UnattendedRun> m_unattended;
+};
+
+} // namespace console

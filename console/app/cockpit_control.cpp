@@ -1,0 +1,272 @@
+// The loop between hand, permit and link.
+#include "app/cockpit_control.hpp"
+
+#include "input/hand_scale.hpp"
+
+#include <QDateTime>
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+constexpr std::chrono::milliseconds period{10};
+constexpr std::chrono::milliseconds stallLimit{100};
+constexpr int guardRuns = 5;  ///< 20 Hz
+constexpr int alarmRuns = 10; ///< 10 Hz
+constexpr double scaleStep = 0.1;
+
+Instant presentTime() { return std::chrono::steady_clock::now(); }
+
+} // namespace
+
+// A press has a number that this console did not use before it was started: a system that remembers the last one would refuse it.
+CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, KeyboardMaster& keyboard, MasterDevice* recording, QObject* parent)
+    : QObject(parent),
+      m_models(models),
+      m_link(link),
+      m_keyboard(keyboard),
+      m_recording(recording),
+      m_alarms(models, link.robot()),
+      m_press(static_cast<quint32>(QDateTime::currentSecsSinceEpoch()))
+{
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(period);
+    connect(&m_timer, &QTimer::timeout, this, &CockpitControl::run);
+    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer) {
+        if (m_link.robot() == peer)
+            tellSession();
+    });
+    connect(&models.sessions, &SessionModel::standByChanged, this, &CockpitControl::tellSession);
+    connect(&models.incidents, &IncidentModel::incidentRaised, this, &CockpitControl::tellSession);
+    connect(&models.incidents, &IncidentModel::incidentEnded, this, &CockpitControl::tellSession);
+    connect(&models.instrument, &InstrumentState::robotChanged, this, &CockpitControl::tellRobot);
+    connect(&models.permit, &PermitModel::phaseChanged, this, &CockpitControl::notePhase);
+    connect(&link.sessionEvents(), &SessionIntake::stalled, this, [this] { apply(PermitEventKind::Stalled); });
+    connect(&link.sessionEvents(), &SessionIntake::deadlineMissed, this,
+            [this](quint32 peer, const QString& message) { m_alarms.noteDeadlineMissed(peer, message, presentTime()); });
+    connect(&keyboard, &KeyboardMaster::deadManChanged, this, [this](bool pressed) {
+        readHand(presentTime());
+        apply(pressed ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased);
+    });
+    connect(&keyboard, &KeyboardMaster::armHeldChanged, this, &CockpitControl::setArmHeld);
+    connect(&keyboard, &KeyboardMaster::pedalChanged, this, &CockpitControl::setPedal);
+    connect(&keyboard, &KeyboardMaster::scaleStepRequested, this, &CockpitControl::stepScale);
+    m_models.hand.setDeviceName(recording ? recording->name() : keyboard.name());
+}
+
+void CockpitControl::start()
+{
+    m_timer.start();
+    run();
+}
+
+void CockpitControl::run()
+{
+    const auto now = presentTime();
+    if (m_lastRun && now - *m_lastRun > stallLimit)
+        apply(PermitEventKind::Stalled);
+    m_lastRun = now;
+    readHand(now);
+    expectPictures(now);
+    if (m_runs % guardRuns == 0)
+        carryOut(m_models.permit.check(guardReadings(now), now), now);
+    else
+        checkGuards(now);
+    apply(PermitEventKind::Tick);
+    if (m_runs % guardRuns == 0)
+        publishStatus(now);
+    if (m_runs % alarmRuns == 0)
+        m_alarms.update(now);
+    ++m_runs;
+}
+
+/// Between two full checks only what ends motion is looked at.
+void CockpitControl::checkGuards(Instant now)
+{
+    PermitEvent event;
+    event.kind = PermitEventKind::GuardsChecked;
+    event.armable = m_models.permit.state().armable;
+    event.kept = checkKept(guardReadings(now));
+    apply(event, now);
+}
+
+void CockpitControl::apply(PermitEventKind kind)
+{
+    PermitEvent event;
+    event.kind = kind;
+    event.armable = m_models.permit.state().armable;
+    event.kept = m_models.permit.state().kept;
+    apply(event, presentTime());
+}
+
+void CockpitControl::apply(const PermitEvent& event, Instant now) { carryOut(m_models.permit.apply(event, now), now); }
+
+/// Motion is published first: what is no longer permitted must not wait behind a request.
+void CockpitControl::carryOut(const PermitActions& actions, Instant now)
+{
+    if (actions.rezero) {
+        m_keyboard.rezero(now);
+        if (m_recording)
+            m_recording->rezero(now);
+        readHand(now);
+    }
+    publishMotion(now);
+    if (actions.release)
+        m_link.releasePermit(actions.permit);
+    if (actions.requestArm)
+        m_link.requestArm(actions.permit);
+    const bool holding = m_models.permit.phase() != PermitPhase::Engaged;
+    if (m_confirmed != holding) {
+        m_confirmed = holding;
+        m_link.confirmHold(holding);
+    }
+}
+
+void CockpitControl::tellSession()
+{
+    if (m_models.sessions.inStandBy() || !m_models.incidents.empty())
+        return apply(PermitEventKind::SystemStandsBy);
+    const auto state = m_link.robot() ? m_models.sessions.state(*m_link.robot()) : LinkState::Closed;
+    if (carriesMessages(state))
+        apply(PermitEventKind::SessionOpen);
+    else
+        apply(state == LinkState::Reconnecting ? PermitEventKind::SessionInterrupted : PermitEventKind::SessionClosed);
+}
+
+void CockpitControl::tellRobot()
+{
+    const auto& status = m_models.instrument.robot().value;
+    PermitEvent event;
+    event.kind = PermitEventKind::RobotReported;
+    event.robot = status.state;
+    event.holdConfirmed = status.holdConfirmed;
+    event.permit = status.permit;
+    apply(event, presentTime());
+}
+
+void CockpitControl::readHand(Instant now)
+{
+    const auto keys = m_keyboard.read(now);
+    const auto moved = m_recording ? m_recording->read(now) : keys;
+    HandReading reading;
+    reading.alive = keys.alive && moved.alive;
+    reading.deadMan = keys.deadMan;
+    reading.clutch = keys.clutch || moved.clutch;
+    reading.scale = m_scale;
+    reading.motion = askedMotion(moved.motion, m_scale, keys.deadMan && moved.deadMan, reading.clutch);
+    m_models.hand.set(reading);
+}
+
+void CockpitControl::expectPictures(Instant now)
+{
+    const auto& xray = m_models.xray;
+    const bool up = m_link.xray() && carriesMessages(m_models.sessions.state(*m_link.xray()));
+    m_models.picture.setLinkUp(up);
+    const bool beam = xray.fresh(now) && xray.beamOn();
+    const double rate = beam && xray.status().value.pulseRate > 0 ? xray.status().value.pulseRate : xray.requestedRate();
+    m_models.picture.expect(xray.pedalDown() || beam ? rate : 0, now);
+    m_link.setPedal({xray.pedalDown(), m_press, xray.requestedRate(), now});
+}
+
+GuardReadings CockpitControl::guardReadings(Instant now) const
+{
+    GuardReadings r;
+    const auto* link = m_link.robot() ? m_models.sessions.linkTo(*m_link.robot()) : nullptr;
+    if (link != nullptr) {
+        r.robotLink = link->state;
+        r.inLinkState = now - link->since;
+        // A session opens only between devices whose topology, message sets and certificates agree.
+        r.identityEqual = carriesMessages(link->state);
+        r.heartbeatsOnTime = link->figures.heartbeatsOnTime;
+        if (link->figures.clockOffset)
+            r.clockUncertainty = link->figures.clockUncertainty;
+        r.queuedMessages = link->figures.queuedMessages;
+    }
+    const auto& robot = m_models.instrument.robot().value;
+    r.picture = m_models.picture.reading(now);
+    r.pictureLimit = m_models.picture.limit();
+    r.robotFresh = m_models.instrument.robotFresh(now);
+    r.robotState = robot.state;
+    r.robotHoldConfirmed = robot.holdConfirmed;
+    r.robotPermit = robot.permit;
+    r.spentPermit = m_models.permit.state().spentPermit;
+    r.drivesHealthy = m_models.instrument.drivesHealthy(now);
+    r.force = robot.guidewireForce;
+    r.forceStop = m_models.instrument.limits().forceStop;
+    r.incident = m_models.sessions.inStandBy() || !m_models.incidents.empty();
+    r.highAlarm = m_models.alarms.unacknowledgedHigh();
+    r.handAlive = m_models.hand.reading().alive;
+    r.windowActive = m_keyboard.listening();
+    r.deadMan = m_models.hand.reading().deadMan;
+    return r;
+}
+
+void CockpitControl::publishMotion(Instant now)
+{
+    const auto& permit = m_models.permit.state();
+    MotionSnapshot snapshot;
+    snapshot.stream = permit.stream();
+    snapshot.permit = permit.permit;
+    snapshot.engagement = permit.engagement;
+    snapshot.engagedSince = permit.since;
+    snapshot.motion = m_models.hand.reading().motion;
+    snapshot.guiTick = now;
+    snapshot.pictureLimit = m_models.picture.limit();
+    const auto& shown = m_models.picture.newest();
+    if (shown && shown->captured && shown->source != PictureSource::Recorded)
+        snapshot.shownCapture = *shown->captured - shown->filterDelay;
+    m_link.setMotion(snapshot);
+}
+
+void CockpitControl::publishStatus(Instant now)
+{
+    const auto& hand = m_models.hand.reading();
+    CockpitReport report;
+    report.phase = m_models.permit.phase();
+    report.deadMan = hand.deadMan;
+    report.clutch = hand.clutch;
+    report.scale = hand.scale;
+    constexpr double longest = 3'600'000; // the message's bound; also what "no picture" and "age unknown" are told as
+    const auto age = m_models.picture.reading(now).age;
+    report.pictureAgeMs = age ? std::clamp(milliseconds(*age), 0.0, longest) : longest;
+    report.alarmsHigh = m_models.alarms.count(AlarmPriority::High);
+    report.alarmsMedium = m_models.alarms.count(AlarmPriority::Medium);
+    report.alarmsLow = m_models.alarms.count(AlarmPriority::Low);
+    m_link.publish(report);
+}
+
+void CockpitControl::setArmHeld(bool held) { apply(held ? PermitEventKind::ArmPressed : PermitEventKind::ArmReleased); }
+
+void CockpitControl::setPedal(bool down)
+{
+    if (down && !pedalDown())
+        ++m_press;
+    m_models.xray.setPedal(down);
+    expectPictures(presentTime());
+}
+
+void CockpitControl::panicHold() { apply(PermitEventKind::PanicHold); }
+
+void CockpitControl::setHandHasKeys(bool has)
+{
+    m_keyboard.setListening(has);
+    if (!has)
+        apply(PermitEventKind::PanicHold);
+}
+
+void CockpitControl::stepScale(int steps)
+{
+    m_scale = nextScale(m_scale, m_scale + steps * scaleStep, m_models.permit.phase() == PermitPhase::Engaged);
+}
+
+void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
+{
+    auto line = tr("%1 -> %2").arg(word(from), word(to));
+    if (to == PermitPhase::Hold)
+        line += tr(": %1").arg(word(m_models.permit.state().cause));
+    m_models.log.append(LogKind::Permit, line, QDateTime::currentMSecsSinceEpoch());
+}
+
+} // namespace console

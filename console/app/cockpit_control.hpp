@@ -1,0 +1,64 @@
+// The loop between the surgeon's hand, the motion permit and the link.
+#pragma once
+
+#include "app/alarm_watch.hpp"
+#include "input/keyboard_master.hpp"
+#include "link/system_link.hpp"
+#include "model/console_models.hpp"
+
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+namespace console {
+
+/// GUI thread only; a hundred runs a second. Each run hands the newest permit, hand and picture to the network thread; when the runs stop,
+/// motion stops there.
+class CockpitControl : public QObject {
+    Q_OBJECT
+public:
+    /// `recording` may be null: then the keyboard moves. With one, motion is the recording's; the dead-man stays the keyboard's.
+    CockpitControl(ConsoleModels& models, SystemLink& link, KeyboardMaster& keyboard, MasterDevice* recording, QObject* parent = nullptr);
+
+    void start();
+
+    // What the window and the hand ask for.
+    void setArmHeld(bool held);
+    void setPedal(bool down);
+    void panicHold();
+
+    /// The hand may use the keyboard: the window is active, and nothing else in it has the focus.
+    void setHandHasKeys(bool has);
+
+private:
+    void run();
+    void checkGuards(Instant now);
+    void apply(PermitEventKind kind);
+    void apply(const PermitEvent& event, Instant now);
+    void carryOut(const PermitActions& actions, Instant now);
+    void tellSession();
+    void tellRobot();
+    void readHand(Instant now);
+    void expectPictures(Instant now);
+    void publishMotion(Instant now);
+    void publishStatus(Instant now);
+    void stepScale(int steps);
+    GuardReadings guardReadings(Instant now) const;
+    void notePhase(PermitPhase from, PermitPhase to);
+    bool pedalDown() const { return m_models.xray.pedalDown(); }
+
+    ConsoleModels& m_models;
+    SystemLink& m_link;
+    KeyboardMaster& m_keyboard;
+    MasterDevice* m_recording;
+    AlarmWatch m_alarms;
+    QTimer m_timer;
+    std::optional<Instant> m_lastRun;
+    quint64 m_runs = 0;
+    quint32 m_press;
+    double m_scale = 1;
+    std::optional<bool> m_confirmed; ///< what was last told of holding
+};
+
+} // namespace console

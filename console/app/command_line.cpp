@@ -1,0 +1,168 @@
+// The command line, and where the program's own files are.
+#include "app/command_line.hpp"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+const char* const description =
+    R"(The surgeon's console: opens sessions with the devices of a robotic system, shows the live picture and the
+robot, and lets a surgeon move it. A research system, not a medical device.
+
+A first try, with the reference devices running on this computer:
+  liena-console --topology topologies/cerebrovascular.xml
+      --certificate pki/cockpit.crt --key pki/cockpit.key --authority pki/ca.crt
+
+On the screen: F2, then "Open all". Hold F for pictures, hold R for 1.5 s to arm; then motion lasts while D is held:
+up/down and right/left for the guidewire, I/K and J/L for the catheter. Letting go of D stops. F12 holds, Esc is the
+emergency stop. After any interruption motion needs a new ARM.
+
+Without a screen: QT_QPA_PLATFORM=offscreen liena-console --unattended 10 --report run.json ...)";
+
+struct Declared {
+    QCommandLineParser parser;
+    QCommandLineOption topology{QStringLiteral("topology"), QStringLiteral("The system's topology file, the same bytes on every device."),
+                                QStringLiteral("FILE")};
+    QCommandLineOption device{
+        QStringLiteral("device"),
+        QStringLiteral("This console in the topology, by name or id. Default: the device with the message set siat-cockpit."),
+        QStringLiteral("NAME")};
+    QCommandLineOption certificate{QStringLiteral("certificate"), QStringLiteral("This device's certificate, PEM."),
+                                   QStringLiteral("FILE")};
+    QCommandLineOption key{QStringLiteral("key"), QStringLiteral("Its private key, PEM."), QStringLiteral("FILE")};
+    QCommandLineOption authority{QStringLiteral("authority"), QStringLiteral("The site's certificate authority, PEM."),
+                                 QStringLiteral("FILE")};
+    QCommandLineOption registry{QStringLiteral("registry"),
+                                QStringLiteral("Folder with message sets; may be repeated. Default: the register that comes with LiENa."),
+                                QStringLiteral("FOLDER")};
+    QCommandLineOption store{QStringLiteral("store"), QStringLiteral("Folder for message sets learnt from peers."),
+                             QStringLiteral("FOLDER")};
+    QCommandLineOption profile{
+        QStringLiteral("profile"),
+        QStringLiteral("How old a picture may be while instruments move: neuro (250 ms, default) or coronary (400 ms)."),
+        QStringLiteral("NAME"), QStringLiteral("neuro")};
+    QCommandLineOption user{QStringLiteral("operator"), QStringLiteral("Name of the person, for the screen and the log."),
+                            QStringLiteral("NAME")};
+    QCommandLineOption recording{QStringLiteral("recording"),
+                                 QStringLiteral("Recorded hand (time,x,y,z,buttons) to move by while the dead-man is held."),
+                                 QStringLiteral("FILE")};
+    QCommandLineOption vessels{QStringLiteral("vessels"), QStringLiteral("Vessel tree for the 3-D scene, SWC."), QStringLiteral("FILE")};
+    QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Window size instead of the whole screen, for example 2560x1440."),
+                            QStringLiteral("WxH")};
+    QCommandLineOption unattended{
+        QStringLiteral("unattended"),
+        QStringLiteral("Operates the console by itself: opens every session, takes pictures, arms, moves for that time by "
+                       "the recorded hand, stops. Status 0 only if all of it worked. For test systems only: it moves the "
+                       "robot without a person."),
+        QStringLiteral("SECONDS")};
+    QCommandLineOption report{QStringLiteral("report"), QStringLiteral("With --unattended: writes what was measured, JSON."),
+                              QStringLiteral("FILE")};
+    QCommandLineOption screenshot{QStringLiteral("screenshot"), QStringLiteral("With --unattended: writes the window at the end, PNG."),
+                                  QStringLiteral("FILE")};
+    QCommandLineOption help{{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this text.")};
+    QCommandLineOption version{{QStringLiteral("v"), QStringLiteral("version")}, QStringLiteral("Shows the version.")};
+
+    Declared()
+    {
+        parser.setApplicationDescription(QString::fromUtf8(description));
+        parser.addOptions({topology, device, certificate, key, authority, registry, store, profile, user, recording, vessels, size,
+                           unattended, report, screenshot, help, version});
+    }
+};
+
+CommandLine mistake(const QString& text) { return {CommandLine::Outcome::Mistake, {}, text + QStringLiteral(" (--help shows how)")}; }
+
+std::optional<QSize> sizeFrom(const QString& text)
+{
+    const auto parts = text.split(QLatin1Char('x'));
+    bool wide = false;
+    bool high = false;
+    if (parts.size() != 2)
+        return std::nullopt;
+    const QSize size(parts[0].toInt(&wide), parts[1].toInt(&high));
+    const bool possible = size.width() >= 800 && size.height() >= 450 && size.width() <= 16384 && size.height() <= 16384;
+    return wide && high && possible ? std::optional<QSize>(size) : std::nullopt;
+}
+
+QString readUnattended(const Declared& declared, Options& options)
+{
+    const auto& parser = declared.parser;
+    if (!parser.isSet(declared.unattended)) {
+        const bool alone = parser.isSet(declared.report) || parser.isSet(declared.screenshot);
+        return alone ? QStringLiteral("--report and --screenshot belong to --unattended") : QString();
+    }
+    UnattendedSettings settings;
+    bool good = false;
+    settings.jogSeconds = parser.value(declared.unattended).toDouble(&good);
+    if (!good || !std::isfinite(settings.jogSeconds) || settings.jogSeconds < 1 || settings.jogSeconds > 86400)
+        return QStringLiteral("--unattended '%1': give 1 to 86400 seconds").arg(parser.value(declared.unattended));
+    settings.report = parser.value(declared.report);
+    settings.screenshot = parser.value(declared.screenshot);
+    options.unattended = settings;
+    return {};
+}
+
+/// The first thing that is wrong, or nothing.
+QString readOptions(const Declared& declared, Options& options)
+{
+    const auto& parser = declared.parser;
+    if (!parser.isSet(declared.topology))
+        return QStringLiteral("--topology is missing: name the system's topology file");
+    options.topology = parser.value(declared.topology);
+    options.device = parser.value(declared.device);
+    options.registry = parser.values(declared.registry);
+    options.store = parser.value(declared.store);
+    options.certificate = parser.value(declared.certificate);
+    options.key = parser.value(declared.key);
+    options.authority = parser.value(declared.authority);
+    options.recording = parser.value(declared.recording);
+    options.vessels = parser.value(declared.vessels);
+    options.user = parser.value(declared.user);
+    const auto profile = parser.value(declared.profile);
+    if (profile != QLatin1String("neuro") && profile != QLatin1String("coronary"))
+        return QStringLiteral("--profile '%1': choose neuro or coronary").arg(profile);
+    options.profile = profile == QLatin1String("neuro") ? PictureProfile::Neuro : PictureProfile::Coronary;
+    if (parser.isSet(declared.size)) {
+        options.size = sizeFrom(parser.value(declared.size));
+        if (!options.size)
+            return QStringLiteral("--size '%1': write WIDTHxHEIGHT, at least 800x450").arg(parser.value(declared.size));
+    }
+    return readUnattended(declared, options);
+}
+
+} // namespace
+
+CommandLine readCommandLine(const QStringList& arguments)
+{
+    Declared declared;
+    if (!declared.parser.parse(arguments))
+        return mistake(declared.parser.errorText());
+    if (declared.parser.isSet(declared.help))
+        return {CommandLine::Outcome::Help, {}, declared.parser.helpText()};
+    if (declared.parser.isSet(declared.version))
+        return {CommandLine::Outcome::Version, {}, QStringLiteral("liena-console %1\n").arg(QCoreApplication::applicationVersion())};
+    if (!declared.parser.positionalArguments().isEmpty())
+        return mistake(QStringLiteral("'%1' is not an option").arg(declared.parser.positionalArguments().constFirst()));
+    CommandLine line;
+    const auto wrong = readOptions(declared, line.options);
+    return wrong.isEmpty() ? line : mistake(wrong);
+}
+
+QString resource(const QString& name)
+{
+    const QStringList places{QCoreApplication::applicationDirPath() + QStringLiteral("/../share/liena/") + name,
+                             QStringLiteral(LIENA_RESOURCE_DIR "/") + name};
+    for (const auto& place : places)
+        if (QFileInfo::exists(place))
+            return QDir::cleanPath(place);
+    return {};
+}
+
+} // namespace console

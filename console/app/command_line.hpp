@@ -1,0 +1,51 @@
+// What liena-console is told on its command line.
+#pragma once
+
+#include "model/picture_state.hpp"
+
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <optional>
+
+namespace console {
+
+struct UnattendedSettings {
+    double jogSeconds = 0;
+    QString report;     ///< JSON file; empty: none
+    QString screenshot; ///< PNG file; empty: none
+};
+
+struct Options {
+    QString topology;
+    QString device;
+    QStringList registry;
+    QString store;
+    QString certificate;
+    QString key;
+    QString authority;
+    QString recording;
+    QString vessels;
+    QString user;
+    PictureProfile profile = PictureProfile::Neuro;
+    std::optional<QSize> size;
+    std::optional<UnattendedSettings> unattended;
+};
+
+struct CommandLine {
+    enum class Outcome { Run, Help, Version, Mistake };
+
+    Outcome outcome = Outcome::Run;
+    Options options;
+    QString text; ///< Help, Version: what to print; Mistake: one line
+};
+
+/// `arguments` with the program's name first. Reads no file.
+CommandLine readCommandLine(const QStringList& arguments);
+
+/// A file or folder of the project's resources: beside the installed program, else in the source tree it was built from; empty when neither
+/// has it.
+QString resource(const QString& name);
+
+} // namespace console

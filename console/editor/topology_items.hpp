@@ -1,0 +1,55 @@
+// The canvas's two kinds of things: a device and a link.
+#pragma once
+
+#include "editor/topology_layout.hpp"
+
+#include <QGraphicsItem>
+
+namespace console {
+
+class DeviceItem : public QGraphicsItem {
+public:
+    DeviceItem(const DeviceNode& device, const QRectF& box, bool mini);
+    quint32 id() const { return m_device.id; }
+    void setCurrent(bool current);
+    void setTextFactor(double factor);
+    QRectF boundingRect() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+private:
+    DeviceNode m_device;
+    QRectF m_box;
+    bool m_mini;
+    bool m_current = false;
+    double m_factor = 1;
+};
+
+class LinkItem : public QGraphicsItem {
+public:
+    LinkItem(const LinkNode& link, PlacedLink place, bool mini);
+    quint32 a() const { return m_link.a; }
+    quint32 b() const { return m_link.b; }
+    void setCurrent(bool current);
+    void setLink(const LinkNode& link, Instant now);
+    void setTextFactor(double factor);
+    QPointF labelCentre() const { return labelBox().center(); }
+    QRectF boundingRect() const override;
+    QPainterPath shape() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+private:
+    QString stateText() const;
+    QString figureText() const;
+    QRectF labelBox() const;
+    void paintWay(QPainter& painter) const;
+    void paintLabel(QPainter& painter) const;
+
+    LinkNode m_link;
+    PlacedLink m_place;
+    Instant m_now;
+    bool m_mini;
+    bool m_current = false;
+    double m_factor = 1; ///< of the text: grows when the canvas is small
+};
+
+} // namespace console

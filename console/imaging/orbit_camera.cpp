@@ -1,0 +1,59 @@
+// The scene's point of view: a camera on a sphere round the focus, with the head always up.
+#include "imaging/orbit_camera.hpp"
+
+#include <QtMath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+constexpr double steepest = 89;
+constexpr double closest = 60;
+constexpr double farthest = 5000;
+
+QVector3D outward(double azimuth, double elevation)
+{
+    const double a = qDegreesToRadians(azimuth);
+    const double e = qDegreesToRadians(elevation);
+    return {static_cast<float>(std::sin(a) * std::cos(e)), static_cast<float>(-std::cos(a) * std::cos(e)), static_cast<float>(std::sin(e))};
+}
+
+} // namespace
+
+void OrbitCamera::rotate(double azimuthStep, double elevationStep)
+{
+    m_azimuth = std::remainder(m_azimuth + azimuthStep, 360.0);
+    m_elevation = std::clamp(m_elevation + elevationStep, -steepest, steepest);
+}
+
+void OrbitCamera::zoom(double factor)
+{
+    if (std::isfinite(factor) && factor > 0)
+        m_distance = std::clamp(m_distance / factor, closest, farthest);
+}
+
+QVector3D OrbitCamera::offset() const { return outward(m_azimuth, m_elevation) * static_cast<float>(m_distance); }
+
+QVector3D OrbitCamera::right() const
+{
+    const double a = qDegreesToRadians(m_azimuth);
+    return {static_cast<float>(std::cos(a)), static_cast<float>(std::sin(a)), 0};
+}
+
+QVector3D OrbitCamera::up() const { return QVector3D::crossProduct(outward(m_azimuth, m_elevation), right()); }
+
+std::optional<QPointF> OrbitCamera::project(const QVector3D& fromFocus, QSizeF size) const
+{
+    const QVector3D outwards = outward(m_azimuth, m_elevation);
+    const double depth = m_distance - QVector3D::dotProduct(fromFocus, outwards);
+    if (depth <= 1)
+        return std::nullopt;
+    const double pixelsPerUnit = size.height() / 2 / std::tan(qDegreesToRadians(viewAngle / 2)) / depth;
+    return QPointF(size.width() / 2 + QVector3D::dotProduct(fromFocus, right()) * pixelsPerUnit,
+                   size.height() / 2 - QVector3D::dotProduct(fromFocus, up()) * pixelsPerUnit);
+}
+
+} // namespace console

@@ -1,0 +1,133 @@
+// The three-dimensional scene: what is shown, and the VTK objects that draw it.
+#include "imaging/scene.hpp"
+
+#include "imaging/c_arm_pipeline.hpp"
+#include "imaging/egl_context.hpp"
+#include "imaging/frame_plane_pipeline.hpp"
+#include "imaging/offscreen_window.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/tip_pipeline.hpp"
+#include "imaging/vessel_pipeline.hpp"
+#include "imaging/vtk_bridge.hpp"
+
+#include <QCoreApplication>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+// A tip farther than this from every centre line is drawn alone: no vessel is claimed for the wire.
+constexpr float wireReach = 8;
+
+} // namespace
+
+QVector3D focusOf(const SceneState& state)
+{
+    if (!state.vessels || state.vessels->isEmpty())
+        return {};
+    QVector3D low = state.vessels->points.front().position;
+    QVector3D high = low;
+    for (const VesselPoint& point : state.vessels->points) {
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], point.position[axis]);
+            high[axis] = std::max(high[axis], point.position[axis]);
+        }
+    }
+    return toScene((low + high) / 2);
+}
+
+// The context outlives what draws in it: members go in the reverse of this order.
+struct OffscreenScene::Pipelines {
+    std::unique_ptr<EglContext> context;
+    vtkNew<OffscreenWindow> window;
+    vtkNew<vtkRenderer> renderer;
+    vtkNew<vtkUnsignedCharArray> pixels;
+    VesselPipeline vessels;
+    CArmPipeline cArm;
+    FramePlanePipeline framePlane;
+    TipPipeline tip;
+
+    void assemble()
+    {
+        renderer->SetBackground(vtkColour(pane_colours::background).data());
+        renderer->AddActor(vessels.actor());
+        renderer->AddActor(framePlane.actor());
+        for (vtkActor* actor : cArm.actors())
+            renderer->AddActor(actor);
+        for (vtkActor* actor : tip.actors())
+            renderer->AddActor(actor);
+        window->AddRenderer(renderer);
+    }
+
+    ~Pipelines() { window->Finalize(); }
+};
+
+OffscreenScene::OffscreenScene(std::unique_ptr<Pipelines> pipelines) : m_pipelines(std::move(pipelines)) {}
+
+OffscreenScene::~OffscreenScene() = default;
+
+std::unique_ptr<OffscreenScene> OffscreenScene::create(QString& error)
+{
+    std::unique_ptr<EglContext> context = EglContext::create(error);
+    if (!context)
+        return nullptr;
+    auto pipelines = std::make_unique<Pipelines>();
+    pipelines->context = std::move(context);
+    pipelines->window->prepare();
+    if (!pipelines->window->isUsable()) {
+        error = QCoreApplication::translate("Scene", "OpenGL's functions could not be loaded. Check the graphics driver.");
+        return nullptr;
+    }
+    pipelines->assemble();
+    return std::unique_ptr<OffscreenScene>(new OffscreenScene(std::move(pipelines)));
+}
+
+void OffscreenScene::show(const SceneState& state)
+{
+    if (state.vessels != m_shown.vessels) {
+        m_pipelines->vessels.show(state.vessels ? *state.vessels : VesselTree{});
+        m_focus = focusOf(state);
+    }
+    if (state.tip)
+        m_pipelines->tip.show(*state.tip, state.vessels ? state.vessels->wayTo(state.tip->position, wireReach) : std::vector<QVector3D>{});
+    else
+        m_pipelines->tip.hide();
+    if (const auto pose = state.cArm ? poseOf(*state.cArm) : std::nullopt)
+        m_pipelines->cArm.show(*pose);
+    else
+        m_pipelines->cArm.hide();
+    const auto picturePose = state.pictureGeometry ? poseOf(*state.pictureGeometry) : std::nullopt;
+    if (picturePose && !state.picture.isNull()) {
+        if (state.picture.cacheKey() != m_shown.picture.cacheKey())
+            m_pipelines->framePlane.showPicture(state.picture);
+        m_pipelines->framePlane.place(*picturePose, state.pictureIsLive);
+    } else {
+        m_pipelines->framePlane.hide();
+    }
+    m_shown = state;
+}
+
+QImage OffscreenScene::render(const OrbitCamera& camera, QSize size)
+{
+    if (size.isEmpty() || !m_pipelines->context->isCurrent())
+        return {};
+    Pipelines& p = *m_pipelines;
+    p.window->SetSize(size.width(), size.height());
+    vtkCamera* view = p.renderer->GetActiveCamera();
+    view->SetViewAngle(OrbitCamera::viewAngle);
+    view->SetFocalPoint(vtkPoint(m_focus).data());
+    view->SetPosition(vtkPoint(m_focus + camera.offset()).data());
+    view->SetViewUp(vtkPoint(camera.up()).data());
+    p.renderer->ResetCameraClippingRange();
+    p.window->Render();
+    p.window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, p.pixels);
+    return fromRenderedPixels(*p.pixels, size);
+}
+
+} // namespace console

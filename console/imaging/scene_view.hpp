@@ -1,0 +1,86 @@
+// The three-dimensional pane: shows what the scene's thread draws, and turns the camera by mouse and keyboard.
+#pragma once
+
+#include "imaging/display_picture.hpp"
+#include "imaging/newest_handover.hpp"
+#include "imaging/scene_renderer.hpp"
+#include "model/picture_state.hpp"
+#include "model/robot_values.hpp"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+namespace console {
+
+class SceneView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    /// Reads the tree; a failure is written into the pane.
+    void loadVessels(const QString& path);
+
+    /// Nothing, and a pose that is not valid: no tip is drawn. `isStale`: drawn hollow, in grey, with a mark.
+    void showTip(const std::optional<TipPose>& pose, bool isStale);
+
+    /// Where the C-arm is now; nothing when it is not known. Its detector is as large as the newest picture's.
+    void showCArm(const std::optional<XrayGeometry>& geometry);
+
+    void showPicture(const DisplayPicture& picture);
+    void showCondition(PictureCondition condition);
+
+    const OrbitCamera& camera() const { return m_camera; }
+
+    /// The newest drawing, null before the first; why there is none.
+    const QImage& drawing() const { return m_drawn.image; }
+    const QString& unavailable() const { return m_drawn.error; }
+    quint64 drawings() const { return m_drawings; }
+
+    /// What is missing and what to do, as the pane shows it; empty when nothing is missing.
+    QString notice() const;
+
+    QSize sizeHint() const override { return {562, 562}; }
+
+Q_SIGNALS:
+    void drawn();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void requestDrawing();
+    void takeDrawing();
+    void look(const OrbitCamera& camera);
+    void paintLetters(QPainter& painter) const;
+    void paintTipMark(QPainter& painter) const;
+    void paintWords(QPainter& painter) const;
+    void paintFrame(QPainter& painter) const;
+    void paintNotice(QPainter& painter) const;
+    void describe();
+
+    SceneState m_state;
+    OrbitCamera m_camera;
+    QString m_vesselError;
+    QSizeF m_detectorSize;
+    std::optional<XrayGeometry> m_cArm;
+    PictureCondition m_condition = PictureCondition::None;
+    SceneImage m_drawn;
+    quint64 m_drawings = 0;
+    QPoint m_lastMouse;
+    NewestHandover<SceneImage> m_finished;
+    std::unique_ptr<SceneRenderer> m_renderer;
+};
+
+} // namespace console

@@ -1,0 +1,59 @@
+// The keyboard as a master: always there, one key held to permit motion, others to move.
+#pragma once
+
+#include "input/master_device.hpp"
+
+#include <QList>
+#include <QPair>
+#include <QSet>
+
+namespace console {
+
+/// Left hand: D held is the dead-man, F held the X-ray pedal, C held the clutch, R held 1.5 s arms. Right hand: arrow up / down advance /
+/// retract the guidewire, right / left turn it; I / K advance / retract the catheter, L / J turn it. Page up / down change the scale.
+/// Space, Enter and Return are bound to nothing: they press buttons.
+///
+/// Keys count only while the master listens. When that ends everything counts as released, and a key that is still down must be let go and
+/// pressed again. Auto-repeat is neither a press nor a release.
+class KeyboardMaster : public MasterDevice {
+    Q_OBJECT
+public:
+    struct Speeds {
+        double guidewireVelocity = 10;  ///< mm/s at scale 1
+        double guidewireRotation = 180; ///< deg/s
+        double catheterVelocity = 5;
+        double catheterRotation = 90;
+    };
+
+    explicit KeyboardMaster(QObject* parent = nullptr);
+
+    QString name() const override;
+    MasterReading read(Instant now) override;
+    void rezero(Instant now) override;
+
+    /// False while something else has the keyboard: a dialogue, a text field, the prompt, another window.
+    void setListening(bool listening);
+    bool listening() const { return m_listening; }
+
+    /// Qt's key codes. True when the key belongs to the hand.
+    bool press(int key, bool autoRepeat = false);
+    bool release(int key, bool autoRepeat = false);
+    void releaseAll();
+
+    /// The keys with what they do: `D, held` `dead-man`.
+    static QList<QPair<QString, QString>> bindings();
+
+Q_SIGNALS:
+    void pedalChanged(bool down);
+
+private:
+    bool isDown(int key) const { return m_down.contains(key); }
+    double direction(int positive, int negative) const;
+    void tell(int key, bool pressed);
+
+    QSet<int> m_down;
+    Speeds m_speeds;
+    bool m_listening = false;
+};
+
+} // namespace console

@@ -1,0 +1,43 @@
+// The motion commands on their way out: composed on the network thread, so that a stutter of the screen does not stutter the robot.
+#pragma once
+
+#include "model/latest_value.hpp"
+#include "model/motion_order.hpp"
+
+#include <liena/distributed_system.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <optional>
+
+namespace console {
+
+class MotionStreamer {
+public:
+    static constexpr std::chrono::milliseconds period{2};
+
+    MotionStreamer(liena::DistributedSystem& system, liena::DeviceId robot) : m_system(system), m_robot(robot) {}
+
+    /// GUI thread.
+    void publish(const MotionSnapshot& snapshot) { m_snapshot.write(snapshot); }
+
+    /// Network thread, once a period.
+    void run();
+
+    // Any thread.
+    quint64 sent() const { return m_sent.load(std::memory_order_relaxed); }
+    quint64 refused() const { return m_refused.load(std::memory_order_relaxed); }
+    bool blocked() const { return m_blocked.load(std::memory_order_relaxed); }
+
+private:
+    liena::DistributedSystem& m_system;
+    liena::DeviceId m_robot;
+    LatestValue<MotionSnapshot> m_snapshot;
+    MotionGate m_gate;
+    std::optional<liena::Message> m_blank; ///< network thread; the robot's set may become known only when it opens
+    std::atomic<quint64> m_sent{0};
+    std::atomic<quint64> m_refused{0};
+    std::atomic<bool> m_blocked{false};
+};
+
+} // namespace console

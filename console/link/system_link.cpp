@@ -1,0 +1,316 @@
+// The console's part in the robotic system.
+#include "link/system_link.hpp"
+
+#include "link/motion_streamer.hpp"
+#include "link/pedal_streamer.hpp"
+#include "link/translate.hpp"
+
+#include <liena/distributed_system.hpp>
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QRandomGenerator>
+
+#include <stdexcept>
+
+namespace console {
+
+namespace {
+
+constexpr std::chrono::milliseconds figuresPeriod{100};
+
+std::filesystem::path path(const QString& text) { return std::filesystem::path(text.toStdU16String()); }
+
+/// The device that the settings name, or the only one that has a cockpit's message set.
+std::optional<std::string> deviceName(const LinkSettings& settings, QString* error)
+{
+    if (!settings.device.isEmpty())
+        return settings.device.toStdString();
+    const auto topology = liena::SystemTopology::load(path(settings.topology));
+    if (!topology) {
+        *error = text(topology.error().what);
+        return std::nullopt;
+    }
+    std::vector<std::string> cockpits;
+    for (const auto& device : topology.value().devices())
+        if (device.messageSet == "siat-cockpit")
+            cockpits.push_back(device.name);
+    if (cockpits.size() == 1)
+        return cockpits.front();
+    *error = cockpits.empty()
+                 ? QObject::tr("%1: no device has the message set siat-cockpit; name this console's with --device").arg(settings.topology)
+                 : QObject::tr("%1: %2 devices have the message set siat-cockpit; name this console's with --device")
+                       .arg(settings.topology)
+                       .arg(cockpits.size());
+    return std::nullopt;
+}
+
+} // namespace
+
+std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, ConsoleModels& models, FrameSink& sink, QString* error)
+{
+    const auto device = deviceName(settings, error);
+    if (!device)
+        return nullptr;
+    liena::Settings own;
+    own.topology = path(settings.topology);
+    own.device = *device;
+    for (const auto& folder : settings.registry)
+        own.registry.push_back(path(folder));
+    own.store = path(settings.store);
+    own.certificate = path(settings.certificate);
+    own.key = path(settings.key);
+    own.authority = path(settings.authority);
+    own.software = "liena-console";
+    auto system = liena::DistributedSystem::create(std::move(own));
+    if (!system) {
+        *error = text(system.error().what);
+        return nullptr;
+    }
+    std::unique_ptr<SystemLink> link(new SystemLink(std::move(system).value(), models, sink));
+    if (!link->subscribe(error))
+        return nullptr;
+    return link;
+}
+
+SystemLink::SystemLink(std::unique_ptr<liena::DistributedSystem> system, ConsoleModels& models, FrameSink& sink)
+    : m_models(models), m_sink(sink), m_messageIntake(models), m_sessionIntake(models), m_system(std::move(system))
+{
+    m_models.sessions.setTopology(topologyValues(m_system->topology(), m_system->self().id));
+    m_robot = m_models.sessions.firstPeer(DeviceKind::Hand);
+    m_xray = m_models.sessions.firstPeer(DeviceKind::Eye);
+    m_figures.setInterval(figuresPeriod);
+    connect(&m_figures, &QTimer::timeout, this, &SystemLink::readFigures);
+}
+
+SystemLink::~SystemLink() { stop(); }
+
+bool SystemLink::subscribe(QString* error)
+{
+    m_system->cache().setNotification([this] { QMetaObject::invokeMethod(this, &SystemLink::drain, Qt::QueuedConnection); });
+    if (m_xray) {
+        const auto frames = m_system->subscribe("XrayFrame", [this](const liena::Message& message) { takeFrame(message); });
+        if (!frames) {
+            *error = text(frames.error().what);
+            return false;
+        }
+        m_pedal = std::make_unique<PedalStreamer>(*m_system, liena::DeviceId(*m_xray));
+        m_system->every(PedalStreamer::period, [this] { m_pedal->run(); });
+    }
+    if (m_robot) {
+        m_motion = std::make_unique<MotionStreamer>(*m_system, liena::DeviceId(*m_robot));
+        m_system->every(MotionStreamer::period, [this] { m_motion->run(); });
+    }
+    return true;
+}
+
+void SystemLink::start()
+{
+    m_system->start();
+    m_figures.start();
+}
+
+void SystemLink::stop()
+{
+    m_figures.stop();
+    m_system->stop();
+}
+
+/// Network thread.
+void SystemLink::takeFrame(const liena::Message& message)
+{
+    m_framesReceived.fetch_add(1, std::memory_order_relaxed);
+    try {
+        // The handler may not keep the library's message: this is the one copy between the socket and the decoder.
+        auto kept = std::make_shared<const liena::Message>(message);
+        m_sink.showFrame(xrayFrame(std::move(kept), Duration(m_xrayUncertainty.load(std::memory_order_relaxed))));
+    } catch (const std::logic_error& mistake) {
+        if (m_frameComplaint.exchange(true))
+            return;
+        const auto what = text(mistake.what());
+        QMetaObject::invokeMethod(
+            this, [this, what] { note(LogKind::Trouble, tr("pictures do not have the fields that this console knows: %1").arg(what)); });
+    }
+}
+
+void SystemLink::drain()
+{
+    const auto drained = m_system->cache().drain();
+    for (const auto& event : drained.events)
+        m_sessionIntake.take(event);
+    for (const auto& message : drained.messages)
+        m_messageIntake.take(message);
+}
+
+void SystemLink::readFigures()
+{
+    const auto now = std::chrono::steady_clock::now();
+    const auto links = m_system->links();
+    m_sessionIntake.takeFigures(links, now);
+    for (const auto& status : links)
+        if (m_xray && status.peer.value() == *m_xray)
+            m_xrayUncertainty.store(status.clockUncertainty.count(), std::memory_order_relaxed);
+    if (m_motion)
+        m_models.hand.setCommandsSent(m_motion->sent());
+    repeatEmergencyStop();
+}
+
+void SystemLink::note(LogKind kind, const QString& line) { m_models.log.append(kind, line, QDateTime::currentMSecsSinceEpoch()); }
+
+void SystemLink::open(quint32 peer)
+{
+    if (const auto result = m_system->openChannel(liena::DeviceId(peer)); !result) {
+        m_models.sessions.noteOpenFailed(peer, text(result.error().what));
+        note(LogKind::Trouble, text(result.error().what));
+    }
+}
+
+void SystemLink::openAll()
+{
+    for (const auto& link : m_models.sessions.links())
+        if (link.own && mayOpen(link.state))
+            open(link.peer);
+}
+
+void SystemLink::close(quint32 peer)
+{
+    if (const auto result = m_system->closeChannel(liena::DeviceId(peer), "closed by the operator"); !result)
+        note(LogKind::Trouble, text(result.error().what));
+}
+
+void SystemLink::reopen(quint32 peer)
+{
+    note(LogKind::Operator, tr("re-open %1").arg(m_models.sessions.titleOf(peer)));
+    const auto result = m_system->reopenChannel(liena::DeviceId(peer));
+    if (result)
+        return;
+    m_models.sessions.noteOpenFailed(peer, text(result.error().what));
+    if (const auto* link = m_models.sessions.linkTo(peer); link != nullptr && link->incident != 0)
+        m_models.incidents.setReopenFailure(link->incident, text(result.error().what));
+}
+
+void SystemLink::reopenAll()
+{
+    for (const auto& link : m_models.sessions.links())
+        if (link.own && mayReopen(link.state))
+            reopen(link.peer);
+}
+
+void SystemLink::probe(quint32 peer)
+{
+    const auto* link = m_models.sessions.linkTo(peer);
+    const auto result = m_system->probe(liena::DeviceId(peer));
+    if (!result)
+        note(LogKind::Trouble, text(result.error().what));
+    else if (link != nullptr && link->incident != 0)
+        m_models.incidents.setProbing(link->incident, true);
+}
+
+void SystemLink::dismiss(quint64 incident, const QString& reason)
+{
+    note(LogKind::Operator, tr("give an incident up: %1").arg(reason));
+    if (const auto result = m_system->dismissIncident(incident, reason.toStdString()); !result)
+        note(LogKind::Trouble, text(result.error().what));
+}
+
+void SystemLink::sendPermit(quint32 permit, const char* request)
+{
+    if (!m_robot)
+        return;
+    const liena::DeviceId robot(*m_robot);
+    auto message = m_system->command(robot, "PermitRequest");
+    if (!message) {
+        note(LogKind::Trouble, text(message.error().what));
+        return;
+    }
+    message.value().set("request", std::string_view(request)).set("permit", permit);
+    if (const auto sent = m_system->send(robot, std::move(message).value()); !sent)
+        note(LogKind::Trouble, tr("permit request not sent: %1").arg(text(sent.error().what)));
+}
+
+void SystemLink::requestArm(quint32 permit) { sendPermit(permit, "arm"); }
+
+void SystemLink::releasePermit(quint32 permit) { sendPermit(permit, "release"); }
+
+void SystemLink::emergencyStop(const QString& reason)
+{
+    note(LogKind::Operator, tr("EMERGENCY STOP: %1").arg(reason));
+    while (m_stopToken == 0)
+        m_stopToken = QRandomGenerator::system()->generate64();
+    m_stopReason = reason;
+    repeatEmergencyStop();
+}
+
+void SystemLink::repeatEmergencyStop()
+{
+    if (m_stopToken == 0 || !m_robot)
+        return;
+    const auto& robot = m_models.instrument.robot();
+    if (robot.known() && robot.value.emergencyStopToken != 0) {
+        m_stopToken = 0;
+        return;
+    }
+    const liena::DeviceId target(*m_robot);
+    auto message = m_system->command(target, "EmergencyStop");
+    auto sent = message ? liena::Result<void>(liena::ok()) : liena::Result<void>(liena::fail(message.error().code, message.error().what));
+    if (message) {
+        message.value()
+            .set("token", m_stopToken)
+            .set("source", m_system->self().title.substr(0, 64))
+            .set("reason", m_stopReason.left(40).toStdString());
+        sent = m_system->send(target, std::move(message).value());
+    }
+    if (!sent) {
+        note(LogKind::Trouble, tr("EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.").arg(text(sent.error().what)));
+        m_stopToken = 0;
+    }
+}
+
+void SystemLink::resetEmergencyStop()
+{
+    const auto& status = m_models.instrument.robot();
+    if (!m_robot || !status.known() || status.value.emergencyStopToken == 0)
+        return;
+    const liena::DeviceId robot(*m_robot);
+    auto message = m_system->command(robot, "ResetEmergencyStop");
+    if (!message)
+        return;
+    message.value().set("token", status.value.emergencyStopToken);
+    const auto sent = m_system->send(robot, std::move(message).value());
+    note(LogKind::Operator, sent ? tr("emergency stop reset") : tr("emergency stop not reset: %1").arg(text(sent.error().what)));
+}
+
+void SystemLink::setMotion(const MotionSnapshot& snapshot)
+{
+    if (m_motion)
+        m_motion->publish(snapshot);
+}
+
+void SystemLink::setPedal(const PedalSnapshot& snapshot)
+{
+    if (m_pedal)
+        m_pedal->publish(snapshot);
+}
+
+void SystemLink::confirmHold(bool holding) { m_system->confirmHold(holding); }
+
+void SystemLink::publish(const CockpitReport& report)
+{
+    auto message = m_system->report("CockpitStatus");
+    if (!message)
+        return;
+    message.value()
+        .set("permit_state", report.phase)
+        .set("dead_man", report.deadMan)
+        .set("clutch", report.clutch)
+        .set("scale", report.scale)
+        .set("picture_age", report.pictureAgeMs)
+        .set("alarms_high", static_cast<std::uint16_t>(report.alarmsHigh))
+        .set("alarms_medium", static_cast<std::uint16_t>(report.alarmsMedium))
+        .set("alarms_low", static_cast<std::uint16_t>(report.alarmsLow));
+    m_system->publish(message.value());
+}
+
+quint64 SystemLink::commandsSent() const { return m_motion ? m_motion->sent() : 0; }
+
+} // namespace console

@@ -1,0 +1,111 @@
+// Alarm conditions by priority: present, latched, acknowledged, and their log. Follows the conventions of IEC 60601-1-8.
+#pragma once
+
+#include "model/instant.hpp"
+
+#include <QObject>
+#include <QString>
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace console {
+
+enum class AlarmPriority : std::uint8_t { Low, Medium, High };
+QString word(AlarmPriority priority);
+
+enum class AlarmCondition : std::uint8_t {
+    LinkLost,         ///< subject: the peer
+    HoldNotConfirmed, ///< the robot has not confirmed its hold 200 ms after the stop
+    PictureStale,
+    ForceStop,
+    ForceWarn,
+    DriveFault,
+    EmergencyStop,
+    DeadlineMissed, ///< subject: the peer
+    LinkUnsteady,   ///< subject: the peer; suspect three times within a minute
+    ClockUncertain, ///< subject: the peer
+    SoftLimit,
+    HardLimit,
+};
+
+struct Alarm {
+    quint64 id = 0;
+    AlarmCondition condition = AlarmCondition::LinkLost;
+    quint32 subject = 0; ///< the device it is about; 0 when none
+    AlarmPriority priority = AlarmPriority::Low;
+    QString text;   ///< what is wrong
+    QString remedy; ///< what to do now, one sentence
+    Instant raised;
+    qint64 raisedWallMs = 0; ///< Unix time, milliseconds
+    bool present = true;     ///< false: it ended, and stays until acknowledged
+    bool latching = false;
+    bool acknowledged = false;
+
+    /// It flashes and sounds.
+    bool demandsAttention() const { return !acknowledged; }
+};
+
+struct AlarmLogEntry {
+    qint64 wallMs = 0;
+    AlarmPriority priority = AlarmPriority::Low;
+    QString text; ///< `raised: …`, `ended: …`, `acknowledged: …`
+};
+
+/// What a rule says about one condition now.
+struct AlarmReport {
+    AlarmCondition condition = AlarmCondition::LinkLost;
+    quint32 subject = 0;
+    AlarmPriority priority = AlarmPriority::Low;
+    bool latching = false;
+    QString text;
+    QString remedy;
+};
+
+/// GUI thread only.
+class AlarmList : public QObject {
+    Q_OBJECT
+public:
+    static constexpr std::size_t logLimit = 2000;
+    static constexpr std::chrono::seconds audioPause{60};
+
+    explicit AlarmList(QObject* parent = nullptr);
+
+    /// Highest priority first, then the unacknowledged, then the newest.
+    const std::vector<Alarm>& alarms() const { return m_alarms; }
+    const Alarm* highest() const { return m_alarms.empty() ? nullptr : &m_alarms.front(); }
+    int count(AlarmPriority priority) const;
+    bool unacknowledgedHigh() const;
+
+    /// Replaces the set of present conditions: new ones are raised, missing ones end; a condition whose priority rises is raised anew.
+    void update(const std::vector<AlarmReport>& present, Instant now, qint64 wallMs);
+
+    void acknowledge(quint64 id, qint64 wallMs);
+
+    /// Silences the sound for `audioPause`; a new high alarm ends it.
+    void pauseAudio(Instant now);
+    std::optional<Duration> audioPauseLeft(Instant now) const;
+
+    const std::deque<AlarmLogEntry>& log() const { return m_log; } ///< oldest first
+    quint64 raisedInAll() const { return m_raised; }
+
+Q_SIGNALS:
+    void changed();
+    void raised(quint64 id);
+
+private:
+    bool raise(const AlarmReport& report, Instant now, qint64 wallMs);
+    void write(qint64 wallMs, AlarmPriority priority, const QString& text);
+    void sort();
+
+    std::vector<Alarm> m_alarms;
+    std::deque<AlarmLogEntry> m_log;
+    std::optional<Instant> m_audioPausedUntil;
+    quint64 m_nextId = 1;
+    quint64 m_raised = 0;
+};
+
+} // namespace console

@@ -1,0 +1,31 @@
+// Everything the console knows, in one place: what widgets show and the composition root feeds.
+#pragma once
+
+#include "model/alarm_list.hpp"
+#include "model/arm_state.hpp"
+#include "model/event_log.hpp"
+#include "model/hand_state.hpp"
+#include "model/incident_model.hpp"
+#include "model/instrument_state.hpp"
+#include "model/permit_model.hpp"
+#include "model/picture_state.hpp"
+#include "model/session_model.hpp"
+#include "model/xray_state.hpp"
+
+namespace console {
+
+/// Owned by the composition root; outlives every widget.
+struct ConsoleModels {
+    SessionModel sessions;
+    IncidentModel incidents;
+    InstrumentState instrument;
+    XraySystemState xray;
+    ArmState arm;
+    PictureState picture;
+    PermitModel permit;
+    HandState hand;
+    AlarmList alarms;
+    EventLog log;
+};
+
+} // namespace console

@@ -1,0 +1,122 @@
+// The devices' last reports, kept with their ages.
+#include "model/arm_state.hpp"
+#include "model/hand_state.hpp"
+#include "model/instrument_state.hpp"
+#include "model/xray_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+constexpr std::size_t injectionLimit = 16;
+
+} // namespace
+
+InstrumentState::InstrumentState(QObject* parent) : QObject(parent) {}
+
+bool InstrumentState::drivesHealthy(Instant now) const
+{
+    if (m_drives.freshness(now, driveLimit) != Freshness::Fresh || !m_drives.value.allEnabled())
+        return false;
+    const auto& warm = m_drives.value.temperature;
+    return std::all_of(warm.begin(), warm.end(), [this](double celsius) { return celsius <= m_limits.driveTemperature; });
+}
+
+void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
+{
+    const bool changed = !m_robot.known() || m_robot.value.state != status.state;
+    m_robot.receive(status, at);
+    ++m_statusCount;
+    m_peakForce = std::max(m_peakForce, std::abs(status.guidewireForce));
+    m_forces.push_back({at, status.guidewireForce});
+    while (m_forces.front().at < at - forceTrail)
+        m_forces.pop_front();
+    if (changed)
+        Q_EMIT robotStateChanged(status.state);
+    Q_EMIT robotChanged();
+}
+
+void InstrumentState::receiveDrives(const DriveStatus& status, Instant at)
+{
+    m_drives.receive(status, at);
+    Q_EMIT drivesChanged();
+}
+
+void InstrumentState::receiveTip(const TipPose& pose, Instant at)
+{
+    m_tip.receive(pose, at);
+    Q_EMIT tipChanged();
+}
+
+void InstrumentState::receiveInjection(const InjectionStatus& status)
+{
+    const auto place = std::find_if(m_injections.begin(), m_injections.end(),
+                                    [&status](const InjectionStatus& known) { return known.injection == status.injection; });
+    if (place != m_injections.end())
+        *place = status;
+    else
+        m_injections.push_back(status);
+    while (m_injections.size() > injectionLimit)
+        m_injections.pop_front();
+    Q_EMIT injectionChanged(status.injection);
+}
+
+XraySystemState::XraySystemState(QObject* parent) : QObject(parent) {}
+
+void XraySystemState::receive(const AcquisitionStatus& status, Instant at)
+{
+    const bool before = beamOn();
+    m_status.receive(status, at);
+    if (before != beamOn())
+        Q_EMIT beamChanged(beamOn());
+    Q_EMIT statusChanged();
+}
+
+void XraySystemState::setPedal(bool down)
+{
+    if (m_pedal == down)
+        return;
+    m_pedal = down;
+    Q_EMIT pedalChanged(down);
+}
+
+void XraySystemState::setRequestedRate(double pulsesPerSecond) { m_requestedRate = std::clamp(pulsesPerSecond, 1.0, 30.0); }
+
+ArmState::ArmState(QObject* parent) : QObject(parent) {}
+
+void ArmState::receive(const ArmStatus& status, Instant at)
+{
+    m_status.receive(status, at);
+    Q_EMIT statusChanged();
+}
+
+HandState::HandState(QObject* parent) : QObject(parent) {}
+
+void HandState::set(const HandReading& reading)
+{
+    if (m_reading == reading)
+        return;
+    m_reading = reading;
+    Q_EMIT changed();
+}
+
+void HandState::setDeviceName(const QString& name)
+{
+    if (m_deviceName == name)
+        return;
+    m_deviceName = name;
+    Q_EMIT changed();
+}
+
+void HandState::setCommandsSent(quint64 count)
+{
+    if (m_commandsSent == count)
+        return;
+    m_commandsSent = count;
+    Q_EMIT changed();
+}
+
+} // namespace console

@@ -1,0 +1,54 @@
+// What happened, line by line.
+#include "model/event_log.hpp"
+
+#include <QDateTime>
+
+namespace console {
+
+EventLog::EventLog(QObject* parent) : QAbstractListModel(parent) {}
+
+int EventLog::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_lines.size()); }
+
+QVariant EventLog::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
+        return {};
+    const auto& line = m_lines.at(static_cast<std::size_t>(index.row()));
+    switch (role) {
+    case Qt::DisplayRole:
+        return QStringLiteral("%1  %2  %3")
+            .arg(QDateTime::fromMSecsSinceEpoch(line.wallMs).toString(QStringLiteral("HH:mm:ss.zzz")), word(line.kind), line.text);
+    case WallRole:
+        return line.wallMs;
+    case KindRole:
+        return static_cast<int>(line.kind);
+    case TextRole:
+        return line.text;
+    default:
+        return {};
+    }
+}
+
+QHash<int, QByteArray> EventLog::roleNames() const
+{
+    auto names = QAbstractListModel::roleNames();
+    names.insert(WallRole, "wall");
+    names.insert(KindRole, "kind");
+    names.insert(TextRole, "text");
+    return names;
+}
+
+void EventLog::append(LogKind kind, const QString& text, qint64 wallMs)
+{
+    if (rowCount() >= limit) {
+        beginRemoveRows({}, 0, 0);
+        m_lines.pop_front();
+        ++m_lost;
+        endRemoveRows();
+    }
+    beginInsertRows({}, rowCount(), rowCount());
+    m_lines.push_back({wallMs, kind, text});
+    endInsertRows();
+}
+
+} // namespace console

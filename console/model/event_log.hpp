@@ -1,0 +1,44 @@
+// What happened, line by line, oldest first; bounded.
+#pragma once
+
+#include <QAbstractListModel>
+#include <QString>
+
+#include <cstdint>
+#include <deque>
+
+namespace console {
+
+enum class LogKind : std::uint8_t { Note, Link, Permit, Alarm, Operator, Trouble };
+QString word(LogKind kind);
+
+struct LogLine {
+    qint64 wallMs = 0; ///< Unix time, milliseconds
+    LogKind kind = LogKind::Note;
+    QString text;
+};
+
+/// GUI thread only. One column; Qt::DisplayRole is the whole line.
+class EventLog : public QAbstractListModel {
+    Q_OBJECT
+public:
+    enum Role : int { WallRole = Qt::UserRole + 1, KindRole, TextRole };
+    static constexpr int limit = 5000;
+
+    explicit EventLog(QObject* parent = nullptr);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QHash<int, QByteArray> roleNames() const override;
+
+    const std::deque<LogLine>& lines() const { return m_lines; }
+    quint64 lost() const { return m_lost; } ///< lines that had to go
+
+    void append(LogKind kind, const QString& text, qint64 wallMs);
+
+private:
+    std::deque<LogLine> m_lines;
+    quint64 m_lost = 0;
+};
+
+} // namespace console

@@ -1,0 +1,112 @@
+// The incidents that this console holds, and the words of the diagnosis prompt for each.
+#pragma once
+
+#include "model/incident.hpp"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <deque>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace console {
+
+class SessionModel;
+
+/// What the prompt must know besides the incident itself.
+struct PromptSurroundings {
+    quint32 robot = 0; ///< the device whose hold decides whether the patient is safe; 0 when the topology has none
+    bool pictureLive = false;
+    std::optional<qint64> frozenSinceWallMs; ///< capture time of the picture that stands
+    bool pictureSeen = false;                ///< a picture was ever shown
+    bool tipLive = false;
+    bool tipKnown = false;
+    int lostLinks = 0; ///< this console's links in stand-by
+    int ownLinks = 0;
+};
+
+/// The content of the prompt, top to bottom, ready to be shown.
+struct PromptContent {
+    QString headline;   ///< `Robot link lost`
+    QString directions; ///< `to robot: unknown · from robot: silent`
+    QString since;      ///< `for 0:12, since 12:03:41`
+    QString flaps;      ///< `3rd time in 2 min`; empty the first time
+    QString patient;    ///< `Robot holds: CONFIRMED …` or `NOT CONFIRMED. …`
+    bool holdConfirmed = false;
+    std::vector<HoldLine> rollCall;
+    QString picture; ///< `Picture: live` or `Picture: frozen since 12:03:41.2`
+    QString tip;     ///< `Tip position: last known`
+    QStringList evidence;
+    QString likelyCause;
+    QString tryFirst;
+    QString lastTry;        ///< why the last re-opening failed; empty
+    QString folded;         ///< the one line of the chip
+    bool canReopen = false; ///< this console is one end of the pair
+    int lostLinks = 0;      ///< `Re-open all lost (2)` when more than one
+};
+
+/// Pure: no clock, no state.
+PromptContent promptContent(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around, Instant now);
+
+/// The likely cause and what to try first for what a probe found.
+struct ProbeAdvice {
+    QString cause;
+    QString tryFirst;
+};
+/// `othersThereAnswer`: whether other devices at the same site are in session; nothing when there is none to compare with.
+ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink,
+                      std::optional<bool> othersThereAnswer);
+
+/// `heartbeats stopped`, `connection broke`, …
+QString word(LossKind kind);
+
+/// GUI thread only.
+class IncidentModel : public QObject {
+    Q_OBJECT
+public:
+    explicit IncidentModel(QObject* parent = nullptr);
+
+    /// Those that have not ended, oldest first.
+    const std::vector<IncidentRecord>& incidents() const { return m_incidents; }
+    const IncidentRecord* incident(quint64 id) const;
+    const IncidentRecord* ofPair(quint32 a, quint32 b) const;
+    bool empty() const { return m_incidents.empty(); }
+
+    /// All that were ever raised, for the report.
+    quint64 raisedInAll() const { return m_raised; }
+
+    // For the link room. An incident that is raised again is updated.
+    void raise(const IncidentRecord& incident, Instant now);
+    void end(quint64 id);
+    void setHolds(quint64 id, std::vector<HoldLine> holds);
+    void setDiagnosis(quint64 id, const LinkDiagnosis& diagnosis);
+    void setReopenFailure(quint64 id, const QString& reason);
+
+    // For widgets: the sheet's own state.
+    void setProbing(quint64 id, bool probing);
+    void setFolded(quint64 id, bool folded);
+
+Q_SIGNALS:
+    void incidentRaised(quint64 id);
+    void incidentChanged(quint64 id);
+    void incidentEnded(quint64 id);
+
+private:
+    IncidentRecord* find(quint64 id);
+    int countFlaps(quint32 a, quint32 b, Instant now);
+
+    struct Flap {
+        quint32 a = 0;
+        quint32 b = 0;
+        Instant at;
+    };
+
+    std::vector<IncidentRecord> m_incidents;
+    std::deque<Flap> m_flaps;
+    quint64 m_raised = 0;
+};
+
+} // namespace console

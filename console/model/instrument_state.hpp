@@ -1,0 +1,72 @@
+// The robot as it last reported itself, every report with its age.
+#pragma once
+
+#include "model/aged.hpp"
+#include "model/robot_values.hpp"
+
+#include <QObject>
+
+#include <chrono>
+#include <deque>
+
+namespace console {
+
+/// GUI thread only. Arrives up to a hundred times a second: widgets repaint on their own clock, not on these signals.
+class InstrumentState : public QObject {
+    Q_OBJECT
+public:
+    // Older than this, a value is shown as stale and counts for nothing.
+    static constexpr std::chrono::milliseconds statusLimit{100};
+    static constexpr std::chrono::milliseconds driveLimit{1000};
+    static constexpr std::chrono::milliseconds tipLimit{200};
+
+    struct ForceSample {
+        Instant at;
+        double force = 0;
+    };
+    static constexpr std::chrono::seconds forceTrail{10};
+
+    explicit InstrumentState(QObject* parent = nullptr);
+
+    const Aged<RobotStatus>& robot() const { return m_robot; }
+    const Aged<DriveStatus>& drives() const { return m_drives; }
+    const Aged<TipPose>& tip() const { return m_tip; }
+    const std::deque<InjectionStatus>& injections() const { return m_injections; } ///< the last 16, oldest first
+    const std::deque<ForceSample>& forceHistory() const { return m_forces; }
+    const RobotLimits& limits() const { return m_limits; }
+
+    bool robotFresh(Instant now) const { return m_robot.freshness(now, statusLimit) == Freshness::Fresh; }
+    bool tipFresh(Instant now) const { return m_tip.freshness(now, tipLimit) == Freshness::Fresh && m_tip.value.valid; }
+
+    /// Known, recent, all enabled and none too warm.
+    bool drivesHealthy(Instant now) const;
+
+    double peakForce() const { return m_peakForce; } ///< largest magnitude since resetPeakForce()
+    void resetPeakForce() { m_peakForce = 0; }
+    quint64 statusCount() const { return m_statusCount; }
+
+    // For the link room.
+    void receiveRobot(const RobotStatus& status, Instant at);
+    void receiveDrives(const DriveStatus& status, Instant at);
+    void receiveTip(const TipPose& pose, Instant at);
+    void receiveInjection(const InjectionStatus& status);
+
+Q_SIGNALS:
+    void robotChanged();
+    void drivesChanged();
+    void tipChanged();
+    void injectionChanged(quint32 injection);
+    void robotStateChanged(console::RobotState state);
+
+private:
+    Aged<RobotStatus> m_robot;
+    Aged<DriveStatus> m_drives;
+    Aged<TipPose> m_tip;
+    std::deque<InjectionStatus> m_injections;
+    std::deque<ForceSample> m_forces;
+    RobotLimits m_limits;
+    double m_peakForce = 0;
+    quint64 m_statusCount = 0;
+};
+
+} // namespace console

@@ -1,0 +1,51 @@
+// What may leave for the robot at one moment: the last check between the surgeon's screen and the wire.
+#pragma once
+
+#include "model/hand_state.hpp"
+#include "model/instant.hpp"
+#include "model/motion_permit.hpp"
+
+#include <chrono>
+#include <optional>
+
+namespace console {
+
+/// What the GUI thread last knew; handed whole to the network thread.
+struct MotionSnapshot {
+    MotionStream stream = MotionStream::None;
+    quint32 permit = 0;
+    quint32 engagement = 0;
+    Instant engagedSince;
+    HandMotion motion;
+    Instant guiTick;                     ///< when the GUI thread wrote this
+    std::optional<Instant> shownCapture; ///< when the newest painted picture was taken
+    Duration pictureLimit{};
+};
+
+struct MotionOrder {
+    quint32 permit = 0;
+    quint32 sequence = 0;
+    bool engaged = false;
+    HandMotion motion;
+};
+
+/// Network thread only. Motion needs a GUI that ran within 100 ms and a picture younger than its limit, whatever the permit says: a screen
+/// that hangs must not move instruments. A permit that failed this once is never used for motion again.
+class MotionGate {
+public:
+    static constexpr std::chrono::milliseconds guiLimit{100};
+
+    /// The order to send now, or nothing.
+    std::optional<MotionOrder> compose(const MotionSnapshot& snapshot, Instant now);
+
+    /// A permit was refused motion here because the screen stood still.
+    bool blocked() const { return m_blocked; }
+
+private:
+    quint32 m_permit = 0;
+    quint32 m_sequence = 0;
+    bool m_blocked = false;
+    bool m_any = false;
+};
+
+} // namespace console

@@ -1,0 +1,143 @@
+// The guards of motion, checked and put into words.
+#include "model/permit_guards.hpp"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::Guards)
+};
+
+GuardLine line(Guard guard, bool met, const QString& holds, const QString& missing) { return {guard, met, met ? holds : missing}; }
+
+QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
+
+GuardLine sessionLine(const GuardReadings& r)
+{
+    return line(Guard::SessionOpen, r.robotLink == LinkState::Open, Text::tr("Robot link is open"),
+                Text::tr("Robot link is %1").arg(word(r.robotLink)));
+}
+
+GuardLine heartbeatLine(const GuardReadings& r, const GuardLimits& limits)
+{
+    return line(Guard::HeartbeatsOnTime, r.heartbeatsOnTime >= limits.heartbeatsOnTime, Text::tr("Heartbeats on time"),
+                Text::tr("%1 of %2 heartbeats on time").arg(r.heartbeatsOnTime).arg(limits.heartbeatsOnTime));
+}
+
+GuardLine clockLine(const GuardReadings& r, const GuardLimits& limits)
+{
+    const auto missing = r.clockUncertainty ? Text::tr("Clock uncertain by ±%1 ms").arg(number(milliseconds(*r.clockUncertainty), 1))
+                                            : Text::tr("Clock not yet compared with the robot's");
+    return line(Guard::ClockKnown, r.clockUncertainty && *r.clockUncertainty <= limits.clockUncertainty, Text::tr("Clocks compared"),
+                missing);
+}
+
+QString pictureMissing(const GuardReadings& r)
+{
+    const auto& picture = r.picture;
+    if (picture.condition != PictureCondition::Live)
+        return Text::tr("Picture: %1").arg(word(picture.condition));
+    if (picture.source == PictureSource::Recorded)
+        return Text::tr("Picture is a recording");
+    return Text::tr("Picture live for %1 s, %2 of %3 pictures a second")
+        .arg(number(seconds(picture.liveFor), 1), number(picture.shownPerSecond, 0), number(picture.expectedPerSecond, 0));
+}
+
+bool pictureTrusted(const GuardReadings& r)
+{
+    return r.picture.condition == PictureCondition::Live && r.picture.source != PictureSource::Recorded && r.picture.age &&
+           *r.picture.age <= r.pictureLimit;
+}
+
+GuardLine pictureLine(const GuardReadings& r, const GuardLimits& limits)
+{
+    return line(Guard::PictureLive, pictureTrusted(r) && r.picture.liveFor >= limits.pictureRun, Text::tr("Picture is live"),
+                pictureMissing(r));
+}
+
+/// A robot that stands still, has a permit to give and could be armed says so by its state Ready.
+GuardLine holdLine(const GuardReadings& r)
+{
+    const bool newPermit = r.robotPermit != r.spentPermit;
+    auto missing = Text::tr("Robot reports %1").arg(word(r.robotState));
+    if (!r.robotFresh)
+        missing = Text::tr("Robot's hold is not known");
+    else if (r.robotState == RobotState::Ready && !r.robotHoldConfirmed)
+        missing = Text::tr("Robot has not confirmed its hold");
+    else if (r.robotState == RobotState::Ready && !newPermit)
+        missing = Text::tr("Robot has not issued a new permit");
+    return line(Guard::RobotHolds, r.robotFresh && r.robotState == RobotState::Ready && r.robotHoldConfirmed && newPermit,
+                Text::tr("Robot holds and is ready"), missing);
+}
+
+GuardLine forceLine(const GuardReadings& r, const GuardLimits& limits)
+{
+    return line(Guard::ForceNearZero, r.robotFresh && std::abs(r.force) <= limits.forceNearZero, Text::tr("Force near zero"),
+                r.robotFresh ? Text::tr("Force %1 N").arg(number(r.force, 2)) : Text::tr("Force is not known"));
+}
+
+} // namespace
+
+GuardSet keptWhileArmed()
+{
+    GuardSet set;
+    for (const auto guard : {Guard::SessionOpen, Guard::IdentityEqual, Guard::PictureLive, Guard::RobotFresh, Guard::DrivesHealthy,
+                             Guard::QueueEmpty, Guard::ForceNearZero, Guard::NoIncident, Guard::HandAlive, Guard::WindowActive})
+        set.set(static_cast<std::size_t>(guard));
+    return set;
+}
+
+GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
+{
+    return {
+        sessionLine(r),
+        line(Guard::IdentityEqual, r.identityEqual, Text::tr("Same system on both sides"),
+             Text::tr("Identity of the robot's system not confirmed")),
+        heartbeatLine(r, limits),
+        clockLine(r, limits),
+        pictureLine(r, limits),
+        line(Guard::RobotFresh, r.robotFresh, Text::tr("Robot reports"), Text::tr("No recent report from the robot")),
+        holdLine(r),
+        line(Guard::DrivesHealthy, r.drivesHealthy, Text::tr("Drives are healthy"), Text::tr("Drives are not healthy, or not known")),
+        line(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages, Text::tr("Nothing waits to be sent"),
+             Text::tr("%1 messages wait to be sent").arg(r.queuedMessages)),
+        forceLine(r, limits),
+        line(Guard::NoIncident, !r.incident, Text::tr("No incident"), Text::tr("An incident is not resolved")),
+        line(Guard::NoHighAlarm, !r.highAlarm, Text::tr("No high alarm"), Text::tr("A high alarm is not acknowledged")),
+        line(Guard::HandAlive, r.handAlive, Text::tr("Hand control is there"), Text::tr("Hand control does not answer")),
+        line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"), Text::tr("Window does not have the keyboard")),
+        line(Guard::DeadManReleased, !r.deadMan, Text::tr("Dead-man released"), Text::tr("Let go of the dead-man")),
+    };
+}
+
+GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
+{
+    GuardSet met = ~keptWhileArmed();
+    const auto keep = [&met](Guard guard, bool holds) { met.set(static_cast<std::size_t>(guard), holds); };
+    keep(Guard::SessionOpen, r.robotLink == LinkState::Open || (r.robotLink == LinkState::Suspect && r.inLinkState <= limits.suspectGrace));
+    keep(Guard::IdentityEqual, r.identityEqual);
+    keep(Guard::PictureLive, pictureTrusted(r));
+    keep(Guard::RobotFresh, r.robotFresh);
+    keep(Guard::DrivesHealthy, r.drivesHealthy);
+    keep(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages * 4);
+    keep(Guard::ForceNearZero, std::abs(r.force) < r.forceStop);
+    keep(Guard::NoIncident, !r.incident);
+    keep(Guard::HandAlive, r.handAlive);
+    keep(Guard::WindowActive, r.windowActive);
+    return met;
+}
+
+GuardSet metGuards(const GuardChecklist& checklist)
+{
+    GuardSet set;
+    for (const auto& entry : checklist)
+        set.set(static_cast<std::size_t>(entry.guard), entry.met);
+    return set;
+}
+
+} // namespace console

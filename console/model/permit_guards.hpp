@@ -1,0 +1,95 @@
+// The conditions under which instruments may move, each with a name and a reason that a person can read.
+#pragma once
+
+#include "model/instant.hpp"
+#include "model/link_state.hpp"
+#include "model/picture_state.hpp"
+#include "model/robot_values.hpp"
+
+#include <QString>
+
+#include <array>
+#include <bitset>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace console {
+
+enum class Guard : std::uint8_t {
+    SessionOpen,
+    IdentityEqual,
+    HeartbeatsOnTime,
+    ClockKnown,
+    PictureLive,
+    RobotFresh,
+    RobotHolds,
+    DrivesHealthy,
+    QueueEmpty,
+    ForceNearZero,
+    NoIncident,
+    NoHighAlarm,
+    HandAlive,
+    WindowActive,
+    DeadManReleased,
+};
+inline constexpr std::size_t guardCount = 15;
+
+using GuardSet = std::bitset<guardCount>; ///< bit n: guard n is met
+
+/// Those that must stay true while armed or engaged; the others are needed to arm only.
+GuardSet keptWhileArmed();
+
+struct GuardLimits {
+    quint32 heartbeatsOnTime = 50;
+    std::chrono::milliseconds clockUncertainty{25};
+    std::chrono::milliseconds pictureRun{1000}; ///< unbroken live pictures before arming
+    std::chrono::milliseconds suspectGrace{20}; ///< one heartbeat window
+    double forceNearZero = 0.2;                 ///< N, to arm
+    quint32 queuedMessages = 16;                ///< more than this waits: the line does not keep up
+};
+
+/// One moment of everything that the guards look at.
+struct GuardReadings {
+    LinkState robotLink = LinkState::Closed;
+    Duration inLinkState{}; ///< how long the link has been in that state
+    bool identityEqual = false;
+    quint32 heartbeatsOnTime = 0;
+    std::optional<Duration> clockUncertainty; ///< nothing before 8 clean samples
+    PictureReading picture;
+    Duration pictureLimit{};
+    bool robotFresh = false;
+    RobotState robotState = RobotState::Off;
+    bool robotHoldConfirmed = false;
+    quint32 robotPermit = 0;
+    std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
+    bool drivesHealthy = false;
+    quint32 queuedMessages = 0;
+    double force = 0; ///< N
+    double forceStop = 2.0;
+    bool incident = false;
+    bool highAlarm = false; ///< an unacknowledged one
+    bool handAlive = false;
+    bool windowActive = false;
+    bool deadMan = false;
+};
+
+struct GuardLine {
+    Guard guard = Guard::SessionOpen;
+    bool met = false;
+    QString text; ///< met: what holds; unmet: what is missing, with the number
+};
+
+/// The live checklist of region J, in the order of the enumeration.
+using GuardChecklist = std::array<GuardLine, guardCount>;
+
+/// `to arm`: every guard in its strict form.
+GuardChecklist checkGuards(const GuardReadings& readings, const GuardLimits& limits = {});
+
+/// The looser form of the guards that are kept while armed: a link may be suspect for one heartbeat window, the picture must be younger
+/// than its limit, the force below the stop. Guards that are not kept count as met.
+GuardSet checkKept(const GuardReadings& readings, const GuardLimits& limits = {});
+
+GuardSet metGuards(const GuardChecklist& checklist);
+
+} // namespace console

@@ -1,0 +1,51 @@
+// The motion permit for those who show it.
+#include "model/permit_model.hpp"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace console {
+
+PermitModel::PermitModel(QObject* parent) : QObject(parent), m_checklist(checkGuards({})) {}
+
+int PermitModel::unmetCount() const
+{
+    return static_cast<int>(std::count_if(m_checklist.begin(), m_checklist.end(), [](const GuardLine& line) { return !line.met; }));
+}
+
+QString PermitModel::unmetText(int most) const
+{
+    QStringList lines;
+    for (const auto& line : m_checklist)
+        if (!line.met && lines.size() < most)
+            lines << line.text;
+    return lines.join(QStringLiteral(" · "));
+}
+
+PermitActions PermitModel::apply(const PermitEvent& event, Instant now)
+{
+    const auto before = m_state.phase;
+    const auto next = step(m_state, event, now);
+    m_state = next.state;
+    if (m_state.phase != before)
+        Q_EMIT phaseChanged(before, m_state.phase);
+    return next.actions;
+}
+
+PermitActions PermitModel::check(const GuardReadings& readings, Instant now)
+{
+    const auto checklist = checkGuards(readings);
+    const bool same = std::equal(checklist.begin(), checklist.end(), m_checklist.begin(),
+                                 [](const GuardLine& a, const GuardLine& b) { return a.met == b.met && a.text == b.text; });
+    m_checklist = checklist;
+    if (!same)
+        Q_EMIT checklistChanged();
+    PermitEvent event;
+    event.kind = PermitEventKind::GuardsChecked;
+    event.armable = metGuards(m_checklist);
+    event.kept = checkKept(readings);
+    return apply(event, now);
+}
+
+} // namespace console

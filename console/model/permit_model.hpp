@@ -1,0 +1,40 @@
+// The motion permit for those who show it: phase, checklist, and why it holds.
+#pragma once
+
+#include "model/motion_permit.hpp"
+
+#include <QObject>
+#include <QString>
+
+namespace console {
+
+/// GUI thread only. The composition root feeds it; widgets read it.
+class PermitModel : public QObject {
+    Q_OBJECT
+public:
+    explicit PermitModel(QObject* parent = nullptr);
+
+    const PermitState& state() const { return m_state; }
+    PermitPhase phase() const { return m_state.phase; }
+    const GuardChecklist& checklist() const { return m_checklist; }
+    int unmetCount() const;
+
+    /// The first unmet conditions as one line; empty when all are met.
+    QString unmetText(int most = 3) const;
+
+    /// Feeds the machine; the actions are the caller's to carry out.
+    PermitActions apply(const PermitEvent& event, Instant now);
+
+    /// Replaces the checklist and feeds GuardsChecked.
+    PermitActions check(const GuardReadings& readings, Instant now);
+
+Q_SIGNALS:
+    void phaseChanged(console::PermitPhase from, console::PermitPhase to);
+    void checklistChanged();
+
+private:
+    PermitState m_state;
+    GuardChecklist m_checklist;
+};
+
+} // namespace console

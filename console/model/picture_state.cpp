@@ -1,0 +1,112 @@
+// The rule that tells a live picture from a frozen one.
+#include "model/picture_state.hpp"
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+constexpr std::chrono::seconds rateWindow{1};
+constexpr std::chrono::seconds firstPictureGrace{1};
+constexpr double rateShare = 2.0 / 3.0; ///< of the expected rate; below it pictures are not "at the expected rate"
+
+/// The age of what moves in the picture: a temporal filter shows it later than it was taken.
+std::optional<Instant> effectiveCapture(const PictureStamp& stamp)
+{
+    return stamp.captured ? std::optional<Instant>(*stamp.captured - stamp.filterDelay) : std::nullopt;
+}
+
+} // namespace
+
+PictureState::PictureState(QObject* parent) : QObject(parent) {}
+
+void PictureState::setProfile(PictureProfile profile)
+{
+    if (m_profile == profile)
+        return;
+    m_profile = profile;
+    Q_EMIT profileChanged();
+}
+
+void PictureState::expect(double perSecond, Instant now)
+{
+    if (perSecond > 0 && m_expected <= 0)
+        m_expectedSince = now;
+    m_expected = std::max(perSecond, 0.0);
+}
+
+void PictureState::setLinkUp(bool up) { m_linkUp = up; }
+
+double PictureState::paintedPerSecond(Instant now) const
+{
+    return static_cast<double>(std::count_if(m_paints.begin(), m_paints.end(), [now](Instant at) { return at > now - rateWindow; })) /
+           seconds(rateWindow);
+}
+
+PictureCondition PictureState::condition(Instant now) const
+{
+    if (!m_newest)
+        return PictureCondition::None;
+    if (m_expected <= 0)
+        return PictureCondition::Held;
+    if (!m_linkUp)
+        return PictureCondition::Frozen;
+    if (m_newest->painted < m_expectedSince)
+        return now - m_expectedSince <= firstPictureGrace ? PictureCondition::Held : PictureCondition::Frozen;
+    const auto capture = effectiveCapture(*m_newest);
+    if (now - capture.value_or(m_newest->painted) > limit())
+        return PictureCondition::Frozen;
+    return capture ? PictureCondition::Live : PictureCondition::Unknown;
+}
+
+PictureReading PictureState::reading(Instant now) const
+{
+    PictureReading reading;
+    reading.condition = condition(now);
+    reading.expectedPerSecond = m_expected;
+    if (!m_newest)
+        return reading;
+    reading.source = m_newest->source;
+    reading.frame = m_newest->frame;
+    reading.captureNs = m_newest->captureNs;
+    reading.uncertainty = m_newest->uncertainty;
+    if (const auto capture = effectiveCapture(*m_newest)) {
+        reading.age = now - *capture;
+        reading.network = m_newest->arrived - *m_newest->captured;
+    }
+    reading.processing = m_newest->painted - m_newest->arrived + m_newest->filterDelay;
+    reading.shownPerSecond = paintedPerSecond(now);
+    if (reading.condition == PictureCondition::Live && reading.shownPerSecond >= rateShare * m_expected)
+        reading.liveFor = now - m_liveSince;
+    if (reading.condition == PictureCondition::Frozen)
+        reading.frozenFor = now - m_newest->painted;
+    return reading;
+}
+
+void PictureState::notePainted(const PictureStamp& stamp)
+{
+    if (m_newest && m_newest->frame == stamp.frame && m_newest->acquisition == stamp.acquisition && m_newest->captureNs == stamp.captureNs)
+        return;
+    const auto capture = effectiveCapture(stamp);
+    const bool young = capture && stamp.painted - *capture <= limit();
+    const bool gap = !m_newest || stamp.painted - m_newest->painted > limit() || m_newest->acquisition != stamp.acquisition;
+    if (gap || !young)
+        m_liveSince = stamp.painted;
+    m_newest = stamp;
+    ++m_painted;
+    m_paints.push_back(stamp.painted);
+    while (m_paints.front() < stamp.painted - 2 * rateWindow)
+        m_paints.pop_front();
+    Q_EMIT painted(stamp.frame);
+}
+
+void PictureState::noteRefused(const QString& reason)
+{
+    if (m_refusal == reason)
+        return;
+    m_refusal = reason;
+    Q_EMIT refused(reason);
+}
+
+} // namespace console

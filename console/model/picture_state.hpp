@@ -1,0 +1,112 @@
+// What stands on the live image now: its age, whether it is live, and how many are painted.
+#pragma once
+
+#include "model/instant.hpp"
+#include "model/xray_frame.hpp"
+
+#include <QObject>
+#include <QString>
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace console {
+
+/// The times of one painted picture. The view hands it over when it has painted the picture, not before.
+struct PictureStamp {
+    quint32 frame = 0;
+    quint32 acquisition = 0;
+    PictureSource source = PictureSource::Recorded;
+    quint64 captureNs = 0;
+    std::optional<Instant> captured; ///< XrayFrame::captured()
+    Duration uncertainty{};
+    Instant arrived;
+    Duration filterDelay{}; ///< what a temporal filter adds to the age of what moves
+    Instant painted;
+};
+
+enum class PictureCondition : std::uint8_t {
+    None,    ///< nothing was painted yet
+    Live,    ///< younger than the limit
+    Unknown, ///< pictures come, but their age cannot be told: never good enough for motion
+    Frozen,  ///< should be live and is not: a fault
+    Held,    ///< last image hold: the pedal is up, and nothing is expected
+};
+
+/// NO PICTURE, LIVE, AGE UNKNOWN, FROZEN, LAST IMAGE HOLD.
+QString word(PictureCondition condition);
+
+/// How old a picture may be while instruments move.
+enum class PictureProfile : std::uint8_t { Neuro, Coronary };
+constexpr std::chrono::milliseconds ageLimit(PictureProfile profile)
+{
+    return profile == PictureProfile::Neuro ? std::chrono::milliseconds(250) : std::chrono::milliseconds(400);
+}
+
+/// One moment of the picture, for the chip in its corner and for the guards.
+struct PictureReading {
+    PictureCondition condition = PictureCondition::None;
+    PictureSource source = PictureSource::Recorded;
+    quint32 frame = 0;
+    quint64 captureNs = 0;
+    std::optional<Duration> age; ///< of the newest painted picture, capture to now
+    Duration uncertainty{};
+    std::optional<Duration> network; ///< NET: capture to arrival
+    Duration processing{};           ///< PROC: arrival to paint, with the filter's delay
+    double shownPerSecond = 0;
+    double expectedPerSecond = 0; ///< 0: nothing is expected
+    Duration liveFor{};           ///< without a gap beyond the limit, at the expected rate
+    std::optional<Duration> frozenFor;
+};
+
+/// GUI thread only.
+class PictureState : public QObject {
+    Q_OBJECT
+public:
+    explicit PictureState(QObject* parent = nullptr);
+
+    PictureReading reading(Instant now) const;
+
+    PictureProfile profile() const { return m_profile; }
+    Duration limit() const { return ageLimit(m_profile); }
+    void setProfile(PictureProfile profile);
+
+    quint64 paintedCount() const { return m_painted; }
+    const std::optional<PictureStamp>& newest() const { return m_newest; }
+
+    /// Pictures should come now (beam on, pedal down, link open), so many a second; 0: nothing is expected.
+    void expect(double perSecond, Instant now);
+
+    /// The link to the X-ray system does not carry pictures: what is shown is frozen whatever is expected.
+    void setLinkUp(bool up);
+
+    /// From the view's paint; a picture that is painted again is not a new one.
+    void notePainted(const PictureStamp& stamp);
+
+    /// From the pipeline: a picture could not be shown. One line per cause.
+    void noteRefused(const QString& reason);
+    const QString& lastRefusal() const { return m_refusal; }
+
+Q_SIGNALS:
+    void painted(quint32 frame);
+    void refused(const QString& reason);
+    void profileChanged();
+
+private:
+    PictureCondition condition(Instant now) const;
+    double paintedPerSecond(Instant now) const;
+
+    std::optional<PictureStamp> m_newest;
+    std::deque<Instant> m_paints; ///< of the last two seconds
+    Instant m_liveSince;          ///< start of the present unbroken run
+    Instant m_expectedSince;
+    double m_expected = 0;
+    bool m_linkUp = false;
+    PictureProfile m_profile = PictureProfile::Neuro;
+    quint64 m_painted = 0;
+    QString m_refusal;
+};
+
+} // namespace console

@@ -1,0 +1,251 @@
+// The words of the diagnosis prompt.
+#include "model/incident_model.hpp"
+
+#include "model/session_model.hpp"
+
+#include <QCoreApplication>
+#include <QDateTime>
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::Prompt)
+};
+
+QString clockTime(qint64 wallMs, bool tenths)
+{
+    const auto text = QDateTime::fromMSecsSinceEpoch(wallMs).toString(tenths ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("HH:mm:ss"));
+    return tenths ? text.chopped(2) : text;
+}
+
+QString runningTime(Duration duration)
+{
+    const auto whole = std::chrono::duration_cast<std::chrono::seconds>(duration).count();
+    return QStringLiteral("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString ordinal(int count)
+{
+    const bool teen = count % 100 >= 11 && count % 100 <= 13;
+    if (!teen && count % 10 == 1)
+        return Text::tr("%1st").arg(count);
+    if (!teen && count % 10 == 2)
+        return Text::tr("%1nd").arg(count);
+    if (!teen && count % 10 == 3)
+        return Text::tr("%1rd").arg(count);
+    return Text::tr("%1th").arg(count);
+}
+
+QString headline(const IncidentRecord& incident, const SessionModel& sessions)
+{
+    if (incident.peer != 0)
+        return Text::tr("%1 link lost").arg(sessions.titleOf(incident.peer));
+    return Text::tr("Link between %1 and %2 lost").arg(sessions.titleOf(incident.a), sessions.titleOf(incident.b));
+}
+
+/// What cannot be known is said to be unknown: that a connection stands does not prove that the peer hears us.
+QString directions(const IncidentRecord& incident, const SessionModel& sessions)
+{
+    if (incident.peer == 0)
+        return Text::tr("this console is not part of that link; the devices reported it");
+    const auto name = sessions.titleOf(incident.peer);
+    if (!incident.diagnosis)
+        return Text::tr("to %1: unknown · from %1: unknown").arg(name);
+    const auto to = incident.diagnosis->toPeerConnected ? Text::tr("unknown") : Text::tr("broken");
+    const auto from = incident.diagnosis->fromPeerConnected ? Text::tr("silent") : Text::tr("broken");
+    return Text::tr("to %1: %2 · from %1: %3").arg(name, to, from);
+}
+
+/// The devices of the system in the topology's order; one that said nothing has not confirmed.
+std::vector<HoldLine> rollCall(const IncidentRecord& incident, const SessionModel& sessions)
+{
+    std::vector<HoldLine> lines;
+    for (const auto& node : sessions.devices()) {
+        const auto said =
+            std::find_if(incident.holds.begin(), incident.holds.end(), [&node](const HoldLine& line) { return line.device == node.id; });
+        HoldLine line = said == incident.holds.end() ? HoldLine{} : *said;
+        line.device = node.id;
+        line.title = sessions.titleOf(node.id);
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+void addPatient(PromptContent& content, const SessionModel& sessions, quint32 robot)
+{
+    if (robot == 0) {
+        content.patient = Text::tr("No robot in this system");
+        return;
+    }
+    const auto name = sessions.titleOf(robot);
+    const auto line =
+        std::find_if(content.rollCall.begin(), content.rollCall.end(), [robot](const HoldLine& hold) { return hold.device == robot; });
+    content.holdConfirmed = line != content.rollCall.end() && line->holding;
+    if (!content.holdConfirmed)
+        content.patient = Text::tr("%1 holds: NOT CONFIRMED. Its own guard should hold it. Ask the patient side now.").arg(name);
+    else if (line->afterMs)
+        content.patient = Text::tr("%1 holds: CONFIRMED %2 ms after the stop").arg(name).arg(*line->afterMs, 0, 'f', 0);
+    else
+        content.patient = Text::tr("%1 holds: CONFIRMED").arg(name);
+}
+
+void addSeen(PromptContent& content, const PromptSurroundings& around)
+{
+    if (around.pictureLive)
+        content.picture = Text::tr("Picture: live");
+    else if (around.pictureSeen && around.frozenSinceWallMs)
+        content.picture = Text::tr("Picture: frozen since %1").arg(clockTime(*around.frozenSinceWallMs, true));
+    else
+        content.picture = Text::tr("Picture: none");
+    if (around.tipLive)
+        content.tip = Text::tr("Tip position: live");
+    else
+        content.tip = around.tipKnown ? Text::tr("Tip position: last known") : Text::tr("Tip position: unknown");
+}
+
+QStringList evidence(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around)
+{
+    QStringList lines;
+    if (incident.cause != LossKind::None)
+        lines << Text::tr("Cause seen: %1").arg(word(incident.cause));
+    if (const auto& found = incident.diagnosis) {
+        lines << Text::tr("Heartbeats in the last second: %1 of %2").arg(found->heartbeatsReceived).arg(found->heartbeatsExpected);
+        lines << (found->lastRoundTrip ? Text::tr("Last round trip: %1 ms").arg(milliseconds(*found->lastRoundTrip), 0, 'f', 1)
+                                       : Text::tr("Last round trip: unknown"));
+        lines << Text::tr("Silent for %1 ms before it was given up").arg(milliseconds(found->silence), 0, 'f', 0);
+        lines << Text::tr("Connections: to it %1, from it %2")
+                     .arg(found->toPeerConnected ? Text::tr("stood") : Text::tr("broke"),
+                          found->fromPeerConnected ? Text::tr("stood") : Text::tr("broke"));
+        if (!found->detail.isEmpty())
+            lines << found->detail;
+        if (!found->probeDetail.isEmpty())
+            lines << Text::tr("Check: %1").arg(found->probeDetail);
+    }
+    if (around.ownLinks > 1)
+        lines << Text::tr("Links of this console: %1 of %2 open").arg(sessions.openCount()).arg(around.ownLinks);
+    if (incident.reopenTries > 0)
+        lines << Text::tr("Re-open tried %1 times").arg(incident.reopenTries);
+    return lines;
+}
+
+/// Whether other devices where `peer` stands are in session; nothing when no other stands there.
+std::optional<bool> othersThereAnswer(const SessionModel& sessions, quint32 peer)
+{
+    const auto* node = sessions.device(peer);
+    if (node == nullptr || node->site.isEmpty())
+        return std::nullopt;
+    std::optional<bool> answer;
+    for (const auto& link : sessions.links()) {
+        const auto* other = link.own && link.peer != peer ? sessions.device(link.peer) : nullptr;
+        if (other != nullptr && other->site == node->site)
+            answer = answer.value_or(false) || carriesMessages(link.state);
+    }
+    return answer;
+}
+
+ProbeAdvice unreachable(std::optional<bool> othersAnswer)
+{
+    if (othersAnswer == true)
+        return {Text::tr("The device's computer does not answer; others there do"), Text::tr("Power and network cable of that device")};
+    if (othersAnswer == false)
+        return {Text::tr("The device's computer does not answer; others there do not either"), Text::tr("The site's network line")};
+    return {Text::tr("The device's computer does not answer"), Text::tr("Power and network cable of that device, or the site's line")};
+}
+
+ProbeAdvice byProbe(ProbeFinding probe, std::optional<bool> othersAnswer)
+{
+    switch (probe) {
+    case ProbeFinding::NotProbed:
+        return {Text::tr("Not known yet: run the checks"), Text::tr("Run checks")};
+    case ProbeFinding::InterfaceDown:
+        return {Text::tr("This console has no network on that port"), Text::tr("Plug, cable and switch at this side")};
+    case ProbeFinding::NoRoute:
+        return {Text::tr("Network up, no way to the hospital"), Text::tr("Gateway and VPN")};
+    case ProbeFinding::HostUnreachable:
+        return unreachable(othersAnswer);
+    case ProbeFinding::ConnectionRefused:
+        return {Text::tr("The computer answers, its program is not running"), Text::tr("Restart the program at the patient side")};
+    case ProbeFinding::TlsFailure:
+        return {Text::tr("The device answered but its identity was refused"), Text::tr("Do not bypass this: call service")};
+    case ProbeFinding::PeerSilent:
+        return {Text::tr("The device's program hangs or is overloaded"), Text::tr("Wait 2 s, run the checks, then restart its program")};
+    case ProbeFinding::Reachable:
+        return {Text::tr("The device answers again"), Text::tr("Re-open the channel")};
+    }
+    return {};
+}
+
+bool saysLittle(ProbeFinding probe)
+{
+    return probe == ProbeFinding::NotProbed || probe == ProbeFinding::PeerSilent || probe == ProbeFinding::Reachable;
+}
+
+} // namespace
+
+QString word(LossKind kind)
+{
+    switch (kind) {
+    case LossKind::None:
+        return {};
+    case LossKind::HeartbeatLost:
+        return Text::tr("heartbeats stopped");
+    case LossKind::ConnectionLost:
+        return Text::tr("the connection broke");
+    case LossKind::PeerRestarted:
+        return Text::tr("the device restarted");
+    case LossKind::ProtocolViolation:
+        return Text::tr("the device broke the protocol");
+    case LossKind::LocalStall:
+        return Text::tr("this console stood still");
+    }
+    return {};
+}
+
+ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink,
+                      std::optional<bool> othersAnswer)
+{
+    const bool allLost = around.ownLinks > 1 && around.lostLinks == around.ownLinks;
+    const bool localFinding = diagnosis.probe == ProbeFinding::InterfaceDown || diagnosis.probe == ProbeFinding::NoRoute;
+    if (allLost && !localFinding)
+        return {Text::tr("All links were lost at once: this console's side or the line, not a device"),
+                Text::tr("Network port and VPN of this console")};
+    if (isPictureLink && around.lostLinks == 1 && saysLittle(diagnosis.probe))
+        return {Text::tr("Only the pictures are lost: their way, or the X-ray sender"),
+                Text::tr("Re-open the picture link alone; motion stays inhibited")};
+    return byProbe(diagnosis.probe, othersAnswer);
+}
+
+PromptContent promptContent(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around, Instant now)
+{
+    PromptContent content;
+    content.headline = headline(incident, sessions);
+    content.directions = directions(incident, sessions);
+    content.since = Text::tr("for %1, since %2").arg(runningTime(now - incident.since), clockTime(incident.sinceWallMs, false));
+    if (incident.flaps > 1)
+        content.flaps = Text::tr("%1 time in 2 min").arg(ordinal(incident.flaps));
+    content.rollCall = rollCall(incident, sessions);
+    addPatient(content, sessions, around.robot);
+    addSeen(content, around);
+    content.evidence = evidence(incident, sessions, around);
+    const bool pictures = incident.peer != 0 && kindOf(incident.peer) == DeviceKind::Eye;
+    if (incident.peer != 0) {
+        const auto advice =
+            adviceFor(incident.diagnosis.value_or(LinkDiagnosis{}), around, pictures, othersThereAnswer(sessions, incident.peer));
+        content.likelyCause = advice.cause;
+        content.tryFirst = advice.tryFirst;
+    } else {
+        content.likelyCause = Text::tr("Between those two devices; this console's links are not concerned");
+        content.tryFirst = Text::tr("Re-open it at one of them");
+    }
+    content.lastTry = incident.reopenFailure;
+    content.folded = Text::tr("%1, %2").arg(content.headline, runningTime(now - incident.since));
+    content.canReopen = incident.peer != 0;
+    content.lostLinks = around.lostLinks;
+    return content;
+}
+
+} // namespace console

@@ -1,0 +1,72 @@
+// One X-ray picture on its way from the link to the screen: what is said about it, and its encoded pixels, shared.
+#pragma once
+
+#include "model/instant.hpp"
+#include "model/xray_state.hpp"
+
+#include <QString>
+#include <QtGlobal>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace console {
+
+enum class Photometric : std::uint8_t {
+    Monochrome1 = 1, ///< the lowest value is white
+    Monochrome2 = 2, ///< the lowest value is black
+};
+
+enum class PixelEncoding : std::uint8_t {
+    Raw,    ///< row by row from the top left; above 8 bits two bytes a pixel, low byte first
+    JpegLs, ///< ISO 14495-1
+    Jpeg,   ///< ISO 10918-1 baseline, 8 bits
+};
+
+enum class IntensityRelationship : std::uint8_t {
+    Linear = 1,
+    Logarithmic = 2,
+    Display = 3, ///< made for display; no quantitative use
+};
+
+enum class PictureSource : std::uint8_t { Live = 1, Simulated = 2, Recorded = 3 };
+
+/// LIVE, SIMULATED, RECORDED: the mark that is painted with the picture.
+QString word(PictureSource source);
+
+/// Immutable once made; any thread.
+struct XrayFrame {
+    quint32 frame = 0;
+    quint32 acquisition = 0;
+    PictureSource source = PictureSource::Recorded;
+    int rows = 0;
+    int columns = 0;
+    int bitsStored = 0;
+    Photometric photometric = Photometric::Monochrome2;
+    PixelEncoding encoding = PixelEncoding::Raw;
+    int quality = 0;
+    IntensityRelationship intensity = IntensityRelationship::Linear;
+    double imagerPixelSpacing = 0; ///< mm at the detector; 0 = unknown
+    double windowCentre = 0;
+    double windowWidth = 0; ///< 0 = unknown
+    XrayGeometry geometry;  ///< without the table
+    bool mask = false;
+
+    quint64 captureNs = 0; ///< Unix time of the X-ray system
+    Instant arrival;       ///< here, last byte
+
+    /// From the pulse's end to `arrival`, both clocks compared; nothing while the clock offset is unknown.
+    std::optional<Duration> ageAtArrival;
+    Duration ageUncertainty{}; ///< meaningful only with ageAtArrival
+
+    /// When the pulse ended on our monotonic clock; nothing while the offset is unknown.
+    std::optional<Instant> captured() const { return ageAtArrival ? std::optional<Instant>(arrival - *ageAtArrival) : std::nullopt; }
+
+    std::shared_ptr<const void> owner; ///< keeps `pixels` alive: the picture travels without a copy
+    std::span<const std::byte> pixels;
+};
+
+} // namespace console

@@ -1,0 +1,78 @@
+// The X-ray system as it last reported itself: beam, dose, geometry.
+#pragma once
+
+#include "model/aged.hpp"
+
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+
+namespace console {
+
+enum class AcquisitionMode : std::uint8_t { Stop, Fluoroscopy, Acquisition, Spin };
+
+/// stop, fluoroscopy, acquisition, spin.
+QString word(AcquisitionMode mode);
+
+struct XrayGeometry {
+    double primaryAngle = 0;           ///< deg, LAO positive
+    double secondaryAngle = 0;         ///< deg, CRA positive
+    double sourceDetectorDistance = 0; ///< mm; 0 = unknown
+    double sourceObjectDistance = 0;   ///< mm; 0 = unknown
+    std::array<double, 3> table{};     ///< mm: lateral, longitudinal, height
+};
+
+struct AcquisitionStatus {
+    AcquisitionMode mode = AcquisitionMode::Stop;
+    bool beamOn = false;
+    double tubeVoltage = 0;     ///< kV
+    double tubeCurrent = 0;     ///< mA
+    double pulseWidth = 0;      ///< ms
+    double pulseRate = 0;       ///< per second
+    double fluoroscopyTime = 0; ///< s
+    double airKerma = 0;        ///< mGy
+    double airKermaRate = 0;    ///< mGy/min
+    double doseAreaProduct = 0; ///< Gy·cm²
+    XrayGeometry geometry;
+    quint64 framesAcquired = 0;
+    quint64 framesSent = 0;
+    quint64 framesWithheld = 0;
+};
+
+/// GUI thread only. A repeat of what the X-ray system says; that system stays the primary source.
+class XraySystemState : public QObject {
+    Q_OBJECT
+public:
+    static constexpr std::chrono::milliseconds statusLimit{500};
+
+    explicit XraySystemState(QObject* parent = nullptr);
+
+    const Aged<AcquisitionStatus>& status() const { return m_status; }
+    bool fresh(Instant now) const { return m_status.freshness(now, statusLimit) == Freshness::Fresh; }
+
+    /// Of the last report; ask fresh() before calling it the present.
+    bool beamOn() const { return m_status.known() && m_status.value.beamOn; }
+
+    /// The pedal of this console.
+    bool pedalDown() const { return m_pedal; }
+    double requestedRate() const { return m_requestedRate; } ///< pulses per second
+
+    void receive(const AcquisitionStatus& status, Instant at);
+    void setPedal(bool down);
+    void setRequestedRate(double pulsesPerSecond);
+
+Q_SIGNALS:
+    void statusChanged();
+    void beamChanged(bool on);
+    void pedalChanged(bool down);
+
+private:
+    Aged<AcquisitionStatus> m_status;
+    bool m_pedal = false;
+    double m_requestedRate = 15;
+};
+
+} // namespace console

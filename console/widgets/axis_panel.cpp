@@ -1,0 +1,202 @@
+// Bars and figures of one instrument.
+#include "widgets/axis_panel.hpp"
+
+#include "widgets/figures.hpp"
+#include "widgets/stale_mark.hpp"
+#include "widgets/theme.hpp"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+namespace {
+
+constexpr double fullVelocity = 40;  // mm/s, the command's own limit
+constexpr double fullRotation = 720; // deg/s
+constexpr double stillBelow = 0.05;
+
+} // namespace
+
+QString advanceWord(double velocity)
+{
+    if (std::abs(velocity) < stillBelow)
+        return AxisPanel::tr("still");
+    return velocity > 0 ? AxisPanel::tr("advance") : AxisPanel::tr("retract");
+}
+
+QString turnWord(double rotation)
+{
+    if (std::abs(rotation) < stillBelow)
+        return AxisPanel::tr("still");
+    return rotation > 0 ? AxisPanel::tr("clockwise") : AxisPanel::tr("anticlockwise");
+}
+
+AxisPanel::AxisPanel(const QString& name, icons::Icon icon, QWidget* parent) : QWidget(parent), m_name(name), m_icon(icon)
+{
+    theme::setTextRole(this, TextRole::Body);
+    setAccessibleName(name);
+}
+
+QSize AxisPanel::sizeHint() const
+{
+    const double scale = theme::scaleOf(this);
+    const QFontMetrics value(theme::font(TextRole::Value, scale));
+    const QFontMetrics caption(theme::font(TextRole::Caption, scale));
+    return {theme::px(this, 600), value.height() + 2 * caption.height() + theme::px(this, 16)};
+}
+
+QString AxisPanel::figureText(double value, int decimals, const QString& unit) const
+{
+    return figure(m_reading.freshness == Freshness::Unknown ? std::optional<double>() : value, decimals, unit);
+}
+
+void AxisPanel::setReading(const AxisReading& reading)
+{
+    m_reading = reading;
+    setAccessibleDescription(tr("%1, %2 %3, %4")
+                                 .arg(figureText(reading.position, 1, tr("mm")), advanceWord(reading.velocity),
+                                      figureText(std::abs(reading.velocity), 1, tr("mm/s")), ageText(reading.freshness, reading.age)));
+    update();
+}
+
+QString AxisPanel::limitWord(bool soft, bool hard) const { return hard ? tr("HARD LIMIT") : soft ? tr("SOFT LIMIT") : QString(); }
+
+void AxisPanel::paintName(QPainter& painter, const QRectF& where) const
+{
+    const double scale = theme::scaleOf(this);
+    painter.setFont(theme::font(TextRole::Strong, scale));
+    const double line = QFontMetricsF(painter.font()).height();
+    const double side = line * 1.4;
+    icons::draw(painter, QRectF(where.left(), where.top(), side, side), m_icon, colour::text);
+    painter.setPen(colour::text);
+    painter.drawText(QRectF(where.left() + side * 1.25, where.top(), where.width() - side * 1.25, side), Qt::AlignLeft | Qt::AlignVCenter,
+                     m_name);
+    painter.setFont(theme::font(TextRole::Caption, scale));
+    const bool known = m_reading.freshness != Freshness::Unknown;
+    painter.setPen(colour::secondary);
+    const QString gripper = !known ? tr("gripper \u2014") : m_reading.gripperClosed ? tr("gripper closed") : tr("gripper open");
+    painter.drawText(QRectF(where.left(), where.top() + side, where.width(), line * 1.2), Qt::AlignLeft | Qt::AlignVCenter, gripper);
+    const double below = where.top() + side + line * 1.2;
+    const double mark = line * 0.8;
+    if (m_reading.freshness != Freshness::Fresh)
+        drawStaleMark(painter, QRectF(where.left(), below + line * 0.1, mark, mark), m_reading.freshness);
+    const double indent = m_reading.freshness == Freshness::Fresh ? 0 : mark * 1.4;
+    painter.setFont(theme::font(TextRole::Caption, scale));
+    painter.setPen(m_reading.freshness == Freshness::Fresh ? colour::secondary : colour::text);
+    drawFigures(painter, QRectF(where.left() + indent, below, where.width() - indent, line), Qt::AlignLeft | Qt::AlignVCenter,
+                ageText(m_reading.freshness, m_reading.age));
+}
+
+void AxisPanel::paintTrack(QPainter& painter, const QRectF& track) const
+{
+    QPainterPath outline;
+    outline.addRoundedRect(track, 2, 2);
+    painter.fillPath(outline, colour::raised);
+    painter.setPen(QPen(colour::strongLine, 1));
+    painter.drawPath(outline);
+    painter.setPen(QPen(colour::text, 2.5)); // hard limits: the ends
+    painter.drawLine(track.topLeft() - QPointF(0, 3), track.bottomLeft() + QPointF(0, 3));
+    painter.drawLine(track.topRight() - QPointF(0, 3), track.bottomRight() + QPointF(0, 3));
+    if (m_reading.freshness == Freshness::Unknown || m_reading.maximum <= 0)
+        return;
+    const double part = std::clamp(m_reading.position / m_reading.maximum, 0.0, 1.0);
+    const bool fresh = m_reading.freshness == Freshness::Fresh;
+    const QRectF way(track.left(), track.top() + 1, track.width() * part, track.height() - 2);
+    fresh ? painter.fillRect(way, colour::strongLine) : painter.fillRect(way, QBrush(colour::stale, Qt::BDiagPattern));
+    const double x = way.right();
+    const double size = track.height() * 0.55;
+    QPainterPath marker(QPointF(x, track.top() + size * 0.4));
+    marker.lineTo(x - size, track.top() - size);
+    marker.lineTo(x + size, track.top() - size);
+    marker.closeSubpath();
+    painter.setPen(QPen(fresh ? colour::bright : colour::stale, 1.5));
+    painter.setBrush(fresh ? QBrush(colour::bright) : QBrush(Qt::NoBrush));
+    painter.drawPath(marker);
+    painter.drawLine(QPointF(x, track.top()), QPointF(x, track.bottom()));
+}
+
+void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
+{
+    const double scale = theme::scaleOf(this);
+    painter.setFont(theme::font(TextRole::Value, scale));
+    const double valueHeight = QFontMetricsF(painter.font()).height();
+    const QFont caption = theme::font(TextRole::Caption, scale);
+    const double captionHeight = QFontMetricsF(caption).height();
+    painter.setPen(valueInk(m_reading.freshness));
+    drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                figureText(m_reading.position, 1, tr("mm")));
+    const QString angle = tr("turned %1").arg(figureText(m_reading.angle, 0, tr("\u00B0")));
+    const double taken = figuresWidth(QFontMetricsF(painter.font()), tr("0000.0 mm")) + captionHeight;
+    painter.setFont(theme::font(TextRole::Strong, scale));
+    if (taken + figuresWidth(QFontMetricsF(painter.font()), tr("turned -0000\u00B0")) < where.width())
+        drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignRight | Qt::AlignVCenter, angle);
+    const QString low = limitWord(m_reading.softLow, m_reading.hardLow);
+    const QString high = limitWord(m_reading.softHigh, m_reading.hardHigh);
+    const bool hard = m_reading.hardLow || m_reading.hardHigh;
+    const double tall = std::max(8.0, theme::px(this, 16) * 1.0);
+    const QRectF track(where.left() + 2, where.bottom() - captionHeight - tall - 3, where.width() - 4, tall);
+    paintTrack(painter, track);
+    painter.setFont(caption);
+    const QRectF ends(where.left(), track.bottom() + 3, where.width(), captionHeight);
+    painter.setPen(low.isEmpty() ? colour::secondary : hard ? colour::medium : colour::low);
+    drawFigures(painter, ends, Qt::AlignLeft | Qt::AlignVCenter, low.isEmpty() ? tr("0") : low);
+    painter.setPen(high.isEmpty() ? colour::secondary : hard ? colour::medium : colour::low);
+    drawFigures(painter, ends, Qt::AlignRight | Qt::AlignVCenter, high.isEmpty() ? figure(m_reading.maximum, 0, tr("mm")) : high);
+}
+
+void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, double value, std::optional<double> asked, double fullScale,
+                           const QString& words, const QString& unit) const
+{
+    const double scale = theme::scaleOf(this);
+    painter.setFont(theme::font(TextRole::Strong, scale));
+    const double line = QFontMetricsF(painter.font()).height();
+    painter.setPen(valueInk(m_reading.freshness));
+    drawFigures(painter, QRectF(where.left(), where.top(), where.width(), line), Qt::AlignRight | Qt::AlignVCenter,
+                figureText(std::abs(value), 1, unit));
+    painter.setFont(theme::font(TextRole::Body, scale));
+    painter.drawText(QRectF(where.left(), where.top(), where.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
+                     m_reading.freshness == Freshness::Unknown ? QString() : words);
+    const QRectF track(where.left(), where.top() + line + 2, where.width(), std::max(5.0, theme::px(this, 9) * 1.0));
+    painter.fillRect(track, colour::raised);
+    const auto xOf = [&](double v) { return track.center().x() + track.width() / 2 * std::clamp(v / fullScale, -1.0, 1.0); };
+    if (m_reading.freshness == Freshness::Fresh) {
+        const double x = xOf(value);
+        painter.fillRect(QRectF(std::min(x, track.center().x()), track.top(), std::abs(x - track.center().x()), track.height()),
+                         colour::text);
+    }
+    painter.fillRect(QRectF(track.center().x() - 0.75, track.top() - 1, 1.5, track.height() + 2), colour::secondary);
+    if (asked) { // the ghost: hollow, so that it is never taken for the instrument itself
+        painter.setPen(QPen(colour::armed, 1.6));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(xOf(*asked) - 3, track.top() - 2, 6, track.height() + 4));
+    }
+}
+
+void AxisPanel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double gap = theme::px(this, 24);
+    const double scale = theme::scaleOf(this);
+    const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
+    const QFontMetricsF body(theme::font(TextRole::Body, scale));
+    const double nameWidth = std::max(width() * 0.2, strong.horizontalAdvance(tr("Guidewire")) + strong.height() * 1.75 + gap * 0.75);
+    const double speedWidth =
+        std::max(width() * 0.28, body.horizontalAdvance(tr("anticlockwise")) + figuresWidth(strong, tr("000.0 mm/s")) + gap / 2);
+    const QRectF all(rect());
+    paintName(painter, QRectF(all.left(), all.top(), nameWidth - gap / 2, all.height()));
+    paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedWidth - gap, all.height()));
+    const QRectF speed(all.right() - speedWidth, all.top(), speedWidth, all.height());
+    paintSpeed(painter, speed, m_reading.velocity, m_reading.askedVelocity, fullVelocity, advanceWord(m_reading.velocity), tr("mm/s"));
+    paintSpeed(painter, speed.adjusted(0, speed.height() / 2, 0, 0), m_reading.rotation, m_reading.askedRotation, fullRotation,
+               turnWord(m_reading.rotation), tr("\u00B0/s"));
+}
+
+} // namespace console

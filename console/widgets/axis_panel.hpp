@@ -1,0 +1,57 @@
+// One instrument on its drive: where it is between its limits, how fast it goes and was asked to go, and its gripper.
+#pragma once
+
+#include "model/instrument_state.hpp"
+#include "widgets/icons.hpp"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace console {
+
+struct AxisReading {
+    Freshness freshness = Freshness::Unknown;
+    Duration age{};
+    double position = 0; ///< mm
+    double maximum = 0;  ///< mm
+    double velocity = 0; ///< mm/s, advance positive
+    double angle = 0;    ///< deg
+    double rotation = 0; ///< deg/s, clockwise from behind positive
+    bool gripperClosed = false;
+    bool softLow = false, softHigh = false, hardLow = false, hardHigh = false;
+    std::optional<double> askedVelocity; ///< while engaged: what was commanded
+    std::optional<double> askedRotation;
+};
+
+class AxisPanel : public QWidget {
+    Q_OBJECT
+public:
+    AxisPanel(const QString& name, icons::Icon icon, QWidget* parent = nullptr);
+    void setReading(const AxisReading& reading);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void paintName(QPainter& painter, const QRectF& where) const;
+    void paintPosition(QPainter& painter, const QRectF& where) const;
+    void paintTrack(QPainter& painter, const QRectF& track) const;
+    void paintSpeed(QPainter& painter, const QRectF& where, double value, std::optional<double> asked, double fullScale,
+                    const QString& words, const QString& unit) const;
+    QString limitWord(bool soft, bool hard) const;
+    QString figureText(double value, int decimals, const QString& unit) const;
+
+    QString m_name;
+    icons::Icon m_icon;
+    AxisReading m_reading;
+};
+
+/// `advance`, `retract`, `still`.
+QString advanceWord(double velocity);
+/// `clockwise`, `anticlockwise`, `still`.
+QString turnWord(double rotation);
+
+} // namespace console

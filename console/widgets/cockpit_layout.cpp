@@ -1,0 +1,130 @@
+// The rectangles of the regions, from the reference of 2560 x 1440.
+#include "widgets/cockpit_layout.hpp"
+
+#include "widgets/theme.hpp"
+
+#include <QWidget>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+constexpr double statusHeight = 72;
+constexpr double alarmHeight = 56;
+constexpr double motionHeight = 176;
+constexpr double linksWidth = 300;
+constexpr double lowerShare = 574.0 / 1136.0; // of the column right of the live image
+constexpr double robotShare = 0.63;           // of the lower part
+constexpr double doseShare = 0.64;            // of the column's width
+
+struct Lines {
+    int a, b, c, j;  // lower edges of A, B and the middle; of J
+    int links, live; // right edges of C and D
+    int upper;       // lower edge of E and F
+    int robot;       // lower edge of G
+    int half;        // between E and F
+    int dose;        // between H and I
+};
+
+Lines linesFor(const QSize& window)
+{
+    const double tall = double(window.height()) / theme::referenceHeight;
+    const double wide = double(window.width()) / theme::referenceWidth;
+    Lines l{};
+    l.a = int(std::lround(statusHeight * tall));
+    l.b = int(std::lround((statusHeight + alarmHeight) * tall));
+    l.c = int(std::lround((theme::referenceHeight - motionHeight) * tall));
+    l.j = window.height();
+    l.links = int(std::lround(linksWidth * wide));
+    const int room = int(std::lround((theme::referenceWidth - linksWidth) * wide * 0.56));
+    l.live = l.links + std::min(l.c - l.b, room);
+    l.upper = l.b + int(std::lround((l.c - l.b) * (1 - lowerShare)));
+    l.robot = l.upper + int(std::lround((l.c - l.upper) * robotShare));
+    l.half = (l.live + window.width()) / 2;
+    l.dose = l.live + int(std::lround((window.width() - l.live) * doseShare));
+    return l;
+}
+
+QRect between(int left, int top, int right, int bottom) { return {left, top, right - left, bottom - top}; }
+
+} // namespace
+
+QRect regionRect(Region region, const QSize& window)
+{
+    const Lines l = linesFor(window);
+    const int width = window.width();
+    switch (region) {
+    case Region::Status:
+        return between(0, 0, width, l.a);
+    case Region::Alarm:
+        return between(0, l.a, width, l.b);
+    case Region::Links:
+        return between(0, l.b, l.links, l.c);
+    case Region::Live: {
+        const int side = l.live - l.links;
+        return {l.links, l.b + (l.c - l.b - side) / 2, side, side};
+    }
+    case Region::Reference:
+        return between(l.live, l.b, l.half, l.upper);
+    case Region::Scene:
+        return between(l.half, l.b, width, l.upper);
+    case Region::Robot:
+        return between(l.live, l.upper, width, l.robot);
+    case Region::Dose:
+        return between(l.live, l.robot, l.dose, l.c);
+    case Region::Trends:
+        return between(l.dose, l.robot, width, l.c);
+    case Region::Motion:
+        return between(0, l.c, width, l.j);
+    case Region::Sheet:
+        return between(l.live, l.b, width, l.upper);
+    case Region::Overlay:
+        return between(l.live, l.b, width, l.robot);
+    }
+    return {};
+}
+
+CockpitLayout::CockpitLayout(QWidget* parent) : QLayout(parent) { setContentsMargins(0, 0, 0, 0); }
+
+CockpitLayout::~CockpitLayout() = default;
+
+void CockpitLayout::place(Region region, QWidget* widget)
+{
+    addChildWidget(widget);
+    m_slots.push_back({region, std::make_unique<QWidgetItem>(widget)});
+    invalidate();
+}
+
+void CockpitLayout::addItem(QLayoutItem* item) { m_slots.push_back({Region::Overlay, std::unique_ptr<QLayoutItem>(item)}); }
+
+int CockpitLayout::count() const { return int(m_slots.size()); }
+
+QLayoutItem* CockpitLayout::itemAt(int index) const
+{
+    return index >= 0 && index < count() ? m_slots[std::size_t(index)].item.get() : nullptr;
+}
+
+QLayoutItem* CockpitLayout::takeAt(int index)
+{
+    if (index < 0 || index >= count())
+        return nullptr;
+    QLayoutItem* item = m_slots[std::size_t(index)].item.release();
+    m_slots.erase(m_slots.begin() + index);
+    return item;
+}
+
+QSize CockpitLayout::sizeHint() const { return {1920, 1080}; }
+
+QSize CockpitLayout::minimumSize() const { return {1280, 720}; }
+
+void CockpitLayout::setGeometry(const QRect& rect)
+{
+    QLayout::setGeometry(rect);
+    for (const Slot& slot : m_slots)
+        slot.item->setGeometry(regionRect(slot.region, rect.size()).translated(rect.topLeft()));
+}
+
+} // namespace console

@@ -1,0 +1,57 @@
+// The cockpit's regions A to J as fractions of the window.
+#pragma once
+
+#include <QLayout>
+#include <QRect>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace console {
+
+enum class Region : int {
+    Status,    ///< A
+    Alarm,     ///< B
+    Links,     ///< C
+    Live,      ///< D, square
+    Reference, ///< E
+    Scene,     ///< F
+    Robot,     ///< G
+    Dose,      ///< H
+    Trends,    ///< I
+    Motion,    ///< J
+    Sheet,     ///< over E and F
+    Overlay,   ///< over E, F and G
+};
+inline constexpr int regionCount = 12;
+
+/// Where a region lies in a window of that size. The first ten never overlap; D is the largest and square.
+QRect regionRect(Region region, const QSize& window);
+
+/// Puts one widget into each region. Sheet and Overlay take no room from the others.
+class CockpitLayout : public QLayout {
+    Q_OBJECT
+public:
+    explicit CockpitLayout(QWidget* parent);
+    ~CockpitLayout() override;
+
+    void place(Region region, QWidget* widget);
+
+    void addItem(QLayoutItem* item) override;
+    int count() const override;
+    QLayoutItem* itemAt(int index) const override;
+    QLayoutItem* takeAt(int index) override;
+    QSize sizeHint() const override;
+    QSize minimumSize() const override;
+    void setGeometry(const QRect& rect) override;
+
+private:
+    struct Slot {
+        Region region;
+        std::unique_ptr<QLayoutItem> item;
+    };
+    std::vector<Slot> m_slots;
+};
+
+} // namespace console

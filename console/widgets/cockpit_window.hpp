@@ -1,0 +1,116 @@
+// The surgeon's one screen: regions A to J, what they show and what they ask for.
+#pragma once
+
+#include "model/console_models.hpp"
+#include "widgets/cockpit_layout.hpp"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <optional>
+
+namespace console {
+
+class AlarmBand;
+class DosePanel;
+class LinksRail;
+class MotionBar;
+class RobotPanel;
+class SheetDeck;
+class StatusStrip;
+
+enum class View { Cockpit, Topology };
+
+/// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
+/// outlive the window.
+///
+/// Keys: F1 cockpit, F2 topology, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys belong to the hand while the
+/// cockpit itself has the focus; while a sheet, the topology or another window has it, the hand has none, and `handFocusChanged(false)`
+/// says so before the first key goes elsewhere. Space and Enter are never handed on.
+class CockpitWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit CockpitWindow(ConsoleModels& models, QWidget* parent = nullptr);
+    ~CockpitWindow() override;
+
+    /// Each takes the widget and gives it its region; before that a pane says what is missing.
+    void setLiveView(QWidget* view);
+    void setSceneView(QWidget* view);
+    void setMiniTopology(QWidget* view);
+    void setTopologyView(QWidget* view);
+
+    void setOperator(const QString& user);
+    void setKeyLegend(const QString& legend);
+
+    /// Everything as of `now`. Called by the window's own clock twenty times a second.
+    void refresh(Instant now);
+
+    View view() const { return m_view; }
+    void showView(View view);
+
+    /// The hand may use the keys.
+    bool handHasKeys() const { return m_handHasKeys; }
+
+    QRect regionGeometry(Region region) const { return regionRect(region, size()); }
+
+Q_SIGNALS:
+    void openRequested(quint32 peer);
+    void openAllRequested();
+    void closeRequested(quint32 peer);
+    void reopenRequested(quint32 peer);
+    void reopenAllRequested();
+    void probeRequested(quint32 peer);
+    void dismissRequested(quint64 incident);
+    void emergencyStopRequested(const QString& reason);
+    void emergencyStopResetRequested();
+    void armHoldChanged(bool held);
+    void pedalChanged(bool held);
+    void acknowledgeRequested(quint64 alarm);
+    void panicHoldRequested();
+    void viewRequested(console::View view);
+    void handKeyPressed(int key);
+    void handKeyReleased(int key);
+    void handFocusChanged(bool handHasKeys);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+
+private:
+    void placeRegions();
+    void connectIntents();
+    void connectModels();
+    void addKeys();
+    void replace(Region region, QWidget*& present, QWidget* view);
+    void updateHandKeys();
+    PromptSurroundings surroundings(Instant now) const;
+    void refreshStrip(Instant now);
+
+    ConsoleModels& m_models;
+    CockpitLayout* m_layout;
+    StatusStrip* m_strip;
+    AlarmBand* m_band;
+    LinksRail* m_rail;
+    QWidget* m_live;
+    QWidget* m_reference;
+    QWidget* m_scene;
+    RobotPanel* m_robot;
+    DosePanel* m_dose;
+    QWidget* m_trends;
+    MotionBar* m_motion;
+    SheetDeck* m_deck;
+    QWidget* m_overlay = nullptr;
+    QTimer m_clock;
+    View m_view = View::Cockpit;
+    bool m_handHasKeys = false;
+    QString m_operator;
+    std::optional<Instant> m_procedureSince;
+};
+
+} // namespace console

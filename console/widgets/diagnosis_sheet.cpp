@@ -1,0 +1,193 @@
+// The sheet's order is the order in which a surgeon asks.
+#include "widgets/diagnosis_sheet.hpp"
+
+#include "widgets/figures.hpp"
+#include "widgets/labels.hpp"
+#include "widgets/roll_call.hpp"
+#include "widgets/sheet_button.hpp"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+DiagnosisSheet::DiagnosisSheet(QWidget* parent) : QFrame(parent)
+{
+    setObjectName(QStringLiteral("diagnosisSheet"));
+    setAccessibleName(tr("Diagnosis of a lost link"));
+    setAttribute(Qt::WA_StyledBackground);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 10, 16, 10);
+    column->setSpacing(6);
+    column->addWidget(makeHead());
+    column->addWidget(makeBody(), 1);
+    m_actions = makeActions();
+    m_giveUpRow = makeGiveUp();
+    m_giveUpRow->hide();
+    column->addWidget(m_actions);
+    column->addWidget(m_giveUpRow);
+    connectActions();
+}
+
+QWidget* DiagnosisSheet::makeHead()
+{
+    auto* head = new QWidget(this);
+    auto* rows = new QVBoxLayout(head);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    auto* first = new QHBoxLayout;
+    m_headline = plainLabel({}, TextRole::Alarm, head);
+    setInk(m_headline, colour::bright);
+    m_since = new FigureLabel(head);
+    theme::setTextRole(m_since, TextRole::Strong);
+    m_flaps = plainLabel({}, TextRole::Strong, head);
+    m_fold = new SheetButton(tr("Fold"), SheetButton::Enter::Clicks, head);
+    m_fold->setAccessibleName(tr("Fold this sheet to a chip in the alarm band"));
+    m_fold->setProperty("compact", true);
+    first->addWidget(m_headline);
+    first->addSpacing(18);
+    first->addWidget(m_since);
+    first->addSpacing(18);
+    first->addWidget(m_flaps, 1);
+    first->addWidget(m_fold);
+    m_directions = plainLabel({}, TextRole::Body, head);
+    rows->addLayout(first);
+    rows->addWidget(m_directions);
+    return head;
+}
+
+QLabel* DiagnosisSheet::addSection(QVBoxLayout* column, const QString& heading)
+{
+    if (column->count() > 0)
+        column->addSpacing(8);
+    column->addWidget(headingLabel(heading, this));
+    QLabel* text = plainLabel({}, TextRole::Body, this);
+    text->setWordWrap(true);
+    column->addWidget(text);
+    return text;
+}
+
+QWidget* DiagnosisSheet::makeBody()
+{
+    auto* area = new QScrollArea(this);
+    area->setAccessibleName(tr("Particulars"));
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* body = new QWidget(area);
+    auto* row = new QHBoxLayout(body);
+    row->setContentsMargins(0, 0, 6, 0);
+    row->setSpacing(28);
+    auto* left = new QVBoxLayout;
+    auto* right = new QVBoxLayout;
+    for (QVBoxLayout* side : {left, right})
+        side->setSpacing(3);
+    m_patient = addSection(left, tr("Is the patient safe?"));
+    theme::setTextRole(m_patient, TextRole::Title);
+    m_rollCall = new RollCall(body);
+    left->addWidget(m_rollCall);
+    m_seen = addSection(left, tr("What you see"));
+    left->addStretch(1);
+    m_cause = addSection(right, tr("Likely cause, and what to try"));
+    m_lastTry = plainLabel({}, TextRole::Strong, body);
+    m_lastTry->setWordWrap(true);
+    right->addWidget(m_lastTry);
+    m_evidence = addSection(right, tr("Evidence"));
+    right->addStretch(1);
+    row->addLayout(left, 1);
+    row->addLayout(right, 1);
+    area->setWidget(body);
+    return area;
+}
+
+QWidget* DiagnosisSheet::makeActions()
+{
+    auto* actions = new QWidget(this);
+    auto* row = new QHBoxLayout(actions);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(12);
+    m_reopen = new SheetButton(tr("Re-open channel"), SheetButton::Enter::Ignored, actions);
+    m_reopen->setProperty("emphasis", true);
+    m_reopenAll = new SheetButton(tr("Re-open all lost"), SheetButton::Enter::Ignored, actions);
+    m_checks = new SheetButton(tr("Run checks"), SheetButton::Enter::Clicks, actions);
+    m_giveUp = new SheetButton(tr("Give up link\u2026"), SheetButton::Enter::Ignored, actions);
+    m_giveUp->setAccessibleName(tr("Give up this link, because the device will not return"));
+    row->addWidget(m_reopen);
+    row->addWidget(m_reopenAll);
+    row->addWidget(m_checks);
+    row->addStretch(1);
+    row->addWidget(m_giveUp);
+    return actions;
+}
+
+QWidget* DiagnosisSheet::makeGiveUp()
+{
+    auto* rowWidget = new QWidget(this);
+    auto* row = new QHBoxLayout(rowWidget);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(12);
+    QLabel* question = plainLabel(tr("The incident ends and the link stays closed. Give it up?"), TextRole::Strong, rowWidget);
+    m_keep = new SheetButton(tr("Keep"), SheetButton::Enter::Clicks, rowWidget);
+    m_reallyGiveUp = new SheetButton(tr("Give up link"), SheetButton::Enter::Ignored, rowWidget);
+    row->addWidget(question, 1);
+    row->addWidget(m_reallyGiveUp);
+    row->addWidget(m_keep);
+    return rowWidget;
+}
+
+void DiagnosisSheet::connectActions()
+{
+    connect(m_fold, &QPushButton::clicked, this, [this] { Q_EMIT foldRequested(m_incident); });
+    connect(m_reopen, &QPushButton::clicked, this, [this] { Q_EMIT reopenRequested(m_peer); });
+    connect(m_reopenAll, &QPushButton::clicked, this, &DiagnosisSheet::reopenAllRequested);
+    connect(m_checks, &QPushButton::clicked, this, [this] { Q_EMIT probeRequested(m_peer); });
+    const auto ask = [this](bool asking) {
+        m_giveUpRow->setVisible(asking);
+        m_actions->setVisible(!asking);
+        (asking ? m_keep : m_checks)->setFocus();
+    };
+    connect(m_giveUp, &QPushButton::clicked, this, [ask] { ask(true); });
+    connect(m_keep, &QPushButton::clicked, this, [ask] { ask(false); });
+    connect(m_reallyGiveUp, &QPushButton::clicked, this, [this, ask] {
+        ask(false);
+        Q_EMIT dismissRequested(m_incident);
+    });
+}
+
+void DiagnosisSheet::focusChecks() { m_checks->setFocus(Qt::OtherFocusReason); }
+
+void DiagnosisSheet::setActions(const IncidentRecord& incident, const PromptContent& content)
+{
+    m_reopen->setVisible(content.canReopen);
+    m_reopenAll->setVisible(content.lostLinks > 1);
+    m_reopenAll->setText(tr("Re-open all lost (%1)").arg(content.lostLinks));
+    m_reopenAll->setAccessibleName(m_reopenAll->text());
+    m_checks->setVisible(content.canReopen);
+    m_checks->setText(incident.probing ? tr("Checking\u2026") : tr("Run checks"));
+}
+
+void DiagnosisSheet::setContent(const IncidentRecord& incident, const PromptContent& content)
+{
+    m_incident = incident.id;
+    m_peer = incident.peer;
+    m_headline->setText(content.headline);
+    m_since->setText(content.since);
+    m_flaps->setText(content.flaps);
+    m_directions->setText(content.directions);
+    m_patient->setText(content.patient);
+    setInk(m_patient, content.holdConfirmed ? colour::text : colour::bright);
+    m_rollCall->setLines(content.rollCall);
+    m_seen->setText(content.picture + QLatin1Char('\n') + content.tip);
+    m_cause->setText(content.tryFirst.isEmpty() ? content.likelyCause : content.likelyCause + QLatin1Char('\n') + content.tryFirst);
+    m_lastTry->setText(content.lastTry);
+    m_lastTry->setVisible(!content.lastTry.isEmpty());
+    m_evidence->setText(content.evidence.join(QLatin1Char('\n')));
+    setActions(incident, content);
+    setAccessibleDescription(content.headline + QStringLiteral(". ") + content.patient);
+}
+
+} // namespace console

@@ -1,0 +1,128 @@
+// Figures in equal cells, and numbers as a person reads them.
+#include "widgets/figures.hpp"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+double cellWidth(const QFontMetricsF& metrics)
+{
+    double widest = 0;
+    for (char c = '0'; c <= '9'; ++c)
+        widest = std::max(widest, metrics.horizontalAdvance(QLatin1Char(c)));
+    return widest;
+}
+
+// A run is either one figure or a stretch of other characters, which keep their kerning.
+template <typename Visit>
+void forEachRun(const QString& text, Visit visit)
+{
+    qsizetype start = 0;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        if (!text.at(i).isDigit())
+            continue;
+        if (i > start)
+            visit(text.mid(start, i - start), false);
+        visit(text.mid(i, 1), true);
+        start = i + 1;
+    }
+    if (start < text.size())
+        visit(text.mid(start), false);
+}
+
+} // namespace
+
+double figuresWidth(const QFontMetricsF& metrics, const QString& text)
+{
+    const double cell = cellWidth(metrics);
+    double width = 0;
+    forEachRun(text, [&](const QString& run, bool isFigure) { width += isFigure ? cell : metrics.horizontalAdvance(run); });
+    return width;
+}
+
+void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text)
+{
+    const QFontMetricsF metrics(painter.font());
+    const double cell = cellWidth(metrics);
+    const double width = figuresWidth(metrics, text);
+    double x = where.left();
+    if (alignment.testFlag(Qt::AlignRight))
+        x = where.right() - width;
+    else if (alignment.testFlag(Qt::AlignHCenter))
+        x = where.center().x() - width / 2;
+    double y = where.center().y() + (metrics.ascent() - metrics.descent()) / 2;
+    if (alignment.testFlag(Qt::AlignTop))
+        y = where.top() + metrics.ascent();
+    else if (alignment.testFlag(Qt::AlignBottom))
+        y = where.bottom() - metrics.descent();
+    forEachRun(text, [&](const QString& run, bool isFigure) {
+        const double advance = metrics.horizontalAdvance(run);
+        painter.drawText(QPointF(isFigure ? x + (cell - advance) / 2 : x, y), run);
+        x += isFigure ? cell : advance;
+    });
+}
+
+QString figure(std::optional<double> value, int decimals, const QString& unit)
+{
+    const QString number = value && std::isfinite(*value) ? QString::number(*value, 'f', decimals) : QStringLiteral("\u2014");
+    const bool degrees = unit.startsWith(QChar(0x00B0)) && !unit.endsWith(QLatin1Char('C'));
+    if (unit.isEmpty() || degrees)
+        return number + unit;
+    return number + QChar(0x00A0) + unit;
+}
+
+QString spokenAge(std::chrono::nanoseconds age)
+{
+    const double seconds = std::max(0.0, std::chrono::duration<double>(age).count());
+    if (seconds < 1.0)
+        return QStringLiteral("%1\u00A0ms").arg(std::lround(seconds * 1000));
+    if (seconds < 60.0)
+        return QStringLiteral("%1\u00A0s").arg(seconds, 0, 'f', 1);
+    return clockDuration(age);
+}
+
+QString clockDuration(std::chrono::nanoseconds duration)
+{
+    const auto total = std::max<std::int64_t>(0, std::chrono::duration_cast<std::chrono::seconds>(duration).count());
+    const auto two = [](std::int64_t n) { return QStringLiteral("%1").arg(n, 2, 10, QLatin1Char('0')); };
+    if (total < 3600)
+        return QStringLiteral("%1:%2").arg(total / 60).arg(two(total % 60));
+    return QStringLiteral("%1:%2:%3").arg(total / 3600).arg(two(total / 60 % 60), two(total % 60));
+}
+
+FigureLabel::FigureLabel(QWidget* parent) : QLabel(parent)
+{
+    setTextFormat(Qt::PlainText);
+    setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+void FigureLabel::reserve(const QString& widest)
+{
+    m_widest = widest;
+    updateGeometry();
+}
+
+QSize FigureLabel::sizeHint() const
+{
+    const QFontMetricsF metrics(font());
+    const double width = std::max(figuresWidth(metrics, text()), figuresWidth(metrics, m_widest));
+    const QMargins margins = contentsMargins();
+    return {int(std::ceil(width)) + 1 + margins.left() + margins.right(),
+            int(std::ceil(metrics.height())) + margins.top() + margins.bottom()};
+}
+
+void FigureLabel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setFont(font());
+    painter.setPen(palette().color(foregroundRole()));
+    drawFigures(painter, contentsRect(), alignment(), text());
+}
+
+} // namespace console

@@ -1,0 +1,108 @@
+// Fifteen lines in three columns; an empty box is missing, a tick is met.
+#include "widgets/guard_list.hpp"
+
+#include "widgets/figures.hpp"
+#include "widgets/theme.hpp"
+
+#include <QPainter>
+#include <QStringList>
+
+#include <algorithm>
+#include <numeric>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+GuardList::GuardList(QWidget* parent) : QWidget(parent)
+{
+    theme::setTextRole(this, TextRole::Caption);
+    setAccessibleName(tr("Conditions for motion"));
+}
+
+void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState& permit)
+{
+    m_lines.assign(checklist.begin(), checklist.end());
+    if (permit.phase == PermitPhase::Armed || permit.phase == PermitPhase::Engaged) {
+        const GuardSet kept = keptWhileArmed();
+        std::erase_if(m_lines, [&kept](const GuardLine& line) { return !kept.test(std::size_t(line.guard)); });
+        for (GuardLine& line : m_lines)
+            line.met = permit.kept.test(std::size_t(line.guard));
+    }
+    std::stable_partition(m_lines.begin(), m_lines.end(), [](const GuardLine& line) { return !line.met; });
+    QStringList missing;
+    for (const GuardLine& line : m_lines)
+        if (!line.met)
+            missing << line.text;
+    setAccessibleDescription(missing.isEmpty() ? tr("All conditions are met") : tr("Missing: %1").arg(missing.join(QStringLiteral("; "))));
+    setToolTip(missing.join(QLatin1Char('\n')).toHtmlEscaped());
+    update();
+}
+
+QSize GuardList::sizeHint() const { return {theme::px(this, 660), rows * QFontMetrics(font()).height()}; }
+
+int GuardList::columnCount() const
+{
+    return std::clamp(int(width() / (QFontMetricsF(font()).averageCharWidth() * 22)), 1, int(guardCount) / rows);
+}
+
+// Each column as wide as its longest line asks for; all give way alike when that is too much.
+std::vector<double> GuardList::columnWidths(int columns) const
+{
+    const QFontMetricsF metrics(font());
+    std::vector<double> widths(std::size_t(columns), metrics.height());
+    for (std::size_t i = 0; i < std::min(m_lines.size(), std::size_t(columns * rows)); ++i)
+        widths[i / rows] = std::max(widths[i / rows], figuresWidth(metrics, m_lines[i].text) + metrics.height() * 1.8);
+    const double asked = std::accumulate(widths.begin(), widths.end(), 0.0);
+    const double spare = (width() - asked) / columns;
+    for (double& wide : widths)
+        wide = spare >= 0 ? wide + std::min(spare, metrics.height() * 2) : wide * width() / asked;
+    return widths;
+}
+
+QString GuardList::overflowText(std::size_t from) const
+{
+    const auto missing =
+        std::count_if(m_lines.begin() + std::ptrdiff_t(from), m_lines.end(), [](const GuardLine& line) { return !line.met; });
+    const auto met = std::ptrdiff_t(m_lines.size() - from) - missing;
+    if (missing == 0)
+        return tr("and %1 more met").arg(met);
+    return met == 0 ? tr("and %1 more missing").arg(missing) : tr("and %1 more missing, %2 met").arg(missing).arg(met);
+}
+
+void GuardList::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
+    const QFontMetricsF metrics(font());
+    const int columns = columnCount();
+    const std::size_t room = std::size_t(columns * rows);
+    const std::vector<double> widths = columnWidths(columns);
+    const double tall = double(height()) / rows;
+    const double box = metrics.capHeight();
+    double left = 0;
+    for (std::size_t i = 0; i < std::min(room, m_lines.size()); ++i) {
+        if (i > 0 && i % rows == 0)
+            left += widths[i / rows - 1];
+        const QRectF cell(left, double(i % rows) * tall, widths[i / rows], tall);
+        const QRectF text = cell.adjusted(box + 9, 0, -6, 0);
+        if (i + 1 == room && room < m_lines.size()) {
+            painter.setPen(colour::secondary);
+            drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, overflowText(i));
+            return;
+        }
+        const GuardLine& line = m_lines[i];
+        const QRectF mark(cell.left() + 2, cell.center().y() - box / 2, box, box);
+        painter.setPen(QPen(line.met ? colour::secondary : colour::bright, 1.5));
+        if (line.met)
+            painter.drawPolyline(QPolygonF{mark.topLeft() + QPointF(0, box * 0.55), mark.topLeft() + QPointF(box * 0.4, box * 0.95),
+                                           mark.topRight() + QPointF(0, box * 0.05)});
+        else
+            painter.drawRect(mark);
+        drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(line.text, Qt::ElideRight, text.width()));
+    }
+}
+
+} // namespace console

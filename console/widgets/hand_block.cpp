@@ -1,0 +1,148 @@
+// A filled lamp is pressed, an empty one is not, a dashed one is not known.
+#include "widgets/hand_block.hpp"
+
+#include "widgets/axis_panel.hpp"
+#include "widgets/figures.hpp"
+#include "widgets/icons.hpp"
+#include "widgets/theme.hpp"
+
+#include <QPainter>
+
+#include <cmath>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+HandBlock::HandBlock(QWidget* parent) : QWidget(parent)
+{
+    theme::setTextRole(this, TextRole::Body);
+    setAccessibleName(tr("Hand"));
+}
+
+QSize HandBlock::sizeHint() const
+{
+    const QFontMetrics body(font());
+    return {int(namesWidth() + 2 * cellWidth() + theme::px(this, 28) + askedWidth()) + 1, body.height() * 4};
+}
+
+double HandBlock::lampSide() const { return QFontMetricsF(font()).height() * 1.9; }
+
+double HandBlock::namesWidth() const
+{
+    const QFontMetricsF caption(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    return caption.horizontalAdvance(tr("Dead-man")) + theme::px(this, 14);
+}
+
+double HandBlock::cellWidth() const
+{
+    const QFontMetricsF caption(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    return lampSide() * 1.25 + std::max(caption.horizontalAdvance(tr("released")), caption.horizontalAdvance(tr("unknown"))) +
+           theme::px(this, 12);
+}
+
+double HandBlock::askedWidth() const
+{
+    const double scale = theme::scaleOf(this);
+    const QFontMetricsF caption(theme::font(TextRole::Caption, scale));
+    const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
+    return caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(strong, tr("advance 00.0 mm/s")) + theme::px(this, 14);
+}
+
+void HandBlock::setState(const HandState& hand, const InstrumentState& instrument, Instant now)
+{
+    m_hand = hand.reading();
+    m_received = !instrument.robotFresh(now) ? Lamp::Unknown : instrument.robot().value.engaged ? Lamp::On : Lamp::Off;
+    setAccessibleDescription(tr("Dead-man sent %1, at the robot %2, clutch %3")
+                                 .arg(m_hand.deadMan ? tr("pressed") : tr("released"),
+                                      m_received == Lamp::Unknown ? tr("unknown")
+                                      : m_received == Lamp::On    ? tr("pressed")
+                                                                  : tr("released"),
+                                      m_hand.clutch ? tr("pressed") : tr("released")));
+    update();
+}
+
+void HandBlock::paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const
+{
+    const double side = std::min(where.height() * 0.9, lampSide());
+    const QRectF disc(where.left(), where.center().y() - side / 2, side, side);
+    const bool on = lamp == Lamp::On;
+    painter.setPen(QPen(on ? colour::armed : colour::strongLine, 1.8, lamp == Lamp::Unknown ? Qt::DashLine : Qt::SolidLine));
+    painter.setBrush(on ? QBrush(colour::armed) : QBrush(Qt::NoBrush));
+    painter.drawRoundedRect(disc, side * 0.22, side * 0.22);
+    icons::draw(painter, disc.adjusted(side * 0.15, side * 0.15, -side * 0.15, -side * 0.15),
+                deadMan ? icons::Icon::DeadMan : icons::Icon::Clutch, on ? colour::onAlarm : colour::secondary);
+    painter.setPen(on ? colour::bright : colour::secondary);
+    painter.drawText(QRectF(disc.right() + side * 0.25, where.top(), where.right() - disc.right(), where.height()),
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     lamp == Lamp::Unknown ? tr("unknown")
+                     : on                  ? tr("pressed")
+                                           : tr("released"));
+}
+
+void HandBlock::paintLamps(QPainter& painter, const QRectF& where) const
+{
+    const double head = QFontMetricsF(painter.font()).height();
+    const double row = (where.height() - head) / 2;
+    const double names = namesWidth();
+    const double cell = cellWidth();
+    painter.setPen(colour::secondary);
+    painter.drawText(QRectF(where.left() + names, where.top(), cell, head), Qt::AlignLeft | Qt::AlignVCenter, tr("Sent"));
+    painter.drawText(QRectF(where.left() + names + cell, where.top(), cell, head), Qt::AlignLeft | Qt::AlignVCenter, tr("At the robot"));
+    const QRectF first(where.left(), where.top() + head, names, row);
+    const QRectF second = first.translated(0, row);
+    painter.setPen(colour::text);
+    painter.drawText(first, Qt::AlignLeft | Qt::AlignVCenter, tr("Dead-man"));
+    painter.drawText(second, Qt::AlignLeft | Qt::AlignVCenter, tr("Clutch"));
+    paintLamp(painter, QRectF(first.right(), first.top(), cell, row), true,
+              !m_hand.alive    ? Lamp::Unknown
+              : m_hand.deadMan ? Lamp::On
+                               : Lamp::Off);
+    paintLamp(painter, QRectF(first.right() + cell, first.top(), cell, row), true, m_received);
+    paintLamp(painter, QRectF(second.right(), second.top(), cell, row), false,
+              !m_hand.alive   ? Lamp::Unknown
+              : m_hand.clutch ? Lamp::On
+                              : Lamp::Off);
+    painter.setPen(colour::secondary);
+    painter.drawText(QRectF(second.right() + cell, second.top(), cell, row), Qt::AlignLeft | Qt::AlignVCenter, tr("acts here"));
+}
+
+void HandBlock::paintAsked(QPainter& painter, const QRectF& where) const
+{
+    const struct {
+        QString name, value;
+    } rows[3] = {{tr("Scale"), tr("%1 : 1").arg(m_hand.scale, 0, 'f', 2)},
+                 {tr("Guidewire"), tr("%1 %2").arg(advanceWord(m_hand.motion.guidewireVelocity),
+                                                   figure(std::abs(m_hand.motion.guidewireVelocity), 1, tr("mm/s")))},
+                 {tr("Catheter"), tr("%1 %2").arg(advanceWord(m_hand.motion.catheterVelocity),
+                                                  figure(std::abs(m_hand.motion.catheterVelocity), 1, tr("mm/s")))}};
+    const double head = QFontMetricsF(painter.font()).height();
+    const double row = (where.height() - head) / 3;
+    painter.setPen(colour::secondary);
+    painter.drawText(QRectF(where.left(), where.top(), where.width(), head), Qt::AlignLeft | Qt::AlignVCenter, tr("Asked by the hand"));
+    const QFont body = painter.font();
+    for (int i = 0; i < 3; ++i) {
+        const QRectF line(where.left(), where.top() + head + i * row, where.width(), row);
+        painter.setFont(body);
+        painter.setPen(colour::secondary);
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, rows[i].name);
+        painter.setFont(theme::font(TextRole::Strong, theme::scaleOf(this)));
+        painter.setPen(m_hand.alive ? colour::text : colour::secondary);
+        drawFigures(painter, line, Qt::AlignRight | Qt::AlignVCenter, m_hand.alive ? rows[i].value : QStringLiteral("\u2014"));
+    }
+}
+
+void HandBlock::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    const double gap = theme::px(this, 28);
+    const double lamps = namesWidth() + 2 * cellWidth();
+    paintLamps(painter, QRectF(0, 0, lamps, height()));
+    painter.setFont(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    paintAsked(painter, QRectF(lamps + gap, 0, width() - lamps - gap, height()));
+}
+
+} // namespace console

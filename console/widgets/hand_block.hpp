@@ -1,0 +1,36 @@
+// Dead-man and clutch as they are sent and as the robot received them, and what the hand asks for.
+#pragma once
+
+#include "model/hand_state.hpp"
+#include "model/instrument_state.hpp"
+
+#include <QWidget>
+
+namespace console {
+
+class HandBlock : public QWidget {
+    Q_OBJECT
+public:
+    explicit HandBlock(QWidget* parent = nullptr);
+    void setState(const HandState& hand, const InstrumentState& instrument, Instant now);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    enum class Lamp { Unknown, Off, On };
+    double namesWidth() const;
+    double cellWidth() const;
+    double askedWidth() const;
+    double lampSide() const;
+    void paintLamps(QPainter& painter, const QRectF& where) const;
+    void paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const;
+    void paintAsked(QPainter& painter, const QRectF& where) const;
+
+    HandReading m_hand;
+    Lamp m_received = Lamp::Unknown;
+};
+
+} // namespace console

@@ -1,0 +1,18 @@
+// Labels that take their text as it is, and the ink they are written with.
+#pragma once
+
+#include "widgets/theme.hpp"
+
+#include <QLabel>
+
+namespace console {
+
+/// Plain text only: a name from a peer is never read as mark-up.
+QLabel* plainLabel(const QString& text, theme::TextRole role, QWidget* parent);
+
+void setInk(QWidget* widget, const QColor& ink);
+
+/// A frame's heading: a caption in secondary ink.
+QLabel* headingLabel(const QString& text, QWidget* parent);
+
+} // namespace console

@@ -1,0 +1,126 @@
+// The bar's parts from left to right; what they show comes from the permit, the hand and the robot.
+#include "widgets/motion_bar.hpp"
+
+#include "widgets/guard_list.hpp"
+#include "widgets/hand_block.hpp"
+#include "widgets/hold_button.hpp"
+#include "widgets/labels.hpp"
+#include "widgets/permit_block.hpp"
+#include "widgets/stop_button.hpp"
+
+#include <QHBoxLayout>
+#include <QStackedLayout>
+#include <QVBoxLayout>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
+    : QFrame(parent),
+      m_models(models),
+      m_permit(new PermitBlock(this)),
+      m_guards(new GuardList(this)),
+      m_hand(new HandBlock(this)),
+      m_arm(new HoldButton(this)),
+      m_reset(new HoldButton(this)),
+      m_pedal(new HoldButton(this)),
+      m_stop(new StopButton(this)),
+      m_legend(plainLabel({}, TextRole::Caption, this))
+{
+    setAccessibleName(tr("Motion"));
+    m_arm->setAccessibleName(tr("Arm: hold for one and a half seconds"));
+    m_reset->setAccessibleName(tr("Reset the emergency stop: hold for one and a half seconds"));
+    m_reset->setTexts(tr("RESET STOP"), tr("hold 1.5 s"));
+    m_reset->setAccent(colour::text);
+    m_pedal->setAccessibleName(tr("X-ray pedal: fluoroscopy while held"));
+    m_pedal->setAccent(colour::xray);
+    setInk(m_legend, colour::secondary);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(8, 4, 8, 3);
+    column->setSpacing(2);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    auto* swap = new QWidget(this);
+    m_armOrReset = new QStackedLayout(swap);
+    m_armOrReset->addWidget(m_arm);
+    m_armOrReset->addWidget(m_reset);
+    row->addWidget(m_permit, 5);
+    row->addWidget(m_guards, 12);
+    row->addWidget(m_hand);
+    row->addWidget(swap, 3);
+    row->addWidget(m_pedal, 3);
+    row->addWidget(m_stop, 3);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_pedal, m_stop})
+        part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+    column->addLayout(row, 1);
+    column->addWidget(m_legend);
+    connectButtons();
+}
+
+void MotionBar::connectButtons()
+{
+    connect(m_arm, &HoldButton::holdChanged, this, &MotionBar::armHoldChanged);
+    connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
+    connect(m_stop, &QAbstractButton::pressed, this, [this] { Q_EMIT emergencyStopRequested(tr("Button on the console's screen")); });
+    connect(m_reset, &HoldButton::holdChanged, this, [this](bool held) {
+        m_resetAsked = false;
+        m_resetSince.reset();
+        if (held)
+            m_resetSince = std::chrono::steady_clock::now();
+    });
+}
+
+void MotionBar::setKeyLegend(const QString& legend) { m_legend->setText(legend); }
+
+void MotionBar::setPedalShown(bool held) { m_pedal->setProgress(held ? 1.0 : 0.0); }
+
+void MotionBar::refreshArm(Instant now)
+{
+    const PermitState& state = m_models.permit.state();
+    const bool armed = state.phase == PermitPhase::Armed || state.phase == PermitPhase::Engaged;
+    m_arm->setProgress(armed ? 1.0 : state.armProgress(now));
+    switch (state.phase) {
+    case PermitPhase::Ready:
+    case PermitPhase::Arming:
+        m_arm->setTexts(tr("ARM"), state.awaitingRobot ? tr("asking the robot") : tr("hold 1.5 s"));
+        break;
+    case PermitPhase::Armed:
+    case PermitPhase::Engaged:
+        m_arm->setTexts(tr("ARMED"), tr("F12 holds"));
+        break;
+    default:
+        m_arm->setTexts(tr("ARM"), tr("not ready"));
+    }
+    m_arm->setEnabled(state.phase == PermitPhase::Ready || state.phase == PermitPhase::Arming);
+}
+
+void MotionBar::refreshReset(Instant now)
+{
+    const bool stopped = m_models.instrument.robot().known() && m_models.instrument.robot().value.emergencyStopToken != 0;
+    m_stop->setStopped(stopped);
+    m_armOrReset->setCurrentWidget(stopped ? m_reset : m_arm);
+    if (!m_resetSince)
+        return;
+    const double part = milliseconds(now - *m_resetSince) / double(resetHold.count());
+    m_reset->setProgress(part);
+    if (part >= 1.0 && !m_resetAsked) {
+        m_resetAsked = true;
+        Q_EMIT emergencyStopResetRequested();
+    }
+}
+
+void MotionBar::refresh(Instant now)
+{
+    m_permit->setPermit(m_models.permit, now);
+    m_guards->setChecklist(m_models.permit.checklist(), m_models.permit.state());
+    m_hand->setState(m_models.hand, m_models.instrument, now);
+    const bool beam = m_models.xray.fresh(now) && m_models.xray.beamOn();
+    m_pedal->setTexts(tr("X-RAY"), beam ? tr("beam is on") : tr("hold to image"));
+    setPedalShown(m_models.xray.pedalDown());
+    refreshArm(now);
+    refreshReset(now);
+}
+
+} // namespace console

@@ -1,0 +1,59 @@
+// Region J: the motion permit with its conditions, the hand, and the buttons that arm, image and stop.
+#pragma once
+
+#include "model/console_models.hpp"
+
+#include <QFrame>
+
+class QLabel;
+class QStackedLayout;
+
+namespace console {
+
+class GuardList;
+class HandBlock;
+class HoldButton;
+class PermitBlock;
+class StopButton;
+
+class MotionBar : public QFrame {
+    Q_OBJECT
+public:
+    explicit MotionBar(const ConsoleModels& models, QWidget* parent = nullptr);
+
+    /// Which keys do what; from the input device in use.
+    void setKeyLegend(const QString& legend);
+
+    /// How a held button is shown, whichever way it is held.
+    void setPedalShown(bool held);
+
+    void refresh(Instant now);
+
+Q_SIGNALS:
+    void emergencyStopRequested(const QString& reason);
+    void emergencyStopResetRequested();
+    void armHoldChanged(bool held);
+    void pedalChanged(bool held);
+
+private:
+    void connectButtons();
+    void refreshArm(Instant now);
+    void refreshReset(Instant now);
+
+    static constexpr std::chrono::milliseconds resetHold{1500};
+
+    const ConsoleModels& m_models;
+    PermitBlock* m_permit;
+    GuardList* m_guards;
+    HandBlock* m_hand;
+    HoldButton* m_arm;
+    HoldButton* m_reset;
+    HoldButton* m_pedal;
+    StopButton* m_stop;
+    QLabel* m_legend;
+    QStackedLayout* m_armOrReset = nullptr;
+    std::optional<Instant> m_resetSince;
+    bool m_resetAsked = false;
+};
+
+} // namespace console

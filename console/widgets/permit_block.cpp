@@ -1,0 +1,117 @@
+// Grey unless motion is near: blue edge when armed, blue surface when engaged, a double edge when held.
+#include "widgets/permit_block.hpp"
+
+#include "widgets/figures.hpp"
+#include "widgets/theme.hpp"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+namespace {
+
+QString sentenceStart(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+} // namespace
+
+PermitBlock::PermitBlock(QWidget* parent) : QWidget(parent)
+{
+    theme::setTextRole(this, TextRole::Permit);
+    setAccessibleName(tr("Motion permit"));
+}
+
+QSize PermitBlock::sizeHint() const
+{
+    const double scale = theme::scaleOf(this);
+    const QFontMetrics word(font());
+    const QFontMetrics line(theme::font(TextRole::Caption, scale));
+    return {std::max(word.horizontalAdvance(QStringLiteral("VERIFYING")), theme::px(this, 330)) + theme::px(this, 36),
+            word.height() + 2 * line.height()};
+}
+
+QString PermitBlock::explanation(const PermitModel& permit, Instant now)
+{
+    const PermitState& state = permit.state();
+    const int unmet = permit.unmetCount();
+    switch (state.phase) {
+    case PermitPhase::Off:
+        return tr("No session with the robot. Open the links.");
+    case PermitPhase::Standby:
+        return unmet == 1 ? tr("1 condition is missing") : tr("%1 conditions are missing").arg(unmet);
+    case PermitPhase::Ready:
+        return tr("Hold ARM for 1.5 s to arm");
+    case PermitPhase::Arming:
+        return state.awaitingRobot ? tr("Waiting for the robot's answer") : tr("Keep holding");
+    case PermitPhase::Armed: {
+        const auto left = std::max(Duration::zero(), Duration(PermitTiming{}.unused) - Duration(now - state.since));
+        return state.deadMan && !state.deadManReleasedSeen ? tr("Release the dead-man, then press it to move")
+                                                           : tr("Press the dead-man to move. Ends in %1").arg(clockDuration(left));
+    }
+    case PermitPhase::Engaged:
+        return tr("Instruments follow your hand");
+    case PermitPhase::Hold:
+        return tr("%1. %2").arg(sentenceStart(word(state.cause)), !state.robotHolds ? tr("Waiting for the robot to hold")
+                                                                  : state.deadMan   ? tr("Release the dead-man")
+                                                                                    : tr("The robot holds"));
+    case PermitPhase::Incident:
+        return tr("A link is lost. Stand-by until it is re-opened");
+    case PermitPhase::Verifying:
+        return unmet == 0 ? tr("Re-opened. Checking for 1 s") : tr("Re-opened. %1 conditions are missing").arg(unmet);
+    }
+    return {};
+}
+
+void PermitBlock::setPermit(const PermitModel& permit, Instant now)
+{
+    m_phase = permit.phase();
+    m_explanation = explanation(permit, now);
+    setAccessibleDescription(word(m_phase) + QStringLiteral(". ") + m_explanation);
+    update();
+}
+
+void PermitBlock::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool engaged = m_phase == PermitPhase::Engaged;
+    const bool armed = m_phase == PermitPhase::Armed;
+    const bool held = m_phase == PermitPhase::Hold || m_phase == PermitPhase::Incident;
+    const QRectF box = QRectF(rect()).adjusted(1.5, 1.5, -1.5, -1.5);
+    painter.setPen(QPen(engaged || armed ? colour::armed : held ? colour::bright : colour::strongLine, engaged || armed || held ? 3 : 1.5));
+    painter.setBrush(engaged ? colour::armed : armed ? colour::armedSurface : colour::panel);
+    painter.drawRoundedRect(box, 5, 5);
+    if (held)
+        painter.drawRoundedRect(box.adjusted(6, 6, -6, -6), 3, 3);
+    const QColor ink = engaged ? colour::onAlarm : armed ? colour::armed : colour::bright;
+    const double wordHeight = QFontMetricsF(font()).height();
+    const double pad = theme::px(this, 18);
+    const QRectF inner = box.adjusted(pad, 0, -pad, 0);
+    const QRectF room(0, 0, inner.width(), inner.height());
+    const auto heightIn = [&](const QFont& face) {
+        return QFontMetricsF(face).boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, m_explanation);
+    };
+    QFont caption = theme::font(TextRole::Body, theme::scaleOf(this));
+    if (wordHeight + heightIn(caption).height() > inner.height() - 8)
+        caption = theme::font(TextRole::Caption, theme::scaleOf(this));
+    const QRectF text = heightIn(caption);
+    const double top = inner.center().y() - (wordHeight + text.height()) / 2;
+    painter.setFont(font());
+    painter.setPen(ink);
+    painter.drawText(QRectF(inner.left(), top, inner.width(), wordHeight), Qt::AlignLeft | Qt::AlignVCenter, word(m_phase));
+    painter.setFont(caption);
+    painter.setPen(engaged ? colour::onAlarm : colour::text);
+    painter.drawText(QRectF(inner.left(), top + wordHeight, inner.width(), text.height() + 1), Qt::AlignLeft | Qt::TextWordWrap,
+                     m_explanation);
+}
+
+} // namespace console

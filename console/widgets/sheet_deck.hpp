@@ -1,0 +1,50 @@
+// Where diagnosis sheets slide out of the alarm band; what is not open there is a chip in the band.
+#pragma once
+
+#include "model/incident_model.hpp"
+
+#include <QWidget>
+
+#include <utility>
+#include <vector>
+
+class QPropertyAnimation;
+
+namespace console {
+
+class DiagnosisSheet;
+
+/// One sheet is open at a time. It stays until its incident ends or it is folded; it never vanishes.
+class SheetDeck : public QWidget {
+    Q_OBJECT
+public:
+    explicit SheetDeck(IncidentModel& incidents, QWidget* parent = nullptr);
+
+    void refresh(const SessionModel& sessions, const PromptSurroundings& around, Instant now);
+
+    /// Opens the sheet of an incident and folds the one that was open.
+    void open(quint64 incident);
+
+    DiagnosisSheet* sheet() const { return m_sheet; }
+    bool isOpen() const { return m_open != 0; }
+
+Q_SIGNALS:
+    void chipsChanged(const std::vector<std::pair<quint64, QString>>& chips);
+    void opened(); ///< a sheet came out and wants the keys
+    void closed();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void take(quint64 incident);
+    void choose();
+    void slideOut();
+
+    IncidentModel& m_incidents;
+    DiagnosisSheet* m_sheet;
+    QPropertyAnimation* m_slide;
+    quint64 m_open = 0;
+};
+
+} // namespace console

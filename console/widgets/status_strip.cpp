@@ -1,0 +1,216 @@
+// The strip's fields from left to right, and its two marks.
+#include "widgets/status_strip.hpp"
+
+#include "widgets/icons.hpp"
+#include "widgets/labels.hpp"
+#include "widgets/theme.hpp"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QVBoxLayout>
+
+namespace console {
+
+using theme::TextRole;
+namespace colour = theme::colour;
+
+Mode modeOf(PermitPhase phase)
+{
+    switch (phase) {
+    case PermitPhase::Ready:
+    case PermitPhase::Arming:
+        return Mode::Ready;
+    case PermitPhase::Armed:
+        return Mode::Armed;
+    case PermitPhase::Engaged:
+        return Mode::Engaged;
+    case PermitPhase::Hold:
+        return Mode::Hold;
+    case PermitPhase::Off:
+    case PermitPhase::Standby:
+    case PermitPhase::Incident:
+    case PermitPhase::Verifying:
+        break;
+    }
+    return Mode::Standby;
+}
+
+QString modeWord(Mode mode)
+{
+    switch (mode) {
+    case Mode::Standby:
+        return StatusStrip::tr("STANDBY");
+    case Mode::Ready:
+        return StatusStrip::tr("READY");
+    case Mode::Armed:
+        return StatusStrip::tr("ARMED");
+    case Mode::Engaged:
+        return StatusStrip::tr("ENGAGED");
+    case Mode::Hold:
+        return StatusStrip::tr("HOLD");
+    }
+    return {};
+}
+
+StripField::StripField(const QString& caption, const QString& widest, QWidget* parent) : QWidget(parent), m_value(new FigureLabel(this))
+{
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    QLabel* name = plainLabel(caption, TextRole::Caption, this);
+    setInk(name, colour::secondary);
+    theme::setTextRole(m_value, TextRole::Strong);
+    m_value->reserve(widest);
+    column->addStretch();
+    column->addWidget(name);
+    column->addWidget(m_value);
+    column->addStretch();
+    setAccessibleName(caption);
+}
+
+void StripField::setValue(const QString& value)
+{
+    if (value == m_value->text())
+        return;
+    m_value->setText(value);
+    m_value->setAccessibleName(accessibleName() + QStringLiteral(": ") + value);
+}
+
+XrayMark::XrayMark(QWidget* parent) : QWidget(parent)
+{
+    theme::setTextRole(this, TextRole::Title);
+    setAccessibleName(tr("X-ray beam"));
+    setAccessibleDescription(words());
+}
+
+QString XrayMark::words() const
+{
+    switch (m_beam) {
+    case Beam::On:
+        return tr("X-RAY ON");
+    case Beam::Off:
+        return tr("X-ray off");
+    case Beam::Unknown:
+        return tr("X-ray unknown");
+    }
+    return {};
+}
+
+void XrayMark::setBeam(Beam beam)
+{
+    if (beam == m_beam)
+        return;
+    m_beam = beam;
+    setAccessibleDescription(words());
+    update();
+}
+
+QSize XrayMark::sizeHint() const
+{
+    const QFontMetrics metrics(font());
+    return {metrics.horizontalAdvance(tr("X-ray unknown")) + 2 * metrics.height() + theme::px(this, 20), metrics.height() * 2};
+}
+
+void XrayMark::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFontMetricsF metrics(font());
+    const QRectF box = QRectF(rect()).adjusted(1, height() * 0.14, -1, -height() * 0.14);
+    const bool on = m_beam == Beam::On;
+    painter.setPen(QPen(on ? colour::xray : colour::line, 1.2, m_beam == Beam::Unknown ? Qt::DashLine : Qt::SolidLine));
+    painter.setBrush(on ? QBrush(colour::xray) : QBrush(Qt::NoBrush));
+    painter.drawRoundedRect(box, 4, 4);
+    const QColor ink = on ? colour::onAlarm : colour::secondary;
+    const double side = metrics.height() * 1.1;
+    const double gap = theme::px(this, 10);
+    icons::draw(painter, QRectF(box.left() + gap, box.center().y() - side / 2, side, side), icons::Icon::Xray, ink);
+    painter.setPen(ink);
+    painter.drawText(box.adjusted(2 * gap + side - gap / 2, 0, -gap / 2, 0), Qt::AlignLeft | Qt::AlignVCenter, words());
+}
+
+ModeMark::ModeMark(QWidget* parent) : QWidget(parent)
+{
+    theme::setTextRole(this, TextRole::Alarm);
+    setAccessibleName(tr("Mode"));
+    setAccessibleDescription(modeWord(m_mode));
+}
+
+void ModeMark::setMode(Mode mode)
+{
+    if (mode == m_mode)
+        return;
+    m_mode = mode;
+    setAccessibleDescription(modeWord(mode));
+    update();
+}
+
+QSize ModeMark::sizeHint() const
+{
+    const QFontMetrics metrics(font());
+    return {std::max(metrics.horizontalAdvance(modeWord(Mode::Engaged)), metrics.horizontalAdvance(modeWord(Mode::Standby))) +
+                theme::px(this, 44),
+            metrics.height()};
+}
+
+void ModeMark::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF box = QRectF(rect()).adjusted(1, height() * 0.1, -1, -height() * 0.1);
+    const bool engaged = m_mode == Mode::Engaged;
+    const bool armed = m_mode == Mode::Armed;
+    painter.setPen(QPen(engaged || armed ? colour::armed : colour::strongLine, m_mode == Mode::Hold ? 3 : 1.6));
+    painter.setBrush(engaged ? colour::armed : armed ? colour::armedSurface : colour::panel);
+    painter.drawRoundedRect(box, 4, 4);
+    painter.setFont(font());
+    painter.setPen(engaged ? colour::onAlarm : armed ? colour::armed : colour::bright);
+    painter.drawText(box, Qt::AlignCenter, modeWord(m_mode));
+}
+
+StatusStrip::StatusStrip(QWidget* parent)
+    : QFrame(parent),
+      m_patient(new StripField(tr("Patient"), {}, this)),
+      m_procedure(new StripField(tr("Procedure"), QStringLiteral("00:00:00"), this)),
+      m_topology(new StripField(tr("System"), {}, this)),
+      m_role(new StripField(tr("Operator"), {}, this)),
+      m_recorder(new StripField(tr("Recorder"), {}, this)),
+      m_clock(new StripField(tr("Local time"), QStringLiteral("00:00:00"), this)),
+      m_xray(new XrayMark(this)),
+      m_mode(new ModeMark(this))
+{
+    setAccessibleName(tr("Status strip"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(12, 0, 8, 0);
+    row->setSpacing(22);
+    QLabel* notice = plainLabel(tr("RESEARCH SYSTEM\nNOT A MEDICAL DEVICE"), TextRole::Caption, this);
+    notice->setAccessibleName(tr("Research system, not a medical device"));
+    m_patient->setValue(tr("No patient selected"));
+    m_recorder->setValue(tr("Not recording"));
+    for (StripField* field : {m_patient, m_procedure, m_topology, m_role, m_recorder, m_clock})
+        row->addWidget(field);
+    row->addStretch(1);
+    row->addWidget(notice);
+    row->addWidget(m_xray);
+    row->addWidget(m_mode);
+    setProcedureTime(std::nullopt);
+    setTopology({}, {});
+    setRole({});
+    setWallClock(QStringLiteral("--:--:--"));
+}
+
+void StatusStrip::setTopology(const QString& name, const QString& hash)
+{
+    m_topology->setValue(name.isEmpty() ? tr("None loaded") : name + QStringLiteral("  ") + hash.left(6));
+}
+
+void StatusStrip::setRole(const QString& user) { m_role->setValue(user.isEmpty() ? tr("Not signed in") : user); }
+
+void StatusStrip::setWallClock(const QString& time) { m_clock->setValue(time); }
+
+void StatusStrip::setProcedureTime(std::optional<std::chrono::nanoseconds> elapsed)
+{
+    m_procedure->setValue(elapsed ? clockDuration(*elapsed) : tr("Not started"));
+}
+
+} // namespace console

@@ -1,0 +1,130 @@
+// The dark palette, Inter in fixed roles, and how both reach every widget.
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QFile>
+#include <QPalette>
+#include <QStyleFactory>
+#include <QVariant>
+#include <QWidget>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace console::theme {
+
+namespace {
+
+constexpr const char* roleProperty = "textRole";
+constexpr const char* scaleProperty = "cockpitScale";
+
+struct Face {
+    double reference; ///< px at the reference window
+    int least;        ///< px below which it is not read from 0.8 m
+    QFont::Weight weight;
+};
+
+constexpr std::array<Face, 7> faces{{
+    {16, 11, QFont::Normal},
+    {18, 12, QFont::Normal},
+    {18, 12, QFont::DemiBold},
+    {22, 14, QFont::DemiBold},
+    {26, 15, QFont::Medium},
+    {32, 18, QFont::DemiBold},
+    {44, 23, QFont::Bold},
+}};
+
+double luminance(const QColor& colour)
+{
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+}
+
+QPalette darkPalette()
+{
+    QPalette p;
+    p.setColor(QPalette::Window, colour::background);
+    p.setColor(QPalette::WindowText, colour::text);
+    p.setColor(QPalette::Base, colour::panel);
+    p.setColor(QPalette::AlternateBase, colour::raised);
+    p.setColor(QPalette::Text, colour::text);
+    p.setColor(QPalette::PlaceholderText, colour::secondary);
+    p.setColor(QPalette::Button, colour::raised);
+    p.setColor(QPalette::ButtonText, colour::text);
+    p.setColor(QPalette::BrightText, colour::bright);
+    p.setColor(QPalette::ToolTipBase, colour::raised);
+    p.setColor(QPalette::ToolTipText, colour::text);
+    p.setColor(QPalette::Highlight, colour::strongLine);
+    p.setColor(QPalette::HighlightedText, colour::bright);
+    p.setColor(QPalette::Link, colour::armed);
+    p.setColor(QPalette::Disabled, QPalette::ButtonText, colour::stale);
+    p.setColor(QPalette::Disabled, QPalette::WindowText, colour::stale);
+    p.setColor(QPalette::Disabled, QPalette::Text, colour::stale);
+    return p;
+}
+
+} // namespace
+
+double scaleFor(const QSize& window)
+{
+    return std::min(double(window.width()) / referenceWidth, double(window.height()) / referenceHeight);
+}
+
+QFont font(TextRole role, double scale)
+{
+    const Face& face = faces.at(std::size_t(role));
+    QFont f(QStringLiteral("Inter"));
+    f.setStyleHint(QFont::SansSerif);
+    f.setPixelSize(std::max(face.least, int(std::lround(face.reference * scale))));
+    f.setWeight(face.weight);
+    return f;
+}
+
+double scaleOf(const QWidget* widget)
+{
+    const QVariant scale = widget->window()->property(scaleProperty);
+    return scale.isValid() ? scale.toDouble() : 1.0;
+}
+
+void setTextRole(QWidget* widget, TextRole role)
+{
+    widget->setProperty(roleProperty, int(role));
+    widget->setFont(font(role, scaleOf(widget)));
+}
+
+void applyScale(QWidget* root, double scale)
+{
+    root->window()->setProperty(scaleProperty, scale);
+    const auto fit = [scale](QWidget* widget) {
+        const QVariant role = widget->property(roleProperty);
+        if (role.isValid())
+            widget->setFont(font(TextRole(role.toInt()), scale));
+        widget->updateGeometry();
+    };
+    fit(root);
+    const auto children = root->findChildren<QWidget*>();
+    for (QWidget* child : children)
+        fit(child);
+}
+
+int px(const QWidget* widget, double length) { return length <= 0 ? 0 : std::max(1, int(std::lround(length * scaleOf(widget)))); }
+
+void apply(QApplication& application)
+{
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setFont(font(TextRole::Body, 0.75));
+    QApplication::setPalette(darkPalette());
+    QFile sheet(QStringLiteral(":/liena/styles/cockpit.qss"));
+    if (sheet.open(QIODevice::ReadOnly))
+        application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
+}
+
+double contrast(const QColor& a, const QColor& b)
+{
+    const double x = luminance(a) + 0.05;
+    const double y = luminance(b) + 0.05;
+    return std::max(x, y) / std::min(x, y);
+}
+
+} // namespace console::theme

@@ -1,0 +1,171 @@
+// Measures the way of a picture to the screen: decoding, window and level, paint, and the whole pipeline at a given rate.
+#include "imaging/frame_decoder.hpp"
+#include "imaging/frame_pipeline.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/scene_view.hpp"
+#include "model/picture_state.hpp"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include <charls/charls.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <thread>
+#include <vector>
+
+using namespace console;
+
+namespace {
+
+struct Kind {
+    const char* name;
+    int edge;
+    int bits;
+    PixelEncoding encoding;
+    int framesPerSecond;
+};
+
+// A smooth picture with the noise of few quanta, as fluoroscopy has.
+std::vector<std::byte> filmBytes(const Kind& kind)
+{
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0, 0.01);
+    const double largest = (1 << kind.bits) - 1;
+    std::vector<std::byte> raw;
+    for (int y = 0; y < kind.edge; ++y)
+        for (int x = 0; x < kind.edge; ++x) {
+            const double share = 0.5 + 0.3 * std::sin(x / 90.0) * std::cos(y / 70.0) + noise(random);
+            const auto value = static_cast<unsigned>(std::clamp(share, 0.0, 1.0) * largest);
+            raw.push_back(static_cast<std::byte>(value & 0xFFU));
+            if (kind.bits > 8)
+                raw.push_back(static_cast<std::byte>(value >> 8U));
+        }
+    if (kind.encoding == PixelEncoding::Raw)
+        return raw;
+    charls::jpegls_encoder encoder;
+    const auto edge = static_cast<std::uint32_t>(kind.edge);
+    encoder.frame_info({edge, edge, kind.bits, 1});
+    std::vector<std::byte> bytes(encoder.estimated_destination_size());
+    encoder.destination(bytes.data(), bytes.size());
+    bytes.resize(encoder.encode(raw.data(), raw.size()));
+    return bytes;
+}
+
+XrayFrame filmFrame(const Kind& kind)
+{
+    const auto bytes = std::make_shared<const std::vector<std::byte>>(filmBytes(kind));
+    XrayFrame frame;
+    frame.rows = frame.columns = kind.edge;
+    frame.bitsStored = kind.bits;
+    frame.encoding = kind.encoding;
+    frame.source = PictureSource::Simulated;
+    frame.windowCentre = 1 << (kind.bits - 1);
+    frame.windowWidth = 1 << kind.bits;
+    frame.imagerPixelSpacing = 300.0 / kind.edge;
+    frame.geometry.sourceDetectorDistance = 1100;
+    frame.geometry.sourceObjectDistance = 750;
+    frame.owner = bytes;
+    frame.pixels = *bytes;
+    return frame;
+}
+
+// The median of `rounds` runs, ms.
+double median(int rounds, const std::function<void()>& work)
+{
+    std::vector<double> times;
+    for (int round = 0; round < rounds; ++round) {
+        const Instant begun = std::chrono::steady_clock::now();
+        work();
+        times.push_back(milliseconds(std::chrono::steady_clock::now() - begun));
+    }
+    std::nth_element(times.begin(), times.begin() + rounds / 2, times.end());
+    return times[static_cast<std::size_t>(rounds / 2)];
+}
+
+void measureStages(const Kind& kind)
+{
+    const XrayFrame frame = filmFrame(kind);
+    cv::Mat stored;
+    const double decode = median(31, [&] { decodeFrame(frame, stored); });
+    WindowLevelTable table;
+    table.prepare({frame.windowCentre, frame.windowWidth}, Polarity::LowIsBlack);
+    DisplayPicture picture;
+    picture.about = frame;
+    const double window = median(31, [&] { picture.image = table.apply(stored); });
+    PictureState state;
+    LiveImageView view(state);
+    view.resize(1136, 1136);
+    view.show();
+    view.showPicture(picture);
+    QImage screen(view.size(), QImage::Format_RGB32);
+    const double paint = median(31, [&] { view.render(&screen); });
+    std::printf("%-26s decode %6.2f ms  window %5.2f ms  paint to 1136 x 1136 %6.2f ms\n", kind.name, decode, window, paint);
+}
+
+// Frames at their rate from another thread, with the three-dimensional scene beside it, for some seconds.
+void measureWhole(const Kind& kind, std::chrono::milliseconds span)
+{
+    PictureState state;
+    LiveImageView view(state);
+    SceneView scene;
+    FramePipeline pipeline;
+    QObject::connect(&pipeline, &FramePipeline::pictureReady, &view, &LiveImageView::showPicture);
+    QObject::connect(&pipeline, &FramePipeline::pictureReady, &scene, &SceneView::showPicture);
+    std::vector<double> ages;
+    QObject::connect(&view, &LiveImageView::picturePainted, &view,
+                     [&](quint32, std::optional<double> age) { ages.push_back(age.value_or(0)); });
+    view.resize(1136, 1136);
+    scene.resize(562, 562);
+    view.show();
+    scene.show();
+    const XrayFrame film = filmFrame(kind);
+    const Instant begun = std::chrono::steady_clock::now();
+    std::thread sender([&] {
+        const auto period = std::chrono::nanoseconds(std::chrono::seconds(1)) / kind.framesPerSecond;
+        Instant due = begun;
+        for (quint32 number = 1; due < begun + span; ++number, due += period) {
+            std::this_thread::sleep_until(due);
+            auto frame = std::make_shared<XrayFrame>(film);
+            frame->frame = number;
+            frame->arrival = std::chrono::steady_clock::now();
+            frame->ageAtArrival = Duration::zero();
+            pipeline.showFrame(std::move(frame));
+        }
+    });
+    QTimer::singleShot(span + std::chrono::milliseconds(300), qApp, &QApplication::quit);
+    QApplication::exec();
+    sender.join();
+    const FrameCounts counts = pipeline.counts();
+    std::sort(ages.begin(), ages.end());
+    const double p50 = ages.empty() ? 0 : ages[ages.size() / 2];
+    const double p99 = ages.empty() ? 0 : ages[ages.size() * 99 / 100];
+    std::printf(
+        "%-26s sent %llu at %d/s  painted %zu = %.1f fps  replaced %llu + %llu  arrival to paint p50 %.1f p99 %.1f ms  scene %llu\n",
+        kind.name, static_cast<unsigned long long>(counts.received), kind.framesPerSecond, ages.size(),
+        static_cast<double>(ages.size()) / seconds(span), static_cast<unsigned long long>(counts.replacedBeforeDecoding),
+        static_cast<unsigned long long>(counts.replacedBeforeShowing), p50, p99, static_cast<unsigned long long>(scene.drawings()));
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    const QApplication application(argc, argv);
+    const std::vector<Kind> kinds{
+        {"512 x 512, 8 bit, raw", 512, 8, PixelEncoding::Raw, 30},
+        {"512 x 512, 8 bit, jpeg-ls", 512, 8, PixelEncoding::JpegLs, 30},
+        {"1024 x 1024, 16 bit, raw", 1024, 16, PixelEncoding::Raw, 15},
+        {"1024 x 1024, 12 bit, jpeg-ls", 1024, 12, PixelEncoding::JpegLs, 15},
+        {"1024 x 1024, 16 bit, jpeg-ls", 1024, 16, PixelEncoding::JpegLs, 15},
+    };
+    for (const Kind& kind : kinds)
+        measureStages(kind);
+    for (const Kind& kind : kinds)
+        measureWhole(kind, std::chrono::seconds(4));
+    return 0;
+}

@@ -1,0 +1,104 @@
+// Paints the cockpit in its main states with invented values into PNG files: `cockpit_gallery <folder>`.
+#include "editor/topology_canvas.hpp"
+#include "editor/topology_view.hpp"
+#include "invented_cockpit.hpp"
+#include "widgets/cockpit_window.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QDir>
+#include <QPainter>
+#include <QTest>
+
+#include <cstdio>
+#include <functional>
+
+namespace {
+
+using console::CockpitWindow;
+using console::test::InventedCockpit;
+
+/// Stands where the live image is: a grey field with a word, so that nobody takes the gallery for a patient.
+class Stand : public QWidget {
+public:
+    explicit Stand(const QString& text) : m_text(text) { setAccessibleName(text); }
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        QLinearGradient shade(0, 0, width(), height());
+        shade.setColorAt(0, QColor(58, 58, 58));
+        shade.setColorAt(1, QColor(120, 120, 120));
+        painter.fillRect(rect(), shade);
+        painter.setPen(Qt::white);
+        painter.drawText(rect(), Qt::AlignCenter, m_text);
+    }
+
+private:
+    QString m_text;
+};
+
+struct State {
+    const char* name;
+    std::function<void(InventedCockpit&, CockpitWindow&)> bring;
+};
+
+std::vector<State> states()
+{
+    return {
+        {"idle", [](InventedCockpit&, CockpitWindow&) {}},
+        {"open", [](InventedCockpit& c, CockpitWindow&) { c.openAll(); }},
+        {"armed", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(); }},
+        {"engaged", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(); }},
+        {"frozen", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.freezePicture(); }},
+        {"standby", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.loseXray(), c.loseRobot(); }},
+        {"topology",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), c.loseXray();
+             c.models.incidents.setFolded(0xf1a9, true);
+             w.showView(console::View::Topology);
+         }},
+    };
+}
+
+bool paint(const State& state, const QSize& size, const QDir& folder)
+{
+    InventedCockpit cockpit;
+    CockpitWindow window(cockpit.models);
+    window.setLiveView(new Stand(QStringLiteral("INVENTED: live image")));
+    window.setSceneView(new Stand(QStringLiteral("INVENTED: 3-D scene")));
+    auto* mini = new console::TopologyCanvas(cockpit.models.sessions, console::TopologyCanvas::Size::Mini);
+    auto* topology = new console::TopologyView(cockpit.models.sessions);
+    window.setMiniTopology(mini);
+    window.setTopologyView(topology);
+    window.setKeyLegend(QStringLiteral(
+        "D dead-man \u00B7 F X-ray \u00B7 C clutch \u00B7 R arm \u00B7 \u2191 \u2193 \u2190 \u2192 guidewire \u00B7 I K J L catheter"));
+    window.resize(size);
+    window.show();
+    if (!QTest::qWaitForWindowActive(&window))
+        return false;
+    state.bring(cockpit, window);
+    QTest::qWait(250);
+    cockpit.renew();
+    window.refresh(cockpit.now);
+    const QString file = folder.filePath(QStringLiteral("%1_%2.png").arg(QString::fromLatin1(state.name)).arg(size.height()));
+    return window.grab().save(file);
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    QApplication application(argc, argv);
+    console::theme::apply(application);
+    const QDir folder(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QDir::currentPath());
+    const QString only = argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString();
+    for (const State& state : states())
+        for (const QSize& size : {QSize(2560, 1440), QSize(1920, 1080), QSize(1366, 768)})
+            if ((only.isEmpty() || only == QLatin1String(state.name)) && !paint(state, size, folder)) {
+                std::fprintf(stderr, "%s: cannot be painted into %s\n", state.name, qPrintable(folder.path()));
+                return 1;
+            }
+    return 0;
+}

@@ -1,0 +1,230 @@
+// ARM, the pedal and the emergency stop under a person's hands.
+#include "cockpit_stage.hpp"
+#include "widgets/hold_button.hpp"
+#include "widgets/stop_button.hpp"
+
+#include <QSignalSpy>
+
+using namespace console;
+using namespace console::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// The window's ARM drives a real permit, on a clock of the test's own.
+struct Arming : CockpitStage {
+    Instant clock = cockpit.now;
+    bool asked = false;
+
+    Arming()
+    {
+        cockpit.openAll();
+        tell(PermitEventKind::RobotReported);
+        QObject::connect(&window, &CockpitWindow::armHoldChanged, &window,
+                         [this](bool held) { tell(held ? PermitEventKind::ArmPressed : PermitEventKind::ArmReleased); });
+    }
+
+    void tell(PermitEventKind kind)
+    {
+        PermitEvent event;
+        event.kind = kind;
+        event.robot = RobotState::Ready;
+        event.holdConfirmed = true;
+        event.permit = permitNumber;
+        asked = cockpit.models.permit.apply(event, clock).requestArm || asked;
+    }
+
+    void pass(Duration time)
+    {
+        clock += time;
+        tell(PermitEventKind::Tick);
+        refresh();
+    }
+
+    PermitPhase phase() const { return cockpit.models.permit.phase(); }
+    HoldButton* arm() const { return named<HoldButton>(QStringLiteral("Arm: hold for one and a half seconds")); }
+};
+
+} // namespace
+
+class TestArming : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void holdingArmAsksTheRobot()
+    {
+        Arming stage;
+        QVERIFY(stage.ready());
+        stage.refresh();
+        QCOMPARE(stage.phase(), PermitPhase::Ready);
+        QTest::mousePress(stage.arm(), Qt::LeftButton);
+        QCOMPARE(stage.phase(), PermitPhase::Arming);
+        stage.pass(1400ms);
+        QVERIFY(!stage.asked);
+        stage.pass(200ms);
+        QVERIFY(stage.asked);
+        QTest::mouseRelease(stage.arm(), Qt::LeftButton);
+    }
+
+    void clickNeverArms()
+    {
+        Arming stage;
+        QVERIFY(stage.ready());
+        stage.refresh();
+        QTest::mouseClick(stage.arm(), Qt::LeftButton);
+        stage.pass(5s);
+        QCOMPARE(stage.phase(), PermitPhase::Ready);
+        QVERIFY(!stage.asked);
+    }
+
+    void doubleClickHeldDownNeverArms()
+    {
+        Arming stage;
+        QVERIFY(stage.ready());
+        stage.refresh();
+        QTest::mouseClick(stage.arm(), Qt::LeftButton);
+        QMouseEvent second(QEvent::MouseButtonDblClick, QPointF(20, 20), stage.arm()->mapToGlobal(QPointF(20, 20)), Qt::LeftButton,
+                           Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(stage.arm(), &second);
+        stage.pass(5s);
+        QCOMPARE(stage.phase(), PermitPhase::Ready);
+        QVERIFY(!stage.asked);
+    }
+
+    void keysNeverArm_data()
+    {
+        QTest::addColumn<int>("key");
+        QTest::newRow("Enter") << int(Qt::Key_Enter);
+        QTest::newRow("Return") << int(Qt::Key_Return);
+        QTest::newRow("Space") << int(Qt::Key_Space);
+        QTest::newRow("Select") << int(Qt::Key_Select);
+    }
+
+    void keysNeverArm()
+    {
+        QFETCH(int, key);
+        Arming stage;
+        QVERIFY(stage.ready());
+        stage.refresh();
+        stage.arm()->setFocus();
+        QVERIFY(stage.arm()->hasFocus());
+        QSignalSpy held(&stage.window, &CockpitWindow::armHoldChanged);
+        QTest::keyPress(stage.arm(), Qt::Key(key));
+        stage.pass(5s);
+        QTest::keyRelease(stage.arm(), Qt::Key(key));
+        QCOMPARE(held.count(), 0);
+        QCOMPARE(stage.phase(), PermitPhase::Ready);
+    }
+
+    void lettingGoEndsTheHold_data()
+    {
+        QTest::addColumn<QString>("how");
+        for (const char* how : {"release", "pointer leaves", "hidden", "disabled", "window loses the screen"})
+            QTest::newRow(how) << QString::fromLatin1(how);
+    }
+
+    void lettingGoEndsTheHold()
+    {
+        QFETCH(QString, how);
+        HoldButton button;
+        button.setTexts(QStringLiteral("ARM"), QStringLiteral("hold"));
+        button.resize(200, 80);
+        button.show();
+        QVERIFY(QTest::qWaitForWindowActive(&button));
+        QSignalSpy held(&button, &HoldButton::holdChanged);
+        QTest::mousePress(&button, Qt::LeftButton);
+        QVERIFY(button.isHeld());
+        if (how == QLatin1String("release"))
+            QTest::mouseRelease(&button, Qt::LeftButton);
+        else if (how == QLatin1String("pointer leaves"))
+            QTest::mouseMove(&button, QPoint(500, 300));
+        else if (how == QLatin1String("hidden"))
+            button.hide();
+        else if (how == QLatin1String("disabled"))
+            button.setEnabled(false);
+        else {
+            QEvent lost(QEvent::WindowDeactivate);
+            QCoreApplication::sendEvent(&button, &lost);
+        }
+        QVERIFY(!button.isHeld());
+        QCOMPARE(held.count(), 2);
+        QCOMPARE(held.last().first().toBool(), false);
+    }
+
+    void armIsNotOfferedBeforeReady()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.refresh();
+        auto* arm = stage.named<HoldButton>(QStringLiteral("Arm: hold for one and a half seconds"));
+        QSignalSpy held(&stage.window, &CockpitWindow::armHoldChanged);
+        QTest::mousePress(arm, Qt::LeftButton);
+        QTest::mouseRelease(arm, Qt::LeftButton);
+        QCOMPARE(held.count(), 0);
+    }
+
+    void pedalIsDownWhileHeld()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto* pedal = stage.named<HoldButton>(QStringLiteral("X-ray pedal: fluoroscopy while held"));
+        QSignalSpy changed(&stage.window, &CockpitWindow::pedalChanged);
+        QTest::mousePress(pedal, Qt::LeftButton);
+        QCOMPARE(changed.takeFirst().first().toBool(), true);
+        QTest::mouseRelease(pedal, Qt::LeftButton);
+        QCOMPARE(changed.takeFirst().first().toBool(), false);
+    }
+
+    void emergencyStopActsAtThePress()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto* stop = stage.named<StopButton>(QStringLiteral("Emergency stop"));
+        QSignalSpy asked(&stage.window, &CockpitWindow::emergencyStopRequested);
+        QTest::mousePress(stop, Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+        QTest::mouseRelease(stop, Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+    }
+
+    void emergencyStopIsNeverDisabled()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto* stop = stage.named<StopButton>(QStringLiteral("Emergency stop"));
+        QVERIFY(stop->isEnabled());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        QVERIFY(stop->isEnabled() && stop->isVisible());
+    }
+
+    void resetOfTheStopIsOfferedOnlyThen()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        const QString name = QStringLiteral("Reset the emergency stop: hold for one and a half seconds");
+        stage.cockpit.openAll();
+        stage.refresh();
+        QVERIFY(!stage.named<HoldButton>(name));
+        RobotStatus stopped = stage.cockpit.status(RobotState::EmergencyStop);
+        stopped.emergencyStopToken = 99;
+        stage.cockpit.models.instrument.receiveRobot(stopped, std::chrono::steady_clock::now());
+        stage.refresh();
+        auto* reset = stage.named<HoldButton>(name);
+        QVERIFY(reset);
+        QSignalSpy asked(&stage.window, &CockpitWindow::emergencyStopResetRequested);
+        QTest::mouseClick(reset, Qt::LeftButton);
+        stage.window.refresh(std::chrono::steady_clock::now() + 3s);
+        QCOMPARE(asked.count(), 0);
+        QTest::mousePress(reset, Qt::LeftButton);
+        stage.window.refresh(std::chrono::steady_clock::now() + 2s);
+        stage.window.refresh(std::chrono::steady_clock::now() + 3s);
+        QCOMPARE(asked.count(), 1);
+        QTest::mouseRelease(reset, Qt::LeftButton);
+    }
+};
+
+QTEST_MAIN(TestArming)
+#include "test_arming.moc"

@@ -1,0 +1,214 @@
+// The diagnosis prompt: when it comes, what Enter may do, where it lies, and that it never vanishes.
+#include "cockpit_stage.hpp"
+#include "widgets/alarm_band.hpp"
+#include "widgets/diagnosis_sheet.hpp"
+#include "widgets/sheet_button.hpp"
+
+#include <QLabel>
+#include <QSignalSpy>
+
+using namespace console;
+using namespace console::test;
+
+namespace {
+
+SheetButton* button(const CockpitStage& stage, const QString& text)
+{
+    for (SheetButton* candidate : stage.window.findChildren<SheetButton*>())
+        if (candidate->isVisible() && candidate->text() == text)
+            return candidate;
+    return nullptr;
+}
+
+DiagnosisSheet* sheet(const CockpitStage& stage) { return stage.window.findChild<DiagnosisSheet*>(); }
+
+bool says(const QWidget* widget, const QString& words)
+{
+    for (const QLabel* label : widget->findChildren<QLabel*>())
+        if (label->isVisible() && label->text().contains(words))
+            return true;
+    return false;
+}
+
+} // namespace
+
+class TestDiagnosisSheet : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void comesWithTheIncidentAndAsksForChecks()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        QVERIFY(!sheet(stage)->isVisible());
+        stage.cockpit.loseRobot();
+        QVERIFY(sheet(stage)->isVisible());
+        QCOMPARE(QApplication::focusWidget(), button(stage, QStringLiteral("Run checks")));
+        QVERIFY(says(sheet(stage), QStringLiteral("Vascular robot link lost")));
+        QVERIFY(says(sheet(stage), QStringLiteral("NOT CONFIRMED")));
+    }
+
+    void enterRunsChecksAndNeverReopens()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        QSignalSpy probe(&stage.window, &CockpitWindow::probeRequested);
+        QSignalSpy reopen(&stage.window, &CockpitWindow::reopenRequested);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(probe.count(), 1);
+        QCOMPARE(probe.first().first().toUInt(), robotId);
+        SheetButton* open = button(stage, QStringLiteral("Re-open channel"));
+        open->setFocus();
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
+            QTest::keyClick(open, key);
+        QCOMPARE(reopen.count(), 0);
+    }
+
+    void clickReopens()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        QSignalSpy reopen(&stage.window, &CockpitWindow::reopenRequested);
+        QSignalSpy armed(&stage.window, &CockpitWindow::armHoldChanged);
+        QTest::mouseClick(button(stage, QStringLiteral("Re-open channel")), Qt::LeftButton);
+        QCOMPARE(reopen.count(), 1);
+        QCOMPARE(reopen.first().first().toUInt(), robotId);
+        QCOMPARE(armed.count(), 0);
+    }
+
+    void liesOverReferenceAndSceneOnly_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        QTest::newRow("reference") << QSize(2560, 1440);
+        QTest::newRow("full HD") << QSize(1920, 1080);
+        QTest::newRow("small") << QSize(1366, 768);
+    }
+
+    void liesOverReferenceAndSceneOnly()
+    {
+        QFETCH(QSize, screen);
+        CockpitStage stage(screen);
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        const QRect allowed = stage.window.regionGeometry(Region::Sheet);
+        for (int i = 0; i < 12; ++i) {
+            QVERIFY(allowed.contains(stage.seen(sheet(stage))) || stage.seen(sheet(stage)).isEmpty());
+            QTest::qWait(20);
+        }
+        QTRY_COMPARE(stage.seen(sheet(stage)), allowed);
+        QCOMPARE(stage.seen(stage.live), stage.window.regionGeometry(Region::Live));
+    }
+
+    void foldsToAChipAndComesBack()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        QTest::mouseClick(button(stage, QStringLiteral("Fold")), Qt::LeftButton);
+        QVERIFY(!sheet(stage)->isVisible());
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(&stage.window));
+        stage.refresh();
+        const auto* band = stage.window.findChild<AlarmBand*>();
+        QPushButton* chip = nullptr;
+        for (QPushButton* candidate : band->findChildren<QPushButton*>())
+            if (candidate->isVisible() && candidate->text().contains(QStringLiteral("link lost")))
+                chip = candidate;
+        QVERIFY(chip);
+        QTest::mouseClick(chip, Qt::LeftButton);
+        QVERIFY(sheet(stage)->isVisible());
+    }
+
+    void robotsLossComesBeforeOthers()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseXray(1);
+        stage.refresh();
+        QCOMPARE(sheet(stage)->incident(), quint64(1));
+        stage.cockpit.loseRobot(2);
+        stage.refresh();
+        QCOMPARE(sheet(stage)->incident(), quint64(2));
+        QVERIFY(button(stage, QStringLiteral("Re-open all lost (2)")));
+    }
+
+    void staysUntilTheIncidentEnds()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot(5);
+        stage.window.showView(View::Topology);
+        stage.window.showView(View::Cockpit);
+        stage.window.setFocus();
+        QTest::mouseClick(stage.live, Qt::LeftButton);
+        QVERIFY(sheet(stage)->isVisible());
+        stage.cockpit.models.incidents.end(5);
+        QVERIFY(!sheet(stage)->isVisible());
+    }
+
+    void givingUpAsksOnceMore()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot(5);
+        stage.refresh();
+        QSignalSpy dismiss(&stage.window, &CockpitWindow::dismissRequested);
+        QTest::mouseClick(button(stage, QStringLiteral("Give up link\u2026")), Qt::LeftButton);
+        QCOMPARE(dismiss.count(), 0);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QCOMPARE(dismiss.count(), 0);
+        QTest::mouseClick(button(stage, QStringLiteral("Give up link\u2026")), Qt::LeftButton);
+        QTest::mouseClick(button(stage, QStringLiteral("Give up link")), Qt::LeftButton);
+        QCOMPARE(dismiss.count(), 1);
+        QCOMPARE(dismiss.first().first().toULongLong(), quint64(5));
+    }
+
+    void flapsAreCounted()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        for (quint64 id = 1; id <= 3; ++id) {
+            stage.cockpit.loseRobot(id);
+            if (id < 3)
+                stage.cockpit.models.incidents.end(id);
+        }
+        stage.refresh();
+        QVERIFY(says(sheet(stage), QStringLiteral("3rd time in 2 min")));
+    }
+
+    void timeRuns()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        const Instant lost = stage.cockpit.now - std::chrono::seconds(12);
+        stage.window.refresh(lost + std::chrono::seconds(20));
+        QVERIFY(says(sheet(stage), QStringLiteral("0:20")));
+        stage.window.refresh(lost + std::chrono::seconds(21));
+        QVERIFY(says(sheet(stage), QStringLiteral("0:21")));
+    }
+
+    void markUpFromAPeerStaysText()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        for (const QLabel* label : stage.window.findChildren<QLabel*>())
+            QCOMPARE(label->textFormat(), Qt::PlainText);
+    }
+};
+
+QTEST_MAIN(TestDiagnosisSheet)
+#include "test_diagnosis_sheet.moc"

@@ -1,0 +1,122 @@
+// The palette's contrast, the fonts' sizes, and figures that do not jump.
+#include "widgets/figures.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QFontInfo>
+#include <QPainter>
+#include <QTest>
+
+using namespace console;
+namespace colour = console::theme::colour;
+using theme::TextRole;
+
+class TestTheme : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void textIsReadable_data()
+    {
+        QTest::addColumn<QColor>("ink");
+        QTest::addColumn<QColor>("surface");
+        QTest::addColumn<double>("least");
+        const QColor surfaces[] = {colour::background, colour::panel, colour::raised};
+        for (const QColor& surface : surfaces) {
+            const auto on = [&](const char* ink) {
+                return QStringLiteral("%1 on %2").arg(QString::fromLatin1(ink), surface.name()).toUtf8();
+            };
+            QTest::newRow(on("bright")) << QColor(colour::bright) << surface << 4.5;
+            QTest::newRow(on("text")) << QColor(colour::text) << surface << 4.5;
+            QTest::newRow(on("secondary")) << QColor(colour::secondary) << surface << 4.5;
+            QTest::newRow(on("armed")) << QColor(colour::armed) << surface << 4.5;
+            QTest::newRow(on("medium")) << QColor(colour::medium) << surface << 4.5;
+            QTest::newRow(on("low")) << QColor(colour::low) << surface << 4.5;
+            QTest::newRow(on("x-ray")) << QColor(colour::xray) << surface << 4.5;
+            QTest::newRow(on("stale, large text only")) << QColor(colour::stale) << surface << 3.0;
+        }
+        QTest::newRow("white on high") << QColor(Qt::white) << QColor(colour::highSurface) << 4.5;
+        QTest::newRow("white on acknowledged high") << QColor(Qt::white) << QColor(colour::highSurfaceDim) << 4.5;
+        QTest::newRow("white on acknowledged medium") << QColor(Qt::white) << QColor(colour::mediumSurfaceDim) << 4.5;
+        QTest::newRow("dark on medium") << QColor(colour::onAlarm) << QColor(colour::medium) << 4.5;
+        QTest::newRow("dark on low") << QColor(colour::onAlarm) << QColor(colour::low) << 4.5;
+        QTest::newRow("dark on armed") << QColor(colour::onAlarm) << QColor(colour::armed) << 4.5;
+        QTest::newRow("armed on its surface") << QColor(colour::armed) << QColor(colour::armedSurface) << 4.5;
+        QTest::newRow("dark on x-ray") << QColor(colour::onAlarm) << QColor(colour::xray) << 4.5;
+    }
+
+    void textIsReadable()
+    {
+        QFETCH(QColor, ink);
+        QFETCH(QColor, surface);
+        QFETCH(double, least);
+        QVERIFY2(theme::contrast(ink, surface) >= least, qPrintable(QString::number(theme::contrast(ink, surface))));
+    }
+
+    void contrastIsTheOneOfWcag()
+    {
+        QCOMPARE(qRound(theme::contrast(Qt::white, Qt::black)), 21);
+        QCOMPARE(qRound(10 * theme::contrast(colour::text, colour::background)), 118);
+    }
+
+    void sizesAreThoseOfTheReference()
+    {
+        QVERIFY(theme::font(TextRole::Caption, 1).pixelSize() >= 16);
+        QVERIFY(theme::font(TextRole::Body, 1).pixelSize() >= 16);
+        QVERIFY(theme::font(TextRole::Value, 1).pixelSize() >= 24);
+        QVERIFY(theme::font(TextRole::Alarm, 1).pixelSize() >= 32);
+        QVERIFY(theme::font(TextRole::Permit, 1).pixelSize() >= 32);
+    }
+
+    void smallScreensKeepALeastSize() { QVERIFY(theme::font(TextRole::Caption, 0.1).pixelSize() >= 11); }
+
+    void scaleIsTheSmallerFraction()
+    {
+        QCOMPARE(theme::scaleFor({2560, 1440}), 1.0);
+        QCOMPARE(theme::scaleFor({1920, 1440}), 0.75);
+    }
+
+    void interIsTheFace() { QCOMPARE(QFontInfo(theme::font(TextRole::Body, 1)).family(), QStringLiteral("Inter")); }
+
+    void figuresAllTakeTheSameRoom()
+    {
+        const QFontMetricsF metrics(theme::font(TextRole::Value, 1));
+        QCOMPARE(figuresWidth(metrics, QStringLiteral("111.1 mm")), figuresWidth(metrics, QStringLiteral("888.8 mm")));
+        QVERIFY(metrics.horizontalAdvance(QStringLiteral("111")) < metrics.horizontalAdvance(QStringLiteral("888")));
+    }
+
+    void unknownIsADash_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::newRow("not a number") << std::numeric_limits<double>::quiet_NaN();
+        QTest::newRow("infinite") << std::numeric_limits<double>::infinity();
+    }
+
+    void unknownIsADash()
+    {
+        QFETCH(double, value);
+        QVERIFY(figure(value, 1, QStringLiteral("mm")).startsWith(QChar(0x2014)));
+        QVERIFY(figure(std::nullopt, 1, QStringLiteral("mm")).startsWith(QChar(0x2014)));
+    }
+
+    void agesAreSpoken_data()
+    {
+        QTest::addColumn<qint64>("ms");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("milliseconds") << qint64(84) << QStringLiteral("84\u00A0ms");
+        QTest::newRow("seconds") << qint64(2400) << QStringLiteral("2.4\u00A0s");
+        QTest::newRow("minutes") << qint64(187000) << QStringLiteral("3:07");
+        QTest::newRow("hours") << qint64(3729000) << QStringLiteral("1:02:09");
+        QTest::newRow("never negative") << qint64(-5) << QStringLiteral("0\u00A0ms");
+    }
+
+    void agesAreSpoken()
+    {
+        QFETCH(qint64, ms);
+        QFETCH(QString, words);
+        QCOMPARE(spokenAge(std::chrono::milliseconds(ms)), words);
+    }
+};
+
+QTEST_MAIN(TestTheme)
+#include "test_theme.moc"

@@ -1,0 +1,398 @@
+// Tests of the live picture, pixel by pixel: what was sent is what is shown, and what is not live cannot look live.
+#include "imaging/frame_pipeline.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/picture_overlay.hpp"
+#include "sample_frames.hpp"
+
+#include <turbojpeg.h>
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace console;
+
+namespace {
+
+constexpr QSize frameSize(640, 520);
+
+// A view under a clock that only the test moves, showing pictures that went through the whole pipeline.
+struct Pane {
+    Pane()
+    {
+        view.setClock([this] { return now; });
+        state.setLinkUp(true);
+        state.expect(15, now);
+        view.resize(frameSize + QSize(2 * hatchWidth, 2 * hatchWidth));
+        QObject::connect(&pipeline, &FramePipeline::pictureReady, &view, &LiveImageView::showPicture);
+        QObject::connect(&pipeline, &FramePipeline::pictureRefused, &view, &LiveImageView::showRefusal);
+        view.show();
+    }
+
+    // Sends a frame that arrives now, and waits until it is delivered.
+    bool send(const std::shared_ptr<XrayFrame>& frame)
+    {
+        frame->arrival = now;
+        const quint64 before = pipeline.counts().shown;
+        pipeline.showFrame(frame);
+        return QTest::qWaitFor([&] { return pipeline.counts().shown > before; });
+    }
+
+    bool send(quint32 number) { return send(samples::frame(number, frameSize, 12, PixelEncoding::Raw)); }
+
+    QImage grab() { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
+
+    Instant now = std::chrono::steady_clock::now();
+    PictureState state;
+    LiveImageView view{state};
+    FramePipeline pipeline;
+};
+
+std::vector<std::uint16_t> decodedJpeg(const XrayFrame& frame)
+{
+    const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
+    std::vector<unsigned char> grey(static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns));
+    if (tjDecompress2(decoder.get(), reinterpret_cast<const unsigned char*>(frame.pixels.data()),
+                      static_cast<unsigned long>(frame.pixels.size()), grey.data(), frame.columns, frame.columns, frame.rows, TJPF_GRAY,
+                      TJFLAG_ACCURATEDCT) != 0)
+        return {};
+    return {grey.begin(), grey.end()};
+}
+
+// Calls `check` with each pixel of the picture that no mark covers; returns how many there are.
+template <typename Check>
+int forEachPicturePixel(const Pane& pane, Check check)
+{
+    const QRect area = pane.view.pictureRect();
+    const QRegion picture = QRegion(area) - pane.view.overlayRegion();
+    int count = 0;
+    for (const QRect& part : picture)
+        for (int y = part.top(); y <= part.bottom(); ++y)
+            for (int x = part.left(); x <= part.right(); ++x, ++count)
+                check(x, y, x - area.left(), y - area.top());
+    return count;
+}
+
+int differingPixels(const QImage& a, const QImage& b, const QRect& area)
+{
+    int differing = 0;
+    for (int y = area.top(); y <= area.bottom(); ++y)
+        for (int x = area.left(); x <= area.right(); ++x)
+            differing += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    return differing;
+}
+
+} // namespace
+
+class TestLiveImage : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void showsExactlyWhatWasSent_data();
+    void showsExactlyWhatWasSent();
+    void keepsTheShapeOfThePicture();
+    void tellsPaintedFrameAndAgeOnce();
+    void movesLivenessMarkOnlyForNewFrame();
+    void looksFrozenWhenPicturesStop();
+    void becomesFrozenWithoutAnyEvent();
+    void countsFrozenSeconds();
+    void tellsLastImageHoldFromFrozen();
+    void saysWhenAgeIsUnknown();
+    void showsSourceOfEveryPicture();
+    void showsNoScaleAndNoSidesWithoutGeometry();
+    void showsHonestTextWithoutPicture();
+    void showsRefusalUntilNextPicture();
+    void writesAgeLine_data();
+    void writesAgeLine();
+};
+
+void TestLiveImage::showsExactlyWhatWasSent_data()
+{
+    QTest::addColumn<int>("bits");
+    QTest::addColumn<int>("encoding");
+    QTest::addColumn<int>("quality");
+    QTest::addColumn<int>("centre");
+    QTest::addColumn<int>("width");
+    QTest::addColumn<bool>("inverted");
+    const int raw = static_cast<int>(PixelEncoding::Raw);
+    const int jpegLs = static_cast<int>(PixelEncoding::JpegLs);
+    const int jpeg = static_cast<int>(PixelEncoding::Jpeg);
+    QTest::newRow("8 bits, raw") << 8 << raw << 0 << 128 << 256 << false;
+    QTest::newRow("8 bits, raw, narrow window") << 8 << raw << 0 << 90 << 41 << false;
+    QTest::newRow("8 bits, jpeg-ls") << 8 << jpegLs << 0 << 128 << 200 << false;
+    QTest::newRow("8 bits, jpeg") << 8 << jpeg << 90 << 128 << 200 << false;
+    QTest::newRow("12 bits, raw") << 12 << raw << 0 << 2048 << 4096 << false;
+    QTest::newRow("12 bits, jpeg-ls") << 12 << jpegLs << 0 << 1500 << 1001 << false;
+    QTest::newRow("12 bits, jpeg-ls, MONOCHROME1") << 12 << jpegLs << 0 << 1500 << 1001 << true;
+    QTest::newRow("16 bits, raw") << 16 << raw << 0 << 32768 << 65536 << false;
+    QTest::newRow("16 bits, jpeg-ls") << 16 << jpegLs << 0 << 30000 << 12345 << false;
+}
+
+void TestLiveImage::showsExactlyWhatWasSent()
+{
+    QFETCH(int, bits);
+    QFETCH(int, encoding);
+    QFETCH(int, quality);
+    QFETCH(int, centre);
+    QFETCH(int, width);
+    QFETCH(bool, inverted);
+    Pane pane;
+    const auto frame = samples::frame(1, frameSize, bits, static_cast<PixelEncoding>(encoding), quality);
+    frame->windowCentre = centre;
+    frame->windowWidth = width;
+    frame->photometric = inverted ? Photometric::Monochrome1 : Photometric::Monochrome2;
+    QVERIFY(pane.send(frame));
+    const QImage shown = pane.grab();
+    QCOMPARE(pane.view.pictureRect().size(), frameSize);
+    const auto values = frame->encoding == PixelEncoding::Jpeg ? decodedJpeg(*frame) : samples::storedValues(frameSize, bits);
+    int wrong = 0;
+    const int compared = forEachPicturePixel(pane, [&](int x, int y, int column, int row) {
+        const int grey = samples::linearGrey(values[static_cast<std::size_t>(row * frameSize.width() + column)], centre, width);
+        const int expected = inverted ? 255 - grey : grey;
+        wrong += shown.pixel(x, y) != qRgb(expected, expected, expected) ? 1 : 0;
+    });
+    QCOMPARE(wrong, 0);
+    QVERIFY(compared > frameSize.width() * frameSize.height() * 8 / 10);
+}
+
+void TestLiveImage::keepsTheShapeOfThePicture()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    pane.view.resize(900, 500);
+    const QRect area = pane.view.pictureRect();
+    QVERIFY(pane.view.rect().adjusted(hatchWidth, hatchWidth, -hatchWidth, -hatchWidth).contains(area));
+    const double shape = static_cast<double>(area.width()) / area.height();
+    QVERIFY(std::abs(shape - 640.0 / 520.0) < 0.01);
+    pane.view.resize(300, 900);
+    QCOMPARE(pane.view.pictureRect().width(), 300 - 2 * hatchWidth);
+}
+
+void TestLiveImage::tellsPaintedFrameAndAgeOnce()
+{
+    Pane pane;
+    std::vector<std::optional<double>> ages;
+    QObject::connect(&pane.view, &LiveImageView::picturePainted, &pane.view,
+                     [&ages](quint32, std::optional<double> age) { ages.push_back(age); });
+    QVERIFY(pane.send(5));
+    pane.now += std::chrono::milliseconds(64);
+    pane.grab();
+    pane.grab();
+    QCOMPARE(ages.size(), std::size_t(1));
+    QCOMPARE(ages.front(), std::optional(84.0)); // 20 ms on the way and 64 ms here
+    QCOMPARE(pane.state.paintedCount(), quint64(1));
+    QCOMPARE(pane.state.newest()->frame, 5U);
+}
+
+void TestLiveImage::movesLivenessMarkOnlyForNewFrame()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    const QImage first = pane.grab();
+    const QRect mark = pane.view.livenessRect();
+    QVERIFY(!mark.isEmpty());
+    QCOMPARE(differingPixels(first, pane.grab(), mark), 0);
+    QVERIFY(pane.send(1)); // the same frame once more
+    QCOMPARE(differingPixels(first, pane.grab(), mark), 0);
+    pane.now += std::chrono::seconds(2); // time alone moves nothing
+    QCOMPARE(differingPixels(first, pane.grab(), mark), 0);
+    QVERIFY(pane.send(2));
+    QVERIFY(differingPixels(first, pane.grab(), mark) > 0);
+    QCOMPARE(pane.state.paintedCount(), quint64(2));
+}
+
+void TestLiveImage::looksFrozenWhenPicturesStop()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    const QImage live = pane.grab();
+    const QRegion liveMarks = pane.view.overlayRegion();
+    QCOMPARE(pane.state.reading(pane.now).condition, PictureCondition::Live);
+    pane.now += std::chrono::seconds(1);
+    const QImage frozen = pane.grab();
+    QCOMPARE(pane.state.reading(pane.now).condition, PictureCondition::Frozen);
+
+    // 60 % of the picture, 40 % of the grey of stale things.
+    int wrong = 0;
+    const QColor veil = pane_colours::stale;
+    const auto mixed = [](int picture, int grey) { return 0.6 * picture + 0.4 * grey; };
+    forEachPicturePixel(pane, [&](int x, int y, int, int) {
+        if (liveMarks.contains(QPoint(x, y)))
+            return;
+        const QRgb was = live.pixel(x, y);
+        const QRgb is = frozen.pixel(x, y);
+        if (std::abs(qRed(is) - mixed(qRed(was), veil.red())) > 1.5 || std::abs(qGreen(is) - mixed(qGreen(was), veil.green())) > 1.5 ||
+            std::abs(qBlue(is) - mixed(qBlue(was), veil.blue())) > 1.5)
+            ++wrong;
+    });
+    QCOMPARE(wrong, 0);
+
+    // The frame, twelve pixels wide, is hatched: along it light and dark alternate, every twelve pixels, on every row of its width.
+    for (const int y : {0, hatchWidth / 2, hatchWidth - 1}) {
+        int light = 0;
+        int dark = 0;
+        for (int x = 0; x < pane.view.width(); ++x) {
+            const int grey = qGray(frozen.pixel(x, y));
+            light += grey > 150 ? 1 : 0;
+            dark += grey < 60 ? 1 : 0;
+        }
+        QVERIFY(light > pane.view.width() / 4);
+        QVERIFY(dark > pane.view.width() / 4);
+    }
+    // FROZEN and its time stand where nothing stood before.
+    QVERIFY(!(pane.view.overlayRegion() - liveMarks).isEmpty());
+}
+
+void TestLiveImage::becomesFrozenWithoutAnyEvent()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    pane.grab();
+    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("live")));
+    pane.now += std::chrono::seconds(1);
+    QTRY_VERIFY(pane.view.accessibleDescription().contains(QStringLiteral("frozen")));
+}
+
+void TestLiveImage::countsFrozenSeconds()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    pane.grab();
+    pane.now += std::chrono::seconds(1);
+    const QImage one = pane.grab();
+    const QRegion marks = pane.view.overlayRegion();
+    pane.now += std::chrono::seconds(3);
+    const QImage four = pane.grab();
+    int changed = 0;
+    for (const QRect& part : marks)
+        changed += differingPixels(one, four, part);
+    QVERIFY(changed > 0);
+}
+
+void TestLiveImage::tellsLastImageHoldFromFrozen()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    const QImage live = pane.grab();
+    pane.now += std::chrono::seconds(1);
+    const QImage frozen = pane.grab();
+    pane.state.expect(0, pane.now); // the pedal is up
+    const QImage held = pane.grab();
+    QCOMPARE(pane.state.reading(pane.now).condition, PictureCondition::Held);
+    const QRect ring(0, 0, pane.view.width(), hatchWidth);
+    QCOMPARE(differingPixels(live, held, ring), 0);
+    QVERIFY(differingPixels(frozen, held, ring) > 0);
+    QVERIFY(differingPixels(live, held, pane.view.pictureRect()) > 0); // the words
+    QVERIFY(differingPixels(frozen, held, pane.view.pictureRect()) > 0);
+    QVERIFY(pane.view.accessibleDescription().startsWith(QStringLiteral("Last image hold")));
+}
+
+void TestLiveImage::saysWhenAgeIsUnknown()
+{
+    Pane pane;
+    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+    frame->ageAtArrival.reset();
+    std::vector<std::optional<double>> ages;
+    QObject::connect(&pane.view, &LiveImageView::picturePainted, &pane.view,
+                     [&ages](quint32, std::optional<double> age) { ages.push_back(age); });
+    QVERIFY(pane.send(frame));
+    pane.grab();
+    QCOMPARE(ages, std::vector<std::optional<double>>{std::nullopt});
+    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("age is unknown")));
+}
+
+void TestLiveImage::showsSourceOfEveryPicture()
+{
+    Pane pane;
+    std::vector<QImage> shown;
+    quint32 number = 1;
+    for (const PictureSource source : {PictureSource::Live, PictureSource::Simulated, PictureSource::Recorded}) {
+        const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+        frame->frame = number++;
+        frame->source = source;
+        QVERIFY(pane.send(frame));
+        shown.push_back(pane.grab().copy(QRect(pane.view.pictureRect().topLeft(), QSize(220, 40))));
+    }
+    QVERIFY(shown[0] != shown[1]);
+    QVERIFY(shown[1] != shown[2]);
+    QVERIFY(shown[0] != shown[2]);
+}
+
+void TestLiveImage::showsNoScaleAndNoSidesWithoutGeometry()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    const QImage known = pane.grab();
+    const auto frame = samples::frame(2, frameSize, 12, PixelEncoding::Raw);
+    frame->geometry = {};
+    QVERIFY(pane.send(frame));
+    const QImage unknown = pane.grab();
+    const QRect area = pane.view.pictureRect();
+    const QRect rightEdge(area.right() - 40, area.center().y() - 20, 40, 40);
+    QVERIFY(differingPixels(known, unknown, rightEdge) > 0);
+    // Where the letter stood, there is the picture.
+    const auto values = samples::storedValues(frameSize, 12);
+    const QPoint inside = rightEdge.center() - area.topLeft();
+    const int grey = samples::linearGrey(values[static_cast<std::size_t>(inside.y() * frameSize.width() + inside.x())], 2048, 4096);
+    QCOMPARE(unknown.pixel(rightEdge.center()), qRgb(grey, grey, grey));
+}
+
+void TestLiveImage::showsHonestTextWithoutPicture()
+{
+    Pane pane;
+    const QImage empty = pane.grab();
+    QCOMPARE(pane.view.accessibleName(), QStringLiteral("Live X-ray image"));
+    QCOMPARE(pane.view.accessibleDescription(), QStringLiteral("No picture yet."));
+    QVERIFY(pane.view.pictureRect().isEmpty());
+    int textPixels = 0;
+    for (int y = 100; y < empty.height() - 100; ++y)
+        for (int x = 20; x < empty.width() - 20; ++x)
+            textPixels += qGray(empty.pixel(x, y)) > 120 ? 1 : 0;
+    QVERIFY(textPixels > 100);
+}
+
+void TestLiveImage::showsRefusalUntilNextPicture()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    const QImage good = pane.grab();
+    QSignalSpy refusals(&pane.pipeline, &FramePipeline::pictureRefused);
+    pane.pipeline.showFrame(samples::withBytes(*samples::frame(2, frameSize, 12, PixelEncoding::Raw), std::vector<std::byte>(3)));
+    QTRY_COMPARE(refusals.count(), 1);
+    const QImage refused = pane.grab();
+    QVERIFY(differingPixels(good, refused, pane.view.pictureRect()) > 0);
+    QCOMPARE(pane.state.paintedCount(), quint64(1));
+    const QRegion marks = pane.view.overlayRegion();
+    QVERIFY(pane.send(3));
+    pane.grab();
+    QVERIFY(!(marks - pane.view.overlayRegion()).isEmpty());
+}
+
+void TestLiveImage::writesAgeLine_data()
+{
+    QTest::addColumn<int>("age");
+    QTest::addColumn<int>("network");
+    QTest::addColumn<int>("processing");
+    QTest::addColumn<QString>("line");
+    QTest::newRow("usual") << 98 << 31 << 67 << QStringLiteral("AGE 98 ms  NET 31  PROC 67  15 fps");
+    QTest::newRow("unknown") << -1 << -1 << 67 << QStringLiteral("AGE unknown  NET unknown  PROC 67  15 fps");
+    QTest::newRow("old") << 12340 << 31 << 67 << QStringLiteral("AGE 12.3 s  NET 31  PROC 67  15 fps");
+}
+
+void TestLiveImage::writesAgeLine()
+{
+    QFETCH(int, age);
+    QFETCH(int, network);
+    QFETCH(int, processing);
+    QFETCH(QString, line);
+    PictureReading reading;
+    if (age >= 0)
+        reading.age = std::chrono::milliseconds(age);
+    if (network >= 0)
+        reading.network = std::chrono::milliseconds(network);
+    reading.processing = std::chrono::milliseconds(processing);
+    reading.shownPerSecond = 15;
+    QCOMPARE(ageLine(reading), line);
+}
+
+QTEST_MAIN(TestLiveImage)
+#include "test_live_image.moc"

@@ -1,0 +1,190 @@
+// Alarms: the rules of the table, latching, acknowledging, and the log.
+#include "model/alarm_rules.hpp"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <functional>
+
+using namespace console;
+using namespace std::chrono_literals;
+
+namespace {
+
+const Instant start = Instant{} + 1h;
+
+using Change = std::function<void(AlarmReadings&)>;
+
+struct Case {
+    const char* name;
+    Change change;
+    AlarmCondition condition;
+    AlarmPriority armed;
+    std::optional<AlarmPriority> otherwise;
+    bool latching;
+};
+
+AlarmReadings calm()
+{
+    AlarmReadings r;
+    r.robotFresh = true;
+    r.drivesKnown = true;
+    r.pictureLimit = 250ms;
+    AlarmLinkReading link;
+    link.peer = 5;
+    link.title = QStringLiteral("Robot");
+    link.state = LinkState::Open;
+    r.links = {link};
+    return r;
+}
+
+const std::vector<Case>& cases()
+{
+    using C = AlarmCondition;
+    constexpr auto High = AlarmPriority::High, Medium = AlarmPriority::Medium, Low = AlarmPriority::Low;
+    static const std::vector<Case> all{
+        {"link lost", [](auto& r) { r.links[0].state = LinkState::StandBy; }, C::LinkLost, High, Medium, true},
+        {"hold not confirmed", [](auto& r) { r.awaitingHold = 201ms; }, C::HoldNotConfirmed, High, Medium, true},
+        {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, C::PictureStale, High, Low, false},
+        {"force stop", [](auto& r) { r.force = -2.0; }, C::ForceStop, High, Medium, true},
+        {"force warning", [](auto& r) { r.force = 1.0; }, C::ForceWarn, Medium, std::nullopt, false},
+        {"drive fault", [](auto& r) { r.faultCode = 2; }, C::DriveFault, High, Medium, true},
+        {"emergency stop", [](auto& r) { r.emergencyStop = true; }, C::EmergencyStop, High, Medium, true},
+        {"deadline", [](auto& r) { r.links[0].deadlineMissed = QStringLiteral("RobotStatus"); }, C::DeadlineMissed, Medium, Low, false},
+        {"unsteady", [](auto& r) { r.links[0].suspectsInMinute = 3; }, C::LinkUnsteady, Low, Low, false},
+        {"clock", [](auto& r) { r.links[0].clockUncertain = true; }, C::ClockUncertain, Medium, Low, false},
+        {"soft limit", [](auto& r) { r.limitSwitches = GuidewireSoftHigh; }, C::SoftLimit, Low, std::nullopt, false},
+        {"hard limit", [](auto& r) { r.limitSwitches = CatheterHardLow; }, C::HardLimit, Medium, std::nullopt, false},
+    };
+    return all;
+}
+
+AlarmReport report(AlarmCondition condition, AlarmPriority priority, bool latching)
+{
+    return {condition, 0, priority, latching, QStringLiteral("text"), QStringLiteral("remedy")};
+}
+
+} // namespace
+
+class TestAlarms : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void calmRaisesNothing()
+    {
+        QVERIFY(presentAlarms(calm()).empty());
+        auto armed = calm();
+        armed.armed = armed.engaged = true;
+        QVERIFY(presentAlarms(armed).empty());
+        armed.awaitingHold = 200ms;
+        QVERIFY(presentAlarms(armed).empty());
+        armed.picture.condition = PictureCondition::Held;
+        QVERIFY(presentAlarms(armed).empty());
+    }
+
+    void conditionsHaveThePrioritiesOfTheTable_data()
+    {
+        QTest::addColumn<int>("number");
+        for (int number = 0; number < int(cases().size()); ++number)
+            QTest::newRow(cases().at(std::size_t(number)).name) << number;
+    }
+
+    void conditionsHaveThePrioritiesOfTheTable()
+    {
+        QFETCH(int, number);
+        const auto& one = cases().at(std::size_t(number));
+        auto readings = calm();
+        one.change(readings);
+        auto present = presentAlarms(readings);
+        QCOMPARE(present.size(), std::size_t(one.otherwise ? 1 : 0));
+        if (one.otherwise)
+            QCOMPARE(present.front().priority, *one.otherwise);
+        readings.armed = readings.engaged = true;
+        present = presentAlarms(readings);
+        QCOMPARE(present.size(), std::size_t(1));
+        QCOMPARE(present.front().condition, one.condition);
+        QCOMPARE(present.front().priority, one.armed);
+        QCOMPARE(present.front().latching, one.latching);
+        QVERIFY(!present.front().text.isEmpty() && present.front().remedy.endsWith(QLatin1Char('.')));
+    }
+
+    void latchedAlarmStaysUntilAcknowledged()
+    {
+        AlarmList list;
+        list.update({report(AlarmCondition::LinkLost, AlarmPriority::High, true)}, start, 0);
+        QVERIFY(list.unacknowledgedHigh());
+        list.update({}, start, 1);
+        QCOMPARE(list.alarms().size(), std::size_t(1));
+        QVERIFY(!list.highest()->present);
+        QVERIFY(list.unacknowledgedHigh());
+        list.acknowledge(list.highest()->id, 2);
+        QVERIFY(list.alarms().empty());
+    }
+
+    void alarmThatDoesNotLatchEndsByItself()
+    {
+        AlarmList list;
+        list.update({report(AlarmCondition::PictureStale, AlarmPriority::High, false)}, start, 0);
+        list.update({}, start, 1);
+        QVERIFY(list.alarms().empty());
+        QCOMPARE(list.log().size(), std::size_t(2));
+    }
+
+    void acknowledgedAlarmSoundsAgainWhenItReturnsOrGrows()
+    {
+        AlarmList list;
+        QSignalSpy raised(&list, &AlarmList::raised);
+        const auto low = report(AlarmCondition::DriveFault, AlarmPriority::Medium, true);
+        list.update({low}, start, 0);
+        list.acknowledge(list.highest()->id, 0);
+        QVERIFY(!list.highest()->demandsAttention());
+        list.update({low}, start, 0);
+        QVERIFY(!list.highest()->demandsAttention());
+        list.update({report(AlarmCondition::DriveFault, AlarmPriority::High, true)}, start, 0);
+        QVERIFY(list.highest()->demandsAttention());
+        list.acknowledge(list.highest()->id, 0);
+        list.update({}, start, 0);
+        list.update({low}, start, 0);
+        QVERIFY(list.highest()->demandsAttention());
+        QCOMPARE(raised.size(), 3);
+    }
+
+    void showsTheHighestFirst()
+    {
+        AlarmList list;
+        list.update({report(AlarmCondition::SoftLimit, AlarmPriority::Low, false),
+                     report(AlarmCondition::LinkLost, AlarmPriority::High, true),
+                     report(AlarmCondition::ForceWarn, AlarmPriority::Medium, false)},
+                    start, 0);
+        QCOMPARE(list.alarms()[0].priority, AlarmPriority::High);
+        QCOMPARE(list.alarms()[1].priority, AlarmPriority::Medium);
+        QCOMPARE(list.alarms()[2].priority, AlarmPriority::Low);
+        QCOMPARE(list.count(AlarmPriority::Medium), 1);
+    }
+
+    void newHighAlarmEndsTheAudioPause()
+    {
+        AlarmList list;
+        list.pauseAudio(start);
+        QCOMPARE(*list.audioPauseLeft(start + 20s), Duration(40s));
+        QVERIFY(!list.audioPauseLeft(start + 60s));
+        list.update({report(AlarmCondition::ForceWarn, AlarmPriority::Medium, false)}, start, 0);
+        QVERIFY(list.audioPauseLeft(start));
+        list.update({report(AlarmCondition::ForceStop, AlarmPriority::High, false)}, start, 0);
+        QVERIFY(!list.audioPauseLeft(start));
+    }
+
+    void logIsBounded()
+    {
+        AlarmList list;
+        for (int turn = 0; turn < 1500; ++turn) {
+            list.update({report(AlarmCondition::ForceWarn, AlarmPriority::Medium, false)}, start, turn);
+            list.update({}, start, turn);
+        }
+        QCOMPARE(list.log().size(), AlarmList::logLimit);
+        QCOMPARE(list.log().back().wallMs, qint64(1499));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAlarms)
+#include "test_alarms.moc"

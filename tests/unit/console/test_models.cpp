@@ -1,0 +1,211 @@
+// Sessions, devices, the log and the measurements.
+#include "model/event_log.hpp"
+#include "model/instrument_state.hpp"
+#include "model/measurements.hpp"
+#include "model/permit_model.hpp"
+#include "model/session_model.hpp"
+
+#include <QAbstractItemModelTester>
+#include <QJsonObject>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace console;
+using namespace std::chrono_literals;
+
+namespace {
+
+const Instant start = Instant{} + 1h;
+
+SessionModel::Topology pair()
+{
+    SessionModel::Topology topology;
+    DeviceNode self;
+    self.id = 0x40018208;
+    self.name = QStringLiteral("cockpit");
+    self.self = true;
+    DeviceNode robot;
+    robot.id = 0x00008208;
+    robot.title = QStringLiteral("Robot");
+    topology.devices = {self, robot};
+    topology.links = {{robot.id, self.id}};
+    return topology;
+}
+
+} // namespace
+
+class TestModels : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyLinkStateHasItsOwnWord()
+    {
+        QStringList words;
+        for (int state = 0; state < 8; ++state)
+            words << word(static_cast<LinkState>(state));
+        QCOMPARE(words.join(QLatin1Char(' ')), QStringLiteral("closed opening open suspect interrupted stand-by re-opening closing"));
+    }
+
+    void valueThatWasNeverReceivedIsNotFresh()
+    {
+        Aged<int> value;
+        QCOMPARE(value.freshness(start, 1s), Freshness::Unknown);
+        value.receive(3, start);
+        QCOMPARE(value.freshness(start + 1s, 1s), Freshness::Fresh);
+        QCOMPARE(value.freshness(start + 1s + 1ns, 1s), Freshness::Stale);
+    }
+
+    void linkTellsOfEachChangeOnce()
+    {
+        SessionModel sessions;
+        sessions.setTopology(pair());
+        QSignalSpy changes(&sessions, &SessionModel::linkStateChanged);
+        sessions.setLinkState(0x00008208, LinkState::Opening, start);
+        sessions.setLinkState(0x00008208, LinkState::Open, start);
+        sessions.setLinkState(0x00008208, LinkState::Open, start);
+        sessions.setLinkState(0x12345678, LinkState::Open, start);
+        QCOMPARE(changes.size(), 2);
+        QVERIFY(sessions.allOpen());
+        QCOMPARE(sessions.titleOf(0x40018208), QStringLiteral("cockpit"));
+        QCOMPARE(sessions.titleOf(0x12345678), QStringLiteral("0x12345678"));
+        QCOMPARE(sessions.firstPeer(DeviceKind::Hand), std::optional<quint32>(0x00008208));
+        QVERIFY(!sessions.firstPeer(DeviceKind::Eye));
+    }
+
+    void historyIsOneMinute()
+    {
+        SessionModel sessions;
+        sessions.setTopology(pair());
+        for (auto at = 0ms; at <= 90s; at += 50ms)
+            sessions.setLinkFigures(0x00008208, {}, start + at);
+        const auto& history = sessions.linkTo(0x00008208)->history;
+        QCOMPARE(history.size(), std::size_t(601));
+        QVERIFY(history.front().at >= start + 30s);
+        QVERIFY(!history.front().roundTripMs);
+    }
+
+    void suspectsOfTheLastMinuteAreCounted()
+    {
+        SessionModel sessions;
+        sessions.setTopology(pair());
+        for (const auto at : {0s, 50s, 70s}) {
+            sessions.setLinkState(0x00008208, LinkState::Suspect, start + at);
+            sessions.setLinkState(0x00008208, LinkState::Reconnecting, start + at);
+            sessions.setLinkState(0x00008208, LinkState::Open, start + at);
+        }
+        QCOMPARE(sessions.linkTo(0x00008208)->suspects.size(), std::size_t(2));
+    }
+
+    void drivesAreHealthyOnlyWhenAllAreKnownToBe()
+    {
+        InstrumentState state;
+        QVERIFY(!state.drivesHealthy(start));
+        DriveStatus drives;
+        drives.enabled.fill(true);
+        state.receiveDrives(drives, start);
+        QVERIFY(state.drivesHealthy(start + 1s));
+        QVERIFY(!state.drivesHealthy(start + 1s + 1ms));
+        drives.temperature[2] = 81;
+        state.receiveDrives(drives, start + 2s);
+        QVERIFY(!state.drivesHealthy(start + 2s));
+        drives.temperature[2] = 20;
+        drives.enabled[3] = false;
+        state.receiveDrives(drives, start + 2s);
+        QVERIFY(!state.drivesHealthy(start + 2s));
+    }
+
+    void robotKeepsForceTrailAndPeak()
+    {
+        InstrumentState state;
+        QSignalSpy changes(&state, &InstrumentState::robotStateChanged);
+        RobotStatus status;
+        for (auto at = 0s; at <= 20s; at += 1s) {
+            status.guidewireForce = at == 3s ? -1.5 : 0.1;
+            state.receiveRobot(status, start + at);
+        }
+        QCOMPARE(state.forceHistory().size(), std::size_t(11));
+        QCOMPARE(state.peakForce(), 1.5);
+        QCOMPARE(changes.size(), 1);
+        QVERIFY(state.robotFresh(start + 20s + 100ms));
+        QVERIFY(!state.robotFresh(start + 20s + 101ms));
+    }
+
+    void injectionIsReplacedByItsNewerReport()
+    {
+        InstrumentState state;
+        state.receiveInjection({4, 0, InjectionProgress::Accepted, {}});
+        state.receiveInjection({4, 2.5, InjectionProgress::Done, {}});
+        QCOMPARE(state.injections().size(), std::size_t(1));
+        QCOMPARE(state.injections().front().delivered, 2.5);
+    }
+
+    void logIsAnHonestListModel()
+    {
+        EventLog log;
+        const QAbstractItemModelTester tester(&log, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        for (int line = 0; line < EventLog::limit + 3; ++line)
+            log.append(LogKind::Note, QString::number(line), line);
+        QCOMPARE(log.rowCount(), EventLog::limit);
+        QCOMPARE(log.lost(), quint64(3));
+        QCOMPARE(log.data(log.index(0), EventLog::TextRole).toString(), QStringLiteral("3"));
+        QVERIFY(log.data(log.index(0)).toString().endsWith(QStringLiteral("note  3")));
+    }
+
+    void permitModelTellsOfPhasesAndConditions()
+    {
+        PermitModel model;
+        QSignalSpy phases(&model, &PermitModel::phaseChanged);
+        QSignalSpy lists(&model, &PermitModel::checklistChanged);
+        QVERIFY(model.unmetCount() > 0);
+        PermitEvent open;
+        open.kind = PermitEventKind::SessionOpen;
+        model.apply(open, start);
+        GuardReadings readings;
+        readings.robotLink = LinkState::Open;
+        model.check(readings, start);
+        model.check(readings, start);
+        QCOMPARE(phases.size(), 1);
+        QCOMPARE(lists.size(), 1);
+        QVERIFY(!model.unmetText(1).isEmpty());
+    }
+
+    void percentileIsByNearestRank()
+    {
+        QVERIFY(!percentile({}, 0.5));
+        QCOMPARE(*percentile({7}, 0.99), 7.0);
+        std::vector<double> hundred;
+        for (int n = 100; n >= 1; --n)
+            hundred.push_back(n);
+        QCOMPARE(*percentile(hundred, 0.5), 50.0);
+        QCOMPARE(*percentile(hundred, 0.99), 99.0);
+        QCOMPARE(*percentile(hundred, 0), 1.0);
+    }
+
+    void reportSaysWhatDidNotWork()
+    {
+        Measurements m;
+        QVERIFY(m.failures().size() >= 6);
+        m.sessions[1] = {QStringLiteral("Robot"), QStringLiteral("open"), true, 40.0, {}};
+        m.begin(start);
+        m.end(start + 10s);
+        for (int frame = 0; frame < 150; ++frame)
+            m.notePainted(frame);
+        m.armed = m.engaged = true;
+        RobotStatus status;
+        status.appliedCommands = 100;
+        m.noteRobot(status);
+        status.appliedCommands = 5100;
+        status.guidewirePosition = 12;
+        m.noteRobot(status);
+        QVERIFY2(m.failures().empty(), qPrintable(m.failures().empty() ? QString() : m.failures().front()));
+        QCOMPARE(m.toJson().value(QStringLiteral("ok")).toBool(), true);
+        QCOMPARE(m.applied(), quint64(5000));
+        QCOMPARE(m.framesPerSecond(), 15.0);
+        m.incidents = 1;
+        QCOMPARE(m.failures().size(), std::size_t(1));
+        QCOMPARE(m.toJson().value(QStringLiteral("ok")).toBool(), false);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestModels)
+#include "test_models.moc"

@@ -1,0 +1,134 @@
+// The guards: each one by itself, to arm and while armed.
+#include "model/permit_guards.hpp"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace console;
+using namespace std::chrono_literals;
+
+namespace {
+
+GuardReadings good()
+{
+    GuardReadings r;
+    r.robotLink = LinkState::Open;
+    r.identityEqual = true;
+    r.heartbeatsOnTime = 50;
+    r.clockUncertainty = 1ms;
+    r.picture.condition = PictureCondition::Live;
+    r.picture.source = PictureSource::Simulated;
+    r.picture.age = 80ms;
+    r.picture.liveFor = 1s;
+    r.pictureLimit = 250ms;
+    r.robotFresh = true;
+    r.robotState = RobotState::Ready;
+    r.robotHoldConfirmed = true;
+    r.robotPermit = 4;
+    r.spentPermit = 3;
+    r.drivesHealthy = true;
+    r.handAlive = true;
+    r.windowActive = true;
+    return r;
+}
+
+using Change = std::function<void(GuardReadings&)>;
+
+struct Case {
+    const char* name;
+    Change change;
+    Guard guard;
+    bool kept; ///< still met in the form that is kept while armed
+};
+
+const std::vector<Case>& cases()
+{
+    static const std::vector<Case> all{
+        {"link closed", [](auto& r) { r.robotLink = LinkState::Closed; }, Guard::SessionOpen, false},
+        {"link interrupted", [](auto& r) { r.robotLink = LinkState::Reconnecting; }, Guard::SessionOpen, false},
+        {"link suspect within one heartbeat", [](auto& r) { r.robotLink = LinkState::Suspect, r.inLinkState = 20ms; }, Guard::SessionOpen,
+         true},
+        {"link suspect for longer", [](auto& r) { r.robotLink = LinkState::Suspect, r.inLinkState = 21ms; }, Guard::SessionOpen, false},
+        {"another system", [](auto& r) { r.identityEqual = false; }, Guard::IdentityEqual, false},
+        {"a heartbeat was late", [](auto& r) { r.heartbeatsOnTime = 49; }, Guard::HeartbeatsOnTime, true},
+        {"clock not compared", [](auto& r) { r.clockUncertainty.reset(); }, Guard::ClockKnown, true},
+        {"clock uncertain", [](auto& r) { r.clockUncertainty = 26ms; }, Guard::ClockKnown, true},
+        {"no picture", [](auto& r) { r.picture = {}; }, Guard::PictureLive, false},
+        {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, Guard::PictureLive, false},
+        {"picture held", [](auto& r) { r.picture.condition = PictureCondition::Held; }, Guard::PictureLive, false},
+        {"picture's age unknown", [](auto& r) { r.picture.condition = PictureCondition::Unknown; }, Guard::PictureLive, false},
+        {"picture recorded", [](auto& r) { r.picture.source = PictureSource::Recorded; }, Guard::PictureLive, false},
+        {"picture too old", [](auto& r) { r.picture.age = 251ms; }, Guard::PictureLive, false},
+        {"picture not live for a second", [](auto& r) { r.picture.liveFor = 999ms; }, Guard::PictureLive, true},
+        {"robot silent", [](auto& r) { r.robotFresh = false; }, Guard::RobotFresh, false},
+        {"robot in hold only", [](auto& r) { r.robotState = RobotState::Hold; }, Guard::RobotHolds, true},
+        {"emergency stop", [](auto& r) { r.robotState = RobotState::EmergencyStop; }, Guard::RobotHolds, true},
+        {"hold not confirmed", [](auto& r) { r.robotHoldConfirmed = false; }, Guard::RobotHolds, true},
+        {"no new permit", [](auto& r) { r.spentPermit = r.robotPermit; }, Guard::RobotHolds, true},
+        {"drives", [](auto& r) { r.drivesHealthy = false; }, Guard::DrivesHealthy, false},
+        {"a queue", [](auto& r) { r.queuedMessages = 17; }, Guard::QueueEmpty, true},
+        {"a long queue", [](auto& r) { r.queuedMessages = 65; }, Guard::QueueEmpty, false},
+        {"some force", [](auto& r) { r.force = -0.21; }, Guard::ForceNearZero, true},
+        {"force at the stop", [](auto& r) { r.force = 2.0; }, Guard::ForceNearZero, false},
+        {"an incident", [](auto& r) { r.incident = true; }, Guard::NoIncident, false},
+        {"a high alarm", [](auto& r) { r.highAlarm = true; }, Guard::NoHighAlarm, true},
+        {"hand gone", [](auto& r) { r.handAlive = false; }, Guard::HandAlive, false},
+        {"window without keyboard", [](auto& r) { r.windowActive = false; }, Guard::WindowActive, false},
+        {"dead-man down", [](auto& r) { r.deadMan = true; }, Guard::DeadManReleased, true},
+    };
+    return all;
+}
+
+} // namespace
+
+class TestPermitGuards : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void areAllMetWhenEverythingIsGood();
+    void areUnmetWithoutAnyReading();
+    void failOneByOne_data();
+    void failOneByOne();
+};
+
+void TestPermitGuards::areAllMetWhenEverythingIsGood()
+{
+    QVERIFY(metGuards(checkGuards(good())).all());
+    QVERIFY(checkKept(good()).all());
+}
+
+void TestPermitGuards::areUnmetWithoutAnyReading()
+{
+    const auto met = metGuards(checkGuards({}));
+    QVERIFY(!met.test(std::size_t(Guard::SessionOpen)));
+    QVERIFY(!met.test(std::size_t(Guard::PictureLive)));
+    QVERIFY(!met.test(std::size_t(Guard::RobotHolds)));
+    QVERIFY(!met.test(std::size_t(Guard::ForceNearZero)));
+    QVERIFY(!checkKept({}).all());
+}
+
+void TestPermitGuards::failOneByOne_data()
+{
+    QTest::addColumn<int>("number");
+    for (int number = 0; number < int(cases().size()); ++number)
+        QTest::newRow(cases().at(std::size_t(number)).name) << number;
+}
+
+void TestPermitGuards::failOneByOne()
+{
+    QFETCH(int, number);
+    const auto& one = cases().at(std::size_t(number));
+    auto readings = good();
+    one.change(readings);
+    const auto checklist = checkGuards(readings);
+    const auto& line = checklist.at(std::size_t(one.guard));
+    QCOMPARE(line.guard, one.guard);
+    QVERIFY(!line.met);
+    const auto met = checkGuards(good()).at(std::size_t(one.guard));
+    QVERIFY2(!line.text.isEmpty() && line.text != met.text, qPrintable(line.text));
+    QCOMPARE(checkKept(readings).all(), one.kept);
+}
+
+QTEST_GUILESS_MAIN(TestPermitGuards)
+#include "test_permit_guards.moc"

@@ -1,0 +1,177 @@
+// Live, frozen or held: the rule for the picture on the screen.
+#include "model/picture_state.hpp"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace console;
+using namespace std::chrono_literals;
+
+namespace {
+
+const Instant start = Instant{} + 1h;
+
+PictureStamp stamp(quint32 frame, Instant painted, std::optional<Duration> age = 80ms)
+{
+    PictureStamp s;
+    s.frame = frame;
+    s.acquisition = 1;
+    s.source = PictureSource::Simulated;
+    s.captureNs = frame;
+    if (age)
+        s.captured = painted - *age;
+    s.arrived = painted - 30ms;
+    s.painted = painted;
+    return s;
+}
+
+/// Fifteen pictures a second for `length`, the last one at its end.
+Instant play(PictureState& state, Instant from, Duration length)
+{
+    quint32 frame = state.newest() ? state.newest()->frame : 0;
+    auto at = from;
+    for (; at <= from + length; at += 66ms)
+        state.notePainted(stamp(++frame, at));
+    return at - 66ms;
+}
+
+} // namespace
+
+class TestPictureState : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void thereIsNoPictureAtFirst()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        QCOMPARE(state.reading(start).condition, PictureCondition::None);
+        QVERIFY(!state.reading(start).age);
+    }
+
+    void isLiveUntilTheLimitAndThenFrozen_data()
+    {
+        QTest::addColumn<PictureProfile>("profile");
+        QTest::addColumn<int>("ageMs");
+        QTest::addColumn<PictureCondition>("expected");
+        QTest::newRow("neuro, at the limit") << PictureProfile::Neuro << 250 << PictureCondition::Live;
+        QTest::newRow("neuro, over it") << PictureProfile::Neuro << 251 << PictureCondition::Frozen;
+        QTest::newRow("coronary, at the limit") << PictureProfile::Coronary << 400 << PictureCondition::Live;
+        QTest::newRow("coronary, over it") << PictureProfile::Coronary << 401 << PictureCondition::Frozen;
+    }
+
+    void isLiveUntilTheLimitAndThenFrozen()
+    {
+        QFETCH(PictureProfile, profile);
+        QFETCH(int, ageMs);
+        QFETCH(PictureCondition, expected);
+        PictureState state;
+        state.setProfile(profile);
+        state.setLinkUp(true);
+        state.expect(15, start);
+        state.notePainted(stamp(1, start + 10ms, 0ms));
+        const auto now = start + 10ms + std::chrono::milliseconds(ageMs);
+        const auto reading = state.reading(now);
+        QCOMPARE(reading.condition, expected);
+        QCOMPARE(*reading.age, Duration(std::chrono::milliseconds(ageMs)));
+        QCOMPARE(reading.frozenFor.has_value(), expected == PictureCondition::Frozen);
+    }
+
+    void isHeldWhenNothingIsExpected()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        const auto last = play(state, start, 1s);
+        state.expect(0, last);
+        QCOMPARE(state.reading(last + 1s).condition, PictureCondition::Held);
+        QCOMPARE(state.reading(last + 1s).liveFor, Duration::zero());
+    }
+
+    void newRunMayTakeASecondForItsFirstPicture()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.notePainted(stamp(1, start));
+        state.expect(15, start + 5s);
+        QCOMPARE(state.reading(start + 6s).condition, PictureCondition::Held);
+        QCOMPARE(state.reading(start + 6s + 1ms).condition, PictureCondition::Frozen);
+    }
+
+    void isFrozenWithoutALinkHoweverYoung()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        const auto last = play(state, start, 1s);
+        QCOMPARE(state.reading(last).condition, PictureCondition::Live);
+        state.setLinkUp(false);
+        QCOMPARE(state.reading(last).condition, PictureCondition::Frozen);
+    }
+
+    void isUnknownWithoutComparedClocks()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        state.notePainted(stamp(1, start, std::nullopt));
+        QCOMPARE(state.reading(start + 10ms).condition, PictureCondition::Unknown);
+        QVERIFY(!state.reading(start + 10ms).age);
+        QCOMPARE(state.reading(start + 300ms).condition, PictureCondition::Frozen);
+    }
+
+    void filterMakesThePictureOlder()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        auto slow = stamp(1, start, 80ms);
+        slow.filterDelay = 100ms;
+        state.notePainted(slow);
+        const auto reading = state.reading(start);
+        QCOMPARE(*reading.age, Duration(180ms));
+        QCOMPARE(reading.processing, Duration(130ms));
+        QCOMPARE(*reading.network, Duration(50ms));
+    }
+
+    void samePicturePaintedAgainIsNotANewOne()
+    {
+        PictureState state;
+        QSignalSpy painted(&state, &PictureState::painted);
+        const auto one = stamp(1, start);
+        state.notePainted(one);
+        auto again = one;
+        again.painted = start + 1s;
+        state.notePainted(again);
+        QCOMPARE(state.paintedCount(), quint64(1));
+        QCOMPARE(painted.size(), 1);
+    }
+
+    void runIsLiveForAsLongAsItIsUnbroken()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        auto last = play(state, start, 2s);
+        QCOMPARE(state.reading(last).liveFor, Duration(last - start));
+        const auto again = last + 300ms; // longer than the limit: the run begins anew
+        state.notePainted(stamp(100, again));
+        QVERIFY(state.reading(again).liveFor < 1ms);
+        last = play(state, again + 66ms, 1s);
+        QCOMPARE(state.reading(last).liveFor, Duration(last - again));
+    }
+
+    void fewerPicturesThanExpectedAreNotLiveForAnyTime()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(30, start);
+        const auto last = play(state, start, 3s);
+        QCOMPARE(state.reading(last).condition, PictureCondition::Live);
+        QCOMPARE(state.reading(last).liveFor, Duration::zero());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPictureState)
+#include "test_picture_state.moc"

@@ -1,0 +1,360 @@
+// Every message and session value that the console understands, translated.
+#include "link/message_intake.hpp"
+#include "link/session_intake.hpp"
+#include "link/translate.hpp"
+
+#include <liena/message_set.hpp>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include <map>
+
+using namespace console;
+using namespace std::chrono_literals;
+
+namespace {
+
+const liena::DeviceId cockpit(0x40018208);
+const liena::DeviceId robot(0x00008208);
+const liena::DeviceId arm(0x60008208);
+const Instant start = Instant{} + 1h;
+
+liena::Message compose(const char* set, const char* message)
+{
+    static std::map<std::string, std::shared_ptr<const liena::MessageSet>> known;
+    auto& held = known[set];
+    if (!held)
+        held = liena::MessageSet::load(std::string(LIENA_SOURCE_DIR "/resources/devices/") + set + ".xml").value();
+    return liena::Message(held, *held->find(std::string_view(message)));
+}
+
+void fill(ConsoleModels& models)
+{
+    SessionModel::Topology topology;
+    const auto add = [&topology](liena::DeviceId id, const char* title, bool self) {
+        DeviceNode node;
+        node.id = id.value();
+        node.title = QString::fromLatin1(title);
+        node.self = self;
+        topology.devices.push_back(node);
+    };
+    add(cockpit, "Cockpit", true);
+    add(robot, "Robot", false);
+    add(arm, "Arm", false);
+    topology.links = {{robot.value(), cockpit.value()}, {arm.value(), cockpit.value()}, {robot.value(), arm.value()}};
+    models.sessions.setTopology(topology);
+}
+
+liena::SessionEvent occurred(liena::SessionEvent::Kind kind, liena::DeviceId peer = robot)
+{
+    liena::SessionEvent e;
+    e.kind = kind;
+    e.peer = peer;
+    e.at = start;
+    e.incident.id = 77;
+    e.incident.a = robot;
+    e.incident.b = cockpit;
+    e.incident.cause = liena::LossCause::HeartbeatLost;
+    return e;
+}
+
+} // namespace
+
+using Kind = liena::SessionEvent::Kind;
+
+class TestTranslation : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void robotStatusComesThrough()
+    {
+        auto m = compose("vascular-robot", "RobotStatus");
+        m.set("state", std::string_view("Engaged")).set("permit", 42U).set("engaged", true).set("hold_confirmed", false);
+        m.set("hold_since_ns", std::uint64_t(5)).set("last_sequence", 9U).set("applied_commands", std::uint64_t(1) << 40U);
+        m.set("refused_commands", std::uint64_t(3)).set("guidewire_position", 12.5).set("guidewire_angle", -720.25);
+        m.set("catheter_position", 3.5).set("catheter_angle", 1.5).set("guidewire_velocity", -8.0).set("guidewire_rotation", 90.0);
+        m.set("catheter_velocity", 2.0).set("catheter_rotation", -4.0).set("guidewire_force", 0.5).set("guidewire_torque", -2.5);
+        m.set("guidewire_gripper_closed", true).set("catheter_gripper_closed", false).set("limit_switches", std::uint16_t(0x24));
+        m.set("contrast_remaining", 80.0)
+            .set("emergency_stop_token", std::uint64_t(0xFFFFFFFFFFFFFFFF))
+            .set("fault_code", std::uint16_t(4));
+        QVERIFY(!m.fault());
+        const auto s = robotStatus(m);
+        QCOMPARE(s.state, RobotState::Engaged);
+        QCOMPARE(s.permit, 42U);
+        QVERIFY(s.engaged && !s.holdConfirmed);
+        QCOMPARE(s.holdSinceNs, quint64(5));
+        QCOMPARE(s.lastSequence, 9U);
+        QCOMPARE(s.appliedCommands, quint64(1) << 40U);
+        QCOMPARE(s.refusedCommands, quint64(3));
+        QCOMPARE(s.guidewirePosition, 12.5);
+        QCOMPARE(s.guidewireAngle, -720.25);
+        QCOMPARE(s.catheterPosition, 3.5);
+        QCOMPARE(s.catheterAngle, 1.5);
+        QCOMPARE(s.guidewireVelocity, -8.0);
+        QCOMPARE(s.guidewireRotation, 90.0);
+        QCOMPARE(s.catheterVelocity, 2.0);
+        QCOMPARE(s.catheterRotation, -4.0);
+        QCOMPARE(s.guidewireForce, 0.5);
+        QCOMPARE(s.guidewireTorque, -2.5);
+        QVERIFY(s.guidewireGripperClosed && !s.catheterGripperClosed);
+        QCOMPARE(s.limitSwitches, quint16(GuidewireHardLow | CatheterSoftHigh));
+        QCOMPARE(s.contrastRemaining, 80.0);
+        QCOMPARE(s.emergencyStopToken, ~quint64(0));
+        QCOMPARE(faultText(s.faultCode), QStringLiteral("command stream lost"));
+    }
+
+    void otherRobotReportsComeThrough()
+    {
+        auto drives = compose("vascular-robot", "DriveStatus");
+        drives.set("enabled", std::vector<double>{1, 1, 0, 1}).set("current", std::vector<double>{0.5, 1, 1.5, 2});
+        drives.set("temperature", std::vector<double>{20, 21, 22, 23}).set("bus_voltage", std::vector<double>{48, 48, 47, 48});
+        const auto d = driveStatus(drives);
+        QVERIFY(d.enabled[0] && d.enabled[1] && !d.enabled[2] && d.enabled[3]);
+        QVERIFY(!d.allEnabled());
+        QCOMPARE(d.current[2], 1.5);
+        QCOMPARE(d.temperature[3], 23.0);
+        QCOMPARE(d.busVoltage[2], 47.0);
+
+        auto tip = compose("vascular-robot", "TipPose");
+        tip.set("valid", true)
+            .set("position", std::vector<double>{1, 2, 3})
+            .set("quaternion", std::vector<double>{1, 0, 0, 0})
+            .set("error", 0.5);
+        const auto t = tipPose(tip);
+        QVERIFY(t.valid);
+        QCOMPARE(t.position, (std::array<double, 3>{1, 2, 3}));
+        QCOMPARE(t.quaternion[0], 1.0);
+        QCOMPARE(t.error, 0.5);
+
+        auto injection = compose("vascular-robot", "InjectionReport");
+        injection.set("injection", 6U).set("delivered", 1.5).set("state", std::string_view("refused")).set("reason", "empty");
+        const auto i = injectionStatus(injection);
+        QCOMPARE(i.injection, 6U);
+        QCOMPARE(i.progress, InjectionProgress::Refused);
+        QCOMPARE(i.reason, QStringLiteral("empty"));
+    }
+
+    void armAndXrayReportsComeThrough()
+    {
+        auto status = compose("arm-grasper", "ArmStatus");
+        status.set("positions", std::vector<double>{0.5, 0, 0, 0, 0, -1})
+            .set("brake", true)
+            .set("state", std::string_view("Moving"))
+            .set("holding", true);
+        const auto a = armStatus(status);
+        QCOMPARE(a.positions[5], -1.0);
+        QCOMPARE(a.phase, ArmPhase::Moving);
+        QVERIFY(a.brake && a.holding);
+
+        auto xray = compose("cbct-xray", "AcquisitionStatus");
+        xray.set("mode", std::string_view("acquisition")).set("beam_on", true).set("tube_voltage", 70.0).set("pulse_rate", 15.0);
+        xray.set("air_kerma", 12.0).set("source_detector_distance", 1100.0).set("table_position", std::vector<double>{1, 2, 3});
+        xray.set("frames_withheld", std::uint64_t(7));
+        const auto x = acquisitionStatus(xray);
+        QCOMPARE(x.mode, AcquisitionMode::Acquisition);
+        QVERIFY(x.beamOn);
+        QCOMPARE(x.tubeVoltage, 70.0);
+        QCOMPARE(x.pulseRate, 15.0);
+        QCOMPARE(x.airKerma, 12.0);
+        QCOMPARE(x.geometry.sourceDetectorDistance, 1100.0);
+        QCOMPARE(x.geometry.table[2], 3.0);
+        QCOMPARE(x.framesWithheld, quint64(7));
+    }
+
+    void frameKeepsItsMessageAndCopiesNoPixel()
+    {
+        auto m = compose("cbct-xray", "XrayFrame");
+        const std::vector<std::byte> pixels(32, std::byte{7});
+        m.set("frame", 3U).set("acquisition", 2U).set("capture_ns", std::uint64_t(1000)).set("source", std::string_view("recorded"));
+        m.set("rows", std::uint16_t(4)).set("columns", std::uint16_t(4)).set("bits_stored", std::uint8_t(12));
+        m.set("photometric", std::string_view("MONOCHROME1")).set("encoding", std::string_view("jpeg-ls")).set("quality", std::uint8_t(2));
+        m.set("pixel_intensity_relationship", std::string_view("LOG")).set("imager_pixel_spacing", 0.25).set("window_centre", 100.0);
+        m.set("window_width", 50.0).set("mask", true).set("pixels", std::span<const std::byte>(pixels));
+        QVERIFY(!m.fault());
+        auto kept = std::make_shared<const liena::Message>(m);
+        const std::weak_ptr<const liena::Message> watch = kept;
+        auto frame = xrayFrame(std::move(kept), 1ms);
+        QVERIFY(!watch.expired());
+        QCOMPARE(frame->pixels.data(), watch.lock()->get<std::span<const std::byte>>("pixels").data());
+        QCOMPARE(frame->pixels.size(), std::size_t(32));
+        QCOMPARE(frame->frame, 3U);
+        QCOMPARE(frame->source, PictureSource::Recorded);
+        QCOMPARE(frame->rows, 4);
+        QCOMPARE(frame->bitsStored, 12);
+        QCOMPARE(frame->photometric, Photometric::Monochrome1);
+        QCOMPARE(frame->encoding, PixelEncoding::JpegLs);
+        QCOMPARE(frame->quality, 2);
+        QCOMPARE(frame->intensity, IntensityRelationship::Logarithmic);
+        QVERIFY(frame->mask);
+        QVERIFY(!frame->ageAtArrival); // the clocks were not compared
+        frame.reset();
+        QVERIFY(watch.expired());
+    }
+
+    void unknownMessageIsToldOnce()
+    {
+        ConsoleModels models;
+        fill(models);
+        MessageIntake intake(models);
+        const auto note = compose("siat-cockpit", "OperatorNote");
+        QVERIFY(!intake.take(note));
+        QVERIFY(!intake.take(note));
+        QCOMPARE(models.log.rowCount(), 1);
+        QVERIFY(intake.take(compose("vascular-robot", "RobotStatus")));
+        QCOMPARE(models.instrument.statusCount(), quint64(1));
+    }
+
+    void messageOfAnotherShapeIsRefusedAndTold()
+    {
+        const char* const xml = R"(<?xml version="1.0" encoding="UTF-8"?>
+<message-set xmlns="urn:liena:message-set:1" name="other-robot" version="1.0" class="hand" manufacturer="9" type="1" device-version="1"
+             vendor="Other" title="Another robot">
+  <message number="0x0200" name="RobotStatus" role="report" priority="status" title="Little">
+    <field name="permit" type="uint32" min="0" max="10" title="Permit"/>
+  </message>
+</message-set>)";
+        const auto set = liena::MessageSet::parse(xml, "other.xml");
+        QVERIFY2(set.has_value(), set ? "" : set.error().what.c_str());
+        ConsoleModels models;
+        fill(models);
+        MessageIntake intake(models);
+        QVERIFY(!intake.take(liena::Message(set.value(), set.value()->messages().front())));
+        QVERIFY(!models.instrument.robot().known());
+        QCOMPARE(models.log.rowCount(), 1);
+    }
+
+    void everySessionStateHasItsOwn()
+    {
+        for (int state = 0; state < 8; ++state)
+            QCOMPARE(int(linkState(static_cast<liena::SessionState>(state))), state);
+        for (int cause = 0; cause < 6; ++cause)
+            QCOMPARE(int(lossKind(static_cast<liena::LossCause>(cause))), cause);
+        for (int probe = 0; probe < 8; ++probe)
+            QCOMPARE(int(probeFinding(static_cast<liena::ProbeResult>(probe))), probe);
+    }
+
+    void ratesAreOfTheTimeBetweenTwoReadings()
+    {
+        liena::LinkStatus before, now;
+        before.messagesReceived = 100;
+        now.messagesReceived = 150;
+        before.bytesSent = 1000;
+        now.bytesSent = 500; // a new session counts from zero
+        QCOMPARE(linkFigures(now, &before, 500ms).messagesInPerSecond, 100.0);
+        QCOMPARE(linkFigures(now, &before, 500ms).bytesOutPerSecond, 0.0);
+        QCOMPARE(linkFigures(now, nullptr, 0ms).messagesInPerSecond, 0.0);
+        QVERIFY(!linkFigures(now, nullptr, 0ms).jitter);
+    }
+
+    void stateThatHealedWithinOneBurstIsToldAllTheSame()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        QSignalSpy changes(&models.sessions, &SessionModel::linkStateChanged);
+        QSignalSpy interruptions(&intake, &SessionIntake::interrupted);
+        for (const auto to : {liena::SessionState::Open, liena::SessionState::Reconnecting, liena::SessionState::Open}) {
+            auto change = occurred(Kind::StateChanged);
+            change.to = to;
+            intake.take(change);
+        }
+        auto healed = occurred(Kind::Interrupted);
+        healed.duration = 300ms;
+        intake.take(healed);
+        QCOMPARE(changes.size(), 3);
+        QCOMPARE(interruptions.size(), 1);
+    }
+
+    void lossRaisesAnIncidentWithItsDiagnosis()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto lost = occurred(Kind::Lost);
+        lost.diagnosis.cause = liena::LossCause::HeartbeatLost;
+        lost.diagnosis.heartbeatsReceived = 12;
+        intake.take(lost);
+        const auto* incident = models.incidents.incident(77);
+        QVERIFY(incident != nullptr);
+        QCOMPARE(incident->peer, robot.value());
+        QCOMPARE(incident->diagnosis->heartbeatsReceived, quint64(12));
+        QCOMPARE(models.sessions.linkTo(robot.value())->incident, quint64(77));
+
+        intake.take(occurred(Kind::IncidentRaised)); // the broadcast comes after the loss
+        QVERIFY(models.incidents.incident(77)->diagnosis.has_value());
+        auto found = occurred(Kind::Diagnosed);
+        found.diagnosis.probe = liena::ProbeResult::ConnectionRefused;
+        intake.take(found);
+        QCOMPARE(models.incidents.incident(77)->diagnosis->probe, ProbeFinding::ConnectionRefused);
+
+        auto failed = occurred(Kind::OpenFailed);
+        failed.reason = liena::RejectReason::Timeout;
+        intake.take(failed);
+        QVERIFY(!models.incidents.incident(77)->reopenFailure.isEmpty());
+        QVERIFY(!models.sessions.linkTo(robot.value())->failure.isEmpty());
+
+        intake.take(occurred(Kind::IncidentEnded));
+        QVERIFY(models.incidents.empty());
+        QCOMPARE(models.sessions.linkTo(robot.value())->incident, quint64(0));
+    }
+
+    void holdIsTimedOnlyWhereTheClocksWereCompared()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        liena::LinkStatus status;
+        status.peer = robot;
+        status.clockOffset = 5s; // the robot's clock is ahead
+        intake.takeFigures({status}, start);
+        auto lost = occurred(Kind::Lost);
+        lost.diagnosis.since = liena::Timestamp{1'000'000'000};
+        intake.take(lost);
+        auto said = occurred(Kind::HoldReported);
+        said.incident.holds = {{robot, true, liena::Timestamp{6'041'000'000}}, {arm, true, liena::Timestamp{1}}};
+        intake.take(said);
+        const auto& holds = models.incidents.incident(77)->holds;
+        QCOMPARE(holds.size(), std::size_t(2));
+        QCOMPARE(*holds[0].afterMs, 41.0);
+        QVERIFY(holds[1].holding && !holds[1].afterMs);
+    }
+
+    void standByOfOthersIsKnown()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto raised = occurred(Kind::IncidentRaised, arm);
+        raised.incident.b = arm;
+        intake.take(raised);
+        intake.take(occurred(Kind::StandByBegan));
+        QCOMPARE(models.incidents.incident(77)->peer, 0U);
+        QVERIFY(models.sessions.link(robot.value(), arm.value())->inIncident);
+        QVERIFY(models.sessions.inStandBy());
+        intake.take(occurred(Kind::StandByEnded));
+        QVERIFY(!models.sessions.inStandBy());
+    }
+
+    void everyEventIsLoggedOrShown_data()
+    {
+        QTest::addColumn<int>("kind");
+        for (const auto kind : {Kind::Opened, Kind::OpenFailed, Kind::Closed, Kind::Interrupted, Kind::ReOpened, Kind::DeadlineMissed,
+                                Kind::MessagesDropped, Kind::SendFailed, Kind::IdentityRefused, Kind::LocalStall})
+            QTest::addRow("kind %d", int(kind)) << int(kind);
+    }
+
+    void everyEventIsLoggedOrShown()
+    {
+        QFETCH(int, kind);
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        intake.take(occurred(static_cast<Kind>(kind)));
+        QCOMPARE(models.log.rowCount(), 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestTranslation)
+#include "test_translation.moc"
