@@ -33,6 +33,7 @@ QString keyLegend()
 CockpitApplication::CockpitApplication(const Options& options) : m_options(options)
 {
     m_models.picture.setProfile(options.profile);
+    m_models.picture.setRehearsal(options.rehearsal);
     if (m_options.registry.isEmpty())
         if (const auto folder = resource(QStringLiteral("devices")); !folder.isEmpty())
             m_options.registry << folder;
@@ -85,6 +86,7 @@ void CockpitApplication::buildWindow()
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
+    m_window->setRehearsal(m_options.rehearsal);
     m_window->setKeyLegend(keyLegend());
     connectIntents();
     connectHand();
