@@ -50,8 +50,7 @@ QString pictureMissing(const GuardReadings& r)
 
 bool pictureTrusted(const GuardReadings& r)
 {
-    return r.picture.condition == PictureCondition::Live && r.picture.mayGuide && r.picture.age &&
-           *r.picture.age <= r.pictureLimit;
+    return r.picture.condition == PictureCondition::Live && r.picture.mayGuide && r.picture.age && *r.picture.age <= r.pictureLimit;
 }
 
 GuardLine pictureLine(const GuardReadings& r, const GuardLimits& limits)
