@@ -57,7 +57,7 @@ public:
     CockpitWindow& window() { return cockpit->window(); }
     const ConsoleModels& models() const { return cockpit->models(); }
     PermitPhase phase() const { return models().permit.phase(); }
-    LinkState link(const std::string& name) const { return models().sessions.link(files.idOf(name).value())->state; }
+    LinkState link(const std::string& name) const { return models().sessions.state(files.idOf(name).value()); }
     const RobotStatus& robotStatus() const { return models().instrument.robot().value; }
 
     QAbstractButton* button(const QString& text, QWidget* within = nullptr)
