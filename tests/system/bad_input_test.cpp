@@ -56,9 +56,10 @@ const std::vector<Row>& rows()
          {QStringLiteral("dtd.xml:1:1")}},
         {"topology with an unknown attribute",
          [](TestSystem& s, QStringList& a) {
-             replace(a, "--topology", write(s, QStringLiteral("odd.xml"), contents(s.topology()).replace("port=", "prot=")));
+             replace(a, "--topology",
+                     write(s, QStringLiteral("odd.xml"), contents(s.topology()).replace("name=\"test\"", "name=\"test\" colour=\"red\"")));
          },
-         {QStringLiteral("odd.xml:"), QStringLiteral("prot")}},
+         {QStringLiteral("odd.xml:1:"), QStringLiteral("colour")}},
         {"device not in the topology",
          [](TestSystem&, QStringList& a) { replace(a, "--device", QStringLiteral("scalpel")); },
          {QStringLiteral("scalpel")}},

@@ -90,6 +90,7 @@ private Q_SLOTS:
         QVERIFY(screen.device->openChannel(system.idOf("xray")));
 
         std::set<std::uint32_t> seen;
+        std::optional<std::uint32_t> offset; // from a frame's number to its place in the file
         std::vector<std::uint16_t> pixels;
         quint32 last = 0;
         const QDeadlineTimer deadline(90000);
@@ -100,7 +101,10 @@ private Q_SLOTS:
             const auto image = screen.view.grab().toImage().convertToFormat(QImage::Format_RGB32);
             const auto picture = *screen.shown;
             last = picture.about.frame;
-            const auto index = (last - 1) % count;
+            if (!offset)
+                offset = placeInFile(*cine.value(), picture, last);
+            QVERIFY2(offset, "the first picture is none of the file's frames");
+            const auto index = (last + *offset) % count;
             if (!seen.insert(index).second)
                 continue;
             QVERIFY(cine.value()->frame(index, pixels));
@@ -111,6 +115,23 @@ private Q_SLOTS:
     }
 
 private:
+    /// Which frame of the file the picture is: the one whose grey values it has.
+    static std::optional<std::uint32_t> placeInFile(liena::devices::DicomCine& cine, const DisplayPicture& picture, quint32 number)
+    {
+        std::vector<std::uint16_t> pixels;
+        for (std::uint32_t index = 0; index < cine.frameCount(); ++index) {
+            if (!cine.frame(index, pixels))
+                return std::nullopt;
+            bool same = true;
+            for (std::size_t at = 0; same && at < pixels.size(); at += 37)
+                same = qRed(picture.image.pixel(static_cast<int>(at % 512), static_cast<int>(at / 512))) ==
+                       windowed(pixels[at], picture.window.centre, picture.window.width);
+            if (same)
+                return (index + cine.frameCount() - number % cine.frameCount()) % cine.frameCount();
+        }
+        return std::nullopt;
+    }
+
     static void comparePixels(const Screen& screen, const DisplayPicture& picture, const QImage& image,
                               const std::vector<std::uint16_t>& pixels)
     {

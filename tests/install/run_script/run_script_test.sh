@@ -65,7 +65,7 @@ nothing_left "plain run"
 expect "$STARTED" '^[0-9]+ robot --topology .*cerebrovascular.xml --device robot --certificate .*/robot.crt --key .*/robot.key --authority .*/ca.crt --registry .*/resources/devices$' "robot"
 expect "$STARTED" '^[0-9]+ arm ' "arm"
 expect "$STARTED" '^[0-9]+ xray .* --dicom ' "X-ray system"
-expect "$STARTED" '^[0-9]+ console .*/cockpit.crt .* --unattended 7 --report r.json --screenshot s.png$' "console"
+expect "$STARTED" '^[0-9]+ console .*/cockpit.crt .* --unattended 7 --report r.json --screenshot s.png --rehearsal$' "console"
 [ "$(wc -l < "$STARTED")" -eq 4 ] || fail "not exactly four programs were started"
 
 first=$(cat "$XDG_STATE_HOME"/liena/demo/*/pki/ca.crt)

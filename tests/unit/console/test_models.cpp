@@ -109,8 +109,12 @@ private Q_SLOTS:
         state.receiveDrives(drives, start + 2s);
         QVERIFY(!state.drivesHealthy(start + 2s));
         drives.temperature[2] = 20;
-        drives.enabled[3] = false;
+        drives.enabled.fill(false); // as they are while the robot holds
         state.receiveDrives(drives, start + 2s);
+        QVERIFY(state.drivesHealthy(start + 2s));
+        RobotStatus status;
+        status.state = RobotState::Fault;
+        state.receiveRobot(status, start + 2s);
         QVERIFY(!state.drivesHealthy(start + 2s));
     }
 
