@@ -19,7 +19,9 @@ InstrumentState::InstrumentState(QObject* parent) : QObject(parent) {}
 
 bool InstrumentState::drivesHealthy(Instant now) const
 {
-    if (m_drives.freshness(now, driveLimit) != Freshness::Fresh || !m_drives.value.allEnabled())
+    // Whether the drives are enabled says nothing about their health: the robot enables them when it arms and reports them five times a
+    // second, so a report from before the arming would end what was just permitted.
+    if (m_drives.freshness(now, driveLimit) != Freshness::Fresh || !m_robot.known() || m_robot.value.state == RobotState::Fault)
         return false;
     const auto& warm = m_drives.value.temperature;
     return std::all_of(warm.begin(), warm.end(), [this](double celsius) { return celsius <= m_limits.driveTemperature; });

@@ -156,6 +156,8 @@ void CockpitWindow::setTopologyView(QWidget* view)
 
 void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user); }
 
+void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehearsal); }
+
 void CockpitWindow::setKeyLegend(const QString& legend)
 {
     const QString own = tr("F12 hold \u00B7 Esc emergency stop \u00B7 F1 cockpit \u00B7 F2 topology");

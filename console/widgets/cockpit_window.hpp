@@ -40,6 +40,7 @@ public:
     void setTopologyView(QWidget* view);
 
     void setOperator(const QString& user);
+    void setRehearsal(bool rehearsal);
     void setKeyLegend(const QString& legend);
 
     /// Everything as of `now`. Called by the window's own clock twenty times a second.

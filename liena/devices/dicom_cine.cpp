@@ -98,13 +98,22 @@ Result<void> DicomCine::load()
 {
     const OFCondition loaded = m_file->format.loadFile(OFFilename(m_path.c_str()));
     if (loaded.bad())
-        return refusal(std::string("cannot be read as DICOM (") + loaded.text() + "); give a DICOM Part 10 file");
+        return refusal(std::string("cannot be read as DICOM (") + loaded.text() + "); give a whole DICOM Part 10 file");
+    BOOST_OUTCOME_TRYV(findPixels());
     BOOST_OUTCOME_TRYV(readLayout());
     BOOST_OUTCOME_TRYV(readSize());
-    BOOST_OUTCOME_TRYV(checkPixelData());
+    BOOST_OUTCOME_TRYV(checkLength());
     readRate();
     readMeaning();
     return ok();
+}
+
+Result<void> DicomCine::findPixels()
+{
+    DcmElement* element = nullptr;
+    if (m_file->format.getDataset()->findAndGetElement(DCM_PixelData, element).good())
+        m_file->pixels = dynamic_cast<DcmPixelData*>(element);
+    return m_file->pixels ? Result<void>(ok()) : Result<void>(refusal("holds no pixel data; choose a file with pictures"));
 }
 
 Result<void> DicomCine::readLayout()
@@ -144,21 +153,16 @@ Result<void> DicomCine::readSize()
     return ok();
 }
 
-Result<void> DicomCine::checkPixelData()
+// A file that is cut off announces more than it holds.
+Result<void> DicomCine::checkLength()
 {
-    DcmDataset& dataset = *m_file->format.getDataset();
-    const DcmXfer syntax(dataset.getOriginalXfer());
+    const DcmXfer syntax(m_file->format.getDataset()->getOriginalXfer());
     m_transferSyntax = syntax.getXferName();
-    DcmElement* element = nullptr;
-    if (dataset.findAndGetElement(DCM_PixelData, element).bad() || !element)
-        return refusal("holds no pixel data; choose a file with pictures");
-    m_file->pixels = dynamic_cast<DcmPixelData*>(element);
-    if (!m_file->pixels)
-        return refusal("its pixel data are not stored as pixels; choose another file");
-    const std::uint64_t frameBytes = std::uint64_t{m_format.rows} * m_format.columns * (m_layout.bitsAllocated / 8);
-    if (!syntax.isEncapsulated() && element->getLengthField() < frameBytes * m_frameCount)
-        return refusal("is cut off: its pixel data hold " + std::to_string(element->getLengthField()) + " bytes, its header announces " +
-                       std::to_string(frameBytes * m_frameCount) + "; fetch the file again");
+    const std::uint64_t wanted = std::uint64_t{m_format.rows} * m_format.columns * (m_layout.bitsAllocated / 8) * m_frameCount;
+    const std::uint64_t held = m_file->pixels->getLengthField();
+    if (!syntax.isEncapsulated() && held < wanted)
+        return refusal("is cut off: its pixel data hold " + std::to_string(held) + " bytes, its header announces " +
+                       std::to_string(wanted) + "; fetch the file again");
     return ok();
 }
 

@@ -47,9 +47,10 @@ private:
     explicit DicomCine(std::filesystem::path file);
 
     Result<void> load();
+    Result<void> findPixels();
     Result<void> readLayout();
     Result<void> readSize();
-    Result<void> checkPixelData();
+    Result<void> checkLength();
     void readRate();
     void readMeaning();
     void readWindow();

@@ -11,7 +11,7 @@ namespace liena::devices {
 namespace {
 
 constexpr double contrastAttenuation = 0.28; // 1/mm, undiluted
-constexpr double referenceValue = 1100;      // of 4095, behind the middle of the head
+constexpr double referenceValue = 800;       // of 4095, behind the middle of the head
 constexpr double fullScale = 4095;
 constexpr std::size_t noiseCount = 1U << 16U;
 

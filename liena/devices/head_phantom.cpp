@@ -20,7 +20,7 @@ constexpr double tissue = 0.019; // 1/mm, water at the beam's mean energy
 
 // Head, neck and chest; where they overlap there is tissue once.
 constexpr std::array<Ellipsoid, 3> body{
-    {{{0, 5, -8}, {78, 98, 104}, tissue}, {{0, 18, -140}, {56, 62, 120}, tissue}, {{0, 25, -330}, {175, 105, 130}, tissue}}};
+    {{{0, 5, -8}, {78, 98, 104}, tissue}, {{0, 14, -140}, {66, 74, 125}, tissue}, {{0, 25, -330}, {175, 105, 130}, tissue}}};
 
 constexpr Ellipsoid skullOutside{{0, 5, -2}, {73, 92, 94}, 0.026};
 constexpr Ellipsoid skullInside{{0, 5, -1}, {67, 86, 88}, -0.026};
@@ -29,9 +29,9 @@ std::vector<Ellipsoid> skeleton()
 {
     std::vector<Ellipsoid> parts{skullOutside,
                                  skullInside,
-                                 {{0, 0, -52}, {46, 48, 7}, 0.012},     // base of the skull
-                                 {{0, -36, -108}, {44, 46, 13}, 0.016}, // mandible
-                                 {{0, -28, -104}, {36, 42, 18}, -0.014},
+                                 {{0, 2, -52}, {52, 56, 8}, 0.0045},    // base of the skull
+                                 {{0, -36, -108}, {44, 46, 14}, 0.009}, // mandible
+                                 {{0, -28, -104}, {36, 42, 18}, -0.007},
                                  {{0, -92, -4}, {20, 5, 11}, -0.016},   // frontal sinus
                                  {{0, -40, -38}, {14, 12, 11}, -0.017}, // sphenoid sinus
                                  {{0, -2, -165}, {8, 8, 75}, -0.018}};  // trachea

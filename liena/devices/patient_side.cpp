@@ -32,8 +32,6 @@ std::string withDetail(std::string text, const std::string& detail) { return det
 std::string describeSession(const SessionEvent& event, const std::string& peer)
 {
     switch (event.kind) {
-    case Kind::Opened:
-        return peer + ": open after " + milliseconds(event.duration);
     case Kind::OpenFailed:
         return withDetail(peer + ": not opened (" + std::string(toString(event.reason)) + ")", event.detail);
     case Kind::Closed:
@@ -62,7 +60,9 @@ std::string describeSession(const SessionEvent& event, const std::string& peer)
 std::string describe(const SessionEvent& event, const SystemTopology& topology)
 {
     switch (event.kind) {
-    case Kind::StateChanged:
+    case Kind::StateChanged: // the library's own log has these
+    case Kind::Opened:
+    case Kind::LocalStall:
     case Kind::DeadlineMissed:
     case Kind::HoldReported:
         return {};
@@ -74,8 +74,6 @@ std::string describe(const SessionEvent& event, const SystemTopology& topology)
         return "stand-by begins";
     case Kind::StandByEnded:
         return "stand-by is over; a person has to arm again";
-    case Kind::LocalStall:
-        return "this process did not run for " + milliseconds(event.duration);
     default:
         return describeSession(event, nameIn(topology, event.peer));
     }
@@ -129,8 +127,8 @@ void PatientSide::tellEvent(const SessionEvent& event)
         m_failures.erase(event.peer);
     if (text.empty() || (event.kind == Kind::OpenFailed && std::exchange(m_failures[event.peer], text) == text))
         return;
-    const bool good = event.kind == Kind::Opened || event.kind == Kind::ReOpened || event.kind == Kind::Closed ||
-                      event.kind == Kind::IncidentEnded || event.kind == Kind::StandByEnded;
+    const bool good =
+        event.kind == Kind::ReOpened || event.kind == Kind::Closed || event.kind == Kind::IncidentEnded || event.kind == Kind::StandByEnded;
     m_log(good ? LogLevel::Info : LogLevel::Warning, text);
 }
 

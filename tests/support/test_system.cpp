@@ -58,6 +58,16 @@ Settings TestSystem::settingsOf(const std::string& name)
     return settings;
 }
 
+QStringList TestSystem::argumentsOf(const std::string& name)
+{
+    const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
+    const auto settings = settingsOf(name);
+    return {QStringLiteral("--topology"),    text(settings.topology),         QStringLiteral("--device"), QString::fromStdString(name),
+            QStringLiteral("--registry"),    text(settings.registry.front()), QStringLiteral("--store"),  text(settings.store),
+            QStringLiteral("--certificate"), text(settings.certificate),      QStringLiteral("--key"),    text(settings.key),
+            QStringLiteral("--authority"),   text(settings.authority)};
+}
+
 std::uint16_t TestSystem::portOf(const std::string& name) const
 {
     for (std::size_t i = 0; i < m_devices.size(); ++i)
@@ -115,7 +125,8 @@ std::vector<Message> TestDevice::messages(const std::string& name)
     for (auto& message : m_system->cache().drain().messages)
         m_messages.push_back(std::move(message));
     std::vector<Message> found;
-    std::copy_if(m_messages.begin(), m_messages.end(), std::back_inserter(found), [&](const Message& message) { return message.name() == name; });
+    std::copy_if(m_messages.begin(), m_messages.end(), std::back_inserter(found),
+                 [&](const Message& message) { return message.name() == name; });
     return found;
 }
 

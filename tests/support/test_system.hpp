@@ -5,6 +5,7 @@
 #include "test_authority.hpp"
 
 #include <QByteArray>
+#include <QStringList>
 #include <QTemporaryDir>
 
 #include <functional>
@@ -44,7 +45,8 @@ class TestSystem {
 public:
     struct Options {
         std::string mode = "tls";
-        std::string timing = R"(heartbeat="20ms" suspect="70ms" lost="110ms" reconnect="500ms")";
+        /// Slower than a real system: sanitizers and a busy machine must not look like a lost peer.
+        std::string timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
     };
 
     /// `links` are as in the topology: "cockpit robot".
@@ -54,6 +56,9 @@ public:
     TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links, Options options);
 
     Settings settingsOf(const std::string& name);
+
+    /// The same as options for one of our programs.
+    QStringList argumentsOf(const std::string& name);
     std::filesystem::path topology() const { return folder() / "topology.xml"; }
     std::filesystem::path folder() const { return m_folder.path().toStdString(); }
     std::uint16_t portOf(const std::string& name) const;

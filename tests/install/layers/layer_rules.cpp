@@ -34,7 +34,7 @@ const std::vector<Room>& rooms()
         {"console/input/", "input", {"model"}},
         {"console/imaging/", "imaging", {"model"}},
         {"console/widgets/", "widgets", {"imaging", "model"}},
-        {"console/editor/", "editor", {"model"}},
+        {"console/editor/", "editor", {"widgets", "model"}},
         {"console/link/", "link", {"model"}},
         {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "model"}},
     };

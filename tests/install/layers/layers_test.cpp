@@ -88,7 +88,7 @@ void LayersTest::findsPlantedInclude_data()
     row("console/imaging/a.cpp", "#include \"widgets/theme.hpp\"", "imaging may know model");
     row("console/link/a.cpp", "#include \"app/main_window.hpp\"", "link may know model");
     row("console/link/a.cpp", "#include <boost/asio.hpp>", "Asio is for");
-    row("console/editor/a.cpp", "#include \"widgets/theme.hpp\"", "editor may know model");
+    row("console/editor/a.cpp", "#include \"link/system_link.hpp\"", "editor may know widgets, model");
 }
 
 void LayersTest::findsPlantedInclude()
