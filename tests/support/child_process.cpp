@@ -3,6 +3,8 @@
 
 #include <QDeadlineTimer>
 
+#include <sys/prctl.h>
+
 #include <csignal>
 
 namespace liena::test {
@@ -14,6 +16,8 @@ constexpr int patience = 30000;
 ChildProcess::ChildProcess(const QString& program, const QStringList& arguments)
 {
     m_process.setProcessChannelMode(QProcess::MergedChannels);
+    // A test that crashes leaves nothing running.
+    m_process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
     m_process.start(QStringLiteral(LIENA_PROGRAM_DIR "/") + program, arguments);
     m_process.waitForStarted(patience);
 }
