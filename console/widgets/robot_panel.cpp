@@ -76,8 +76,7 @@ void RobotPanel::refreshDrives(Instant now)
         const double warmest = *std::max_element(v.temperature.begin(), v.temperature.end());
         const double current = *std::max_element(v.current.begin(), v.current.end());
         text = tr("Drives %1 \u00B7 warmest %2 \u00B7 most current %3")
-                   .arg(v.allEnabled() ? tr("enabled") : tr("NOT ALL ENABLED"), figure(warmest, 0, tr("\u00B0C")),
-                        figure(current, 1, tr("A")));
+                   .arg(v.allEnabled() ? tr("enabled") : tr("off"), figure(warmest, 0, tr("\u00B0C")), figure(current, 1, tr("A")));
     }
     m_drives->setText(text + QStringLiteral(" \u00B7 ") + ageText(freshness, drives.age(now)));
     setInk(m_drives, freshness == Freshness::Fresh ? colour::text : colour::secondary);

@@ -183,14 +183,14 @@ StatusStrip::StatusStrip(QWidget* parent)
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(12, 0, 8, 0);
     row->setSpacing(22);
-    QLabel* notice = plainLabel(tr("RESEARCH SYSTEM\nNOT A MEDICAL DEVICE"), TextRole::Caption, this);
-    notice->setAccessibleName(tr("Research system, not a medical device"));
+    m_notice = plainLabel(tr("RESEARCH SYSTEM\nNOT A MEDICAL DEVICE"), TextRole::Caption, this);
+    m_notice->setAccessibleName(tr("Research system, not a medical device"));
     m_patient->setValue(tr("No patient selected"));
     m_recorder->setValue(tr("Not recording"));
     for (StripField* field : {m_patient, m_procedure, m_topology, m_role, m_recorder, m_clock})
         row->addWidget(field);
     row->addStretch(1);
-    row->addWidget(notice);
+    row->addWidget(m_notice);
     row->addWidget(m_xray);
     row->addWidget(m_mode);
     setProcedureTime(std::nullopt);
@@ -205,6 +205,13 @@ void StatusStrip::setTopology(const QString& name, const QString& hash)
 }
 
 void StatusStrip::setRole(const QString& user) { m_role->setValue(user.isEmpty() ? tr("Not signed in") : user); }
+
+void StatusStrip::setRehearsal(bool rehearsal)
+{
+    m_notice->setText(rehearsal ? tr("REHEARSAL, RECORDED PICTURE\nNOT A MEDICAL DEVICE") : tr("RESEARCH SYSTEM\nNOT A MEDICAL DEVICE"));
+    m_notice->setAccessibleName(rehearsal ? tr("Rehearsal with a recorded picture, not a medical device")
+                                          : tr("Research system, not a medical device"));
+}
 
 void StatusStrip::setWallClock(const QString& time) { m_clock->setValue(time); }
 

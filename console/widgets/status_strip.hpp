@@ -71,6 +71,8 @@ public:
 
     void setTopology(const QString& name, const QString& hash);
     void setRole(const QString& user);
+    /// A recording stands for the live picture: said where the notice of a research system stands.
+    void setRehearsal(bool rehearsal);
     void setWallClock(const QString& time);
     /// Time since the first channel was opened; nothing before.
     void setProcedureTime(std::optional<std::chrono::nanoseconds> elapsed);
@@ -79,6 +81,7 @@ public:
     Mode mode() const { return m_mode->mode(); }
 
 private:
+    QLabel* m_notice;
     StripField* m_patient;
     StripField* m_procedure;
     StripField* m_topology;
