@@ -139,9 +139,9 @@ QRectF LinkItem::labelBox() const
     const QFontMetricsF figures(figureFont(m_factor));
     const QStringList lines = stateText().split(QLatin1Char('\n'));
     const QString below = figureText();
-    double wide = figuresWidth(figures, below);
+    double wide = figuresWidth(figureFont(m_factor), below);
     for (const QString& line : lines)
-        wide = std::max(wide, figuresWidth(state, line));
+        wide = std::max(wide, figuresWidth(stateFont(m_factor), line));
     wide += 20;
     const double tall = state.height() * double(lines.size()) + (below.isEmpty() ? 0 : figures.height()) + 8;
     const bool broken = m_link.stateKnown() && arrowLook(m_link.state, true) == ArrowLook::Broken;

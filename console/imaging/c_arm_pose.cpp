@@ -56,8 +56,10 @@ std::optional<CArmPose> poseOf(const CArmGeometry& geometry)
         return std::nullopt;
     CArmPose pose;
     pose.axes = axesOf(geometry.primaryAngle, geometry.secondaryAngle);
-    pose.source = pose.axes.beam * static_cast<float>(-geometry.sourceObjectDistance);
-    pose.detector = pose.axes.beam * static_cast<float>(geometry.sourceDetectorDistance - geometry.sourceObjectDistance);
+    // The table carries the patient; seen from the patient the C-arm moves the other way.
+    const QVector3D isocentre = -toScene({geometry.table.x(), -geometry.table.z(), geometry.table.y()});
+    pose.source = isocentre - pose.axes.beam * static_cast<float>(geometry.sourceObjectDistance);
+    pose.detector = isocentre + pose.axes.beam * static_cast<float>(geometry.sourceDetectorDistance - geometry.sourceObjectDistance);
     pose.detectorSize = geometry.detectorSize;
     return pose;
 }

@@ -20,6 +20,7 @@ struct CArmGeometry {
     double sourceDetectorDistance = 0;
     double sourceObjectDistance = 0;
     QSizeF detectorSize; ///< Width and height of the picture at the detector, mm; empty when the pixel spacing is unknown.
+    QVector3D table;     ///< Lateral, longitudinal, height, mm.
 
     bool operator==(const CArmGeometry&) const = default;
 };
@@ -36,7 +37,7 @@ PictureAxes axesOf(double primaryAngle, double secondaryAngle);
 /// L, R, A, P, H or F: the side of the patient that lies most in this direction of the scene.
 QChar sideLetter(const QVector3D& direction);
 
-/// In the scene's frame, isocentre at the origin.
+/// In the scene's frame. With the table at zero the isocentre is the origin of the patient frame.
 struct CArmPose {
     QVector3D source;
     QVector3D detector; ///< The detector's middle.

@@ -7,8 +7,12 @@ namespace console {
 
 CArmGeometry geometryOf(const XrayFrame& frame)
 {
-    return {frame.geometry.primaryAngle, frame.geometry.secondaryAngle, frame.geometry.sourceDetectorDistance,
-            frame.geometry.sourceObjectDistance, QSizeF(frame.columns, frame.rows) * frame.imagerPixelSpacing};
+    return {frame.geometry.primaryAngle,
+            frame.geometry.secondaryAngle,
+            frame.geometry.sourceDetectorDistance,
+            frame.geometry.sourceObjectDistance,
+            QSizeF(frame.columns, frame.rows) * frame.imagerPixelSpacing,
+            {}};
 }
 
 std::optional<double> pixelSizeAtIsocentre(const XrayFrame& frame)

@@ -35,6 +35,12 @@ void OrbitCamera::zoom(double factor)
         m_distance = std::clamp(m_distance / factor, closest, farthest);
 }
 
+void OrbitCamera::fit(double radius)
+{
+    if (std::isfinite(radius) && radius > 0)
+        m_distance = std::clamp(1.05 * radius / std::sin(qDegreesToRadians(viewAngle / 2)), closest, farthest);
+}
+
 QVector3D OrbitCamera::offset() const { return outward(m_azimuth, m_elevation) * static_cast<float>(m_distance); }
 
 QVector3D OrbitCamera::right() const

@@ -20,6 +20,9 @@ public:
     /// Above 1: closer.
     void zoom(double factor);
 
+    /// As far away as a ball of this radius, mm, needs to be seen whole.
+    void fit(double radius);
+
     double azimuth() const { return m_azimuth; }
     double elevation() const { return m_elevation; }
     double distance() const { return m_distance; }

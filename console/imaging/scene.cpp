@@ -25,21 +25,38 @@ namespace {
 // A tip farther than this from every centre line is drawn alone: no vessel is claimed for the wire.
 constexpr float wireReach = 8;
 
+struct Box {
+    QVector3D low;
+    QVector3D high;
+};
+
+Box boxOf(const SceneState& state)
+{
+    if (!state.vessels || state.vessels->isEmpty())
+        return {};
+    Box box{state.vessels->points.front().position, state.vessels->points.front().position};
+    for (const VesselPoint& point : state.vessels->points) {
+        for (int axis = 0; axis < 3; ++axis) {
+            box.low[axis] = std::min(box.low[axis], point.position[axis]);
+            box.high[axis] = std::max(box.high[axis], point.position[axis]);
+        }
+    }
+    return box;
+}
+
 } // namespace
 
 QVector3D focusOf(const SceneState& state)
 {
-    if (!state.vessels || state.vessels->isEmpty())
-        return {};
-    QVector3D low = state.vessels->points.front().position;
-    QVector3D high = low;
-    for (const VesselPoint& point : state.vessels->points) {
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], point.position[axis]);
-            high[axis] = std::max(high[axis], point.position[axis]);
-        }
-    }
-    return toScene((low + high) / 2);
+    const Box box = boxOf(state);
+    return toScene((box.low + box.high) / 2);
+}
+
+double reachOf(const SceneState& state)
+{
+    const Box box = boxOf(state);
+    const QVector3D size = box.high - box.low;
+    return std::max({size.x(), size.y(), size.z()}) / 2;
 }
 
 // The context outlives what draws in it: members go in the reverse of this order.

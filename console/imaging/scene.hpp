@@ -24,8 +24,9 @@ struct SceneState {
     bool pictureIsLive = false;
 };
 
-/// The middle of the vessels' bounding box in the scene's frame: the camera's focus.
+/// The middle of the vessels' bounding box in the scene's frame, the camera's focus; and half of the box's longest edge, 0 without vessels.
 QVector3D focusOf(const SceneState& state);
+double reachOf(const SceneState& state);
 
 /// Draws off-screen. Make, use and destroy it on one thread.
 class OffscreenScene {

@@ -20,6 +20,7 @@ constexpr double degreesPerPixel = 0.4;
 constexpr double degreesPerKey = 5;
 constexpr double zoomPerStep = 1.15;
 constexpr int largestTexture = 512;
+constexpr double wholeCArm = 800; // mm from the isocentre to its farthest part
 
 // The tracker's quaternion turns +z to the tip's direction.
 QVector3D directionOf(const std::array<double, 4>& q)
@@ -30,7 +31,13 @@ QVector3D directionOf(const std::array<double, 4>& q)
 
 CArmGeometry geometryWith(const XrayGeometry& geometry, QSizeF detectorSize)
 {
-    return {geometry.primaryAngle, geometry.secondaryAngle, geometry.sourceDetectorDistance, geometry.sourceObjectDistance, detectorSize};
+    const auto [lateral, longitudinal, height] = geometry.table;
+    return {geometry.primaryAngle,
+            geometry.secondaryAngle,
+            geometry.sourceDetectorDistance,
+            geometry.sourceObjectDistance,
+            detectorSize,
+            QVector3D(float(lateral), float(longitudinal), float(height))};
 }
 
 } // namespace
@@ -57,6 +64,8 @@ void SceneView::loadVessels(const QString& path)
     VesselTreeResult result = readVesselTree(path);
     m_vesselError = result.error;
     m_state.vessels = result.tree ? std::make_shared<const VesselTree>(std::move(*result.tree)) : nullptr;
+    m_focus = focusOf(m_state);
+    m_camera = viewOfVessels();
     describe();
     requestDrawing();
     update();
@@ -93,8 +102,10 @@ void SceneView::showPicture(const DisplayPicture& picture)
         m_state.picture = picture.image.scaled(largestTexture, largestTexture, Qt::KeepAspectRatio, Qt::FastTransformation);
     m_state.pictureGeometry = geometryOf(picture.about);
     m_detectorSize = m_state.pictureGeometry->detectorSize;
-    if (m_cArm)
+    if (m_cArm) {
         m_state.cArm = geometryWith(*m_cArm, m_detectorSize);
+        m_state.pictureGeometry->table = m_state.cArm->table; // a picture does not say where the table was
+    }
     requestDrawing();
 }
 
@@ -135,6 +146,22 @@ void SceneView::look(const OrbitCamera& camera)
     requestDrawing();
 }
 
+OrbitCamera SceneView::viewOfVessels() const
+{
+    OrbitCamera camera;
+    camera.fit(reachOf(m_state));
+    return camera;
+}
+
+// From the side, so that source, patient and detector stand next to each other.
+OrbitCamera SceneView::viewOfCArm() const
+{
+    OrbitCamera camera;
+    camera.rotate(-30, 0);
+    camera.fit(wholeCArm);
+    return camera;
+}
+
 void SceneView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -171,7 +198,7 @@ void SceneView::paintTipMark(QPainter& painter) const
 {
     if (!m_state.tip || !m_state.tip->isStale)
         return;
-    const auto place = m_drawn.camera.project(toScene(m_state.tip->position) - focusOf(m_state), size());
+    const auto place = m_drawn.camera.project(toScene(m_state.tip->position) - m_focus, size());
     if (!place)
         return;
     QFont mark = font();
@@ -231,8 +258,9 @@ QString SceneView::notice() const
 void SceneView::describe()
 {
     const QString missing = notice();
-    setAccessibleDescription(missing.isEmpty() ? tr("Vessels, tracked tip and C-arm. Arrows turn, plus and minus zoom, Home resets.")
-                                               : missing);
+    setAccessibleDescription(
+        missing.isEmpty() ? tr("Vessels, tracked tip and C-arm. Arrows turn, plus and minus zoom, Home shows the vessels, End the C-arm.")
+                          : missing);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event)
@@ -294,7 +322,10 @@ void SceneView::keyPressEvent(QKeyEvent* event)
         camera.zoom(1 / zoomPerStep);
         break;
     case Qt::Key_Home:
-        camera = OrbitCamera();
+        camera = viewOfVessels();
+        break;
+    case Qt::Key_End:
+        camera = viewOfCArm();
         break;
     default:
         QWidget::keyPressEvent(event);

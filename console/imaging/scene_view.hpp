@@ -63,6 +63,8 @@ private:
     void requestDrawing();
     void takeDrawing();
     void look(const OrbitCamera& camera);
+    OrbitCamera viewOfVessels() const;
+    OrbitCamera viewOfCArm() const;
     void paintLetters(QPainter& painter) const;
     void paintTipMark(QPainter& painter) const;
     void paintWords(QPainter& painter) const;
@@ -73,6 +75,7 @@ private:
     SceneState m_state;
     OrbitCamera m_camera;
     QString m_vesselError;
+    QVector3D m_focus;
     QSizeF m_detectorSize;
     std::optional<XrayGeometry> m_cArm;
     PictureCondition m_condition = PictureCondition::None;

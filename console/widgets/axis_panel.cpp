@@ -133,9 +133,9 @@ void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
     drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignLeft | Qt::AlignVCenter,
                 figureText(m_reading.position, 1, tr("mm")));
     const QString angle = tr("turned %1").arg(figureText(m_reading.angle, 0, tr("\u00B0")));
-    const double taken = figuresWidth(QFontMetricsF(painter.font()), tr("0000.0 mm")) + captionHeight;
+    const double taken = figuresWidth(painter.font(), tr("0000.0 mm")) + captionHeight;
     painter.setFont(theme::font(TextRole::Strong, scale));
-    if (taken + figuresWidth(QFontMetricsF(painter.font()), tr("turned -0000\u00B0")) < where.width())
+    if (taken + figuresWidth(painter.font(), tr("turned -0000\u00B0")) < where.width())
         drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignRight | Qt::AlignVCenter, angle);
     const QString low = limitWord(m_reading.softLow, m_reading.hardLow);
     const QString high = limitWord(m_reading.softHigh, m_reading.hardHigh);
@@ -188,8 +188,8 @@ void AxisPanel::paintEvent(QPaintEvent*)
     const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
     const QFontMetricsF body(theme::font(TextRole::Body, scale));
     const double nameWidth = std::max(width() * 0.2, strong.horizontalAdvance(tr("Guidewire")) + strong.height() * 1.75 + gap * 0.75);
-    const double speedWidth =
-        std::max(width() * 0.28, body.horizontalAdvance(tr("anticlockwise")) + figuresWidth(strong, tr("000.0 mm/s")) + gap / 2);
+    const double speedWidth = std::max(width() * 0.28, body.horizontalAdvance(tr("anticlockwise")) +
+                                                           figuresWidth(theme::font(TextRole::Strong, scale), tr("000.0 mm/s")) + gap / 2);
     const QRectF all(rect());
     paintName(painter, QRectF(all.left(), all.top(), nameWidth - gap / 2, all.height()));
     paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedWidth - gap, all.height()));

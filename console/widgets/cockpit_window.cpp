@@ -25,6 +25,7 @@ namespace colour = theme::colour;
 namespace {
 
 constexpr int clockMs = 50;
+constexpr int slowTicks = 5;
 
 } // namespace
 
@@ -57,7 +58,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     addKeys();
     m_clock.setInterval(clockMs);
     m_clock.setTimerType(Qt::PreciseTimer);
-    connect(&m_clock, &QTimer::timeout, this, [this] { refresh(std::chrono::steady_clock::now()); });
+    connect(&m_clock, &QTimer::timeout, this, &CockpitWindow::tick);
     connect(qApp, &QApplication::focusChanged, this, [this] { updateHandKeys(); });
     setKeyLegend({});
     setFocus();
@@ -221,13 +222,27 @@ void CockpitWindow::refreshStrip(Instant now)
     m_strip->setBeam(!m_models.xray.fresh(now) ? Beam::Unknown : m_models.xray.beamOn() ? Beam::On : Beam::Off);
 }
 
+void CockpitWindow::tick()
+{
+    const Instant now = std::chrono::steady_clock::now();
+    m_robot->refresh(now);
+    m_motion->refresh(now);
+    if (++m_ticks % slowTicks == 0)
+        refreshSlow(now);
+}
+
 void CockpitWindow::refresh(Instant now)
+{
+    m_robot->refresh(now);
+    m_motion->refresh(now);
+    refreshSlow(now);
+}
+
+void CockpitWindow::refreshSlow(Instant now)
 {
     refreshStrip(now);
     m_rail->refresh(now);
-    m_robot->refresh(now);
     m_dose->refresh(now);
-    m_motion->refresh(now);
     m_deck->refresh(m_models.sessions, surroundings(now), now);
 }
 

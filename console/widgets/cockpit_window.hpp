@@ -43,7 +43,7 @@ public:
     void setRehearsal(bool rehearsal);
     void setKeyLegend(const QString& legend);
 
-    /// Everything as of `now`. Called by the window's own clock twenty times a second.
+    /// Everything as of `now`. The window's own clock renews what moves twenty times a second, the rest four times.
     void refresh(Instant now);
 
     View view() const { return m_view; }
@@ -91,7 +91,9 @@ private:
     void replace(Region region, QWidget*& present, QWidget* view);
     void updateHandKeys();
     PromptSurroundings surroundings(Instant now) const;
+    void tick();
     void refreshStrip(Instant now);
+    void refreshSlow(Instant now);
 
     ConsoleModels& m_models;
     CockpitLayout* m_layout;
@@ -108,6 +110,7 @@ private:
     SheetDeck* m_deck;
     QWidget* m_overlay = nullptr;
     QTimer m_clock;
+    int m_ticks = 0;
     View m_view = View::Cockpit;
     bool m_handHasKeys = false;
     QString m_operator;

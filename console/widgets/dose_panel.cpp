@@ -6,6 +6,7 @@
 #include "widgets/stale_mark.hpp"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -33,15 +34,19 @@ DosePanel::DosePanel(const InstrumentState& instrument, const XraySystemState& x
     m_kerma = addFigure(grid, 2, 0, tr("Air kerma"), QStringLiteral("0000.0 mGy"));
     m_kermaRate = addFigure(grid, 2, 1, tr("Kerma rate"), QStringLiteral("00.0 mGy/min"));
     m_product = addFigure(grid, 2, 2, tr("Dose-area product"), QStringLiteral("00.00 Gy\u00B7cm\u00B2"));
-    column->addWidget(headingLabel(tr("Contrast and dose"), this));
-    column->addLayout(grid, 1);
     m_contrastAge = new FigureLabel(this);
     m_xrayAge = new FigureLabel(this);
     for (FigureLabel* line : {m_contrastAge, m_xrayAge}) {
         theme::setTextRole(line, TextRole::Caption);
         setInk(line, colour::secondary);
-        column->addWidget(line);
     }
+    auto* head = new QHBoxLayout;
+    head->addWidget(headingLabel(tr("Contrast and dose"), this));
+    head->addStretch(1);
+    head->addWidget(m_contrastAge);
+    column->addLayout(head);
+    column->addLayout(grid, 1);
+    column->addWidget(m_xrayAge);
 }
 
 FigureLabel* DosePanel::addFigure(QGridLayout* grid, int row, int column, const QString& caption, const QString& widest)
@@ -67,7 +72,7 @@ void DosePanel::refreshContrast(Instant now)
     const auto& injections = m_instrument.injections();
     m_injection->setText(figure(injections.empty() ? std::nullopt : std::optional<double>(injections.back().delivered), 1, tr("mL")));
     setInk(m_injection, injections.empty() ? colour::secondary : colour::bright);
-    m_contrastAge->setText(tr("Contrast as the robot reports it, %1").arg(ageText(freshness, robot.age(now))));
+    m_contrastAge->setText(tr("Contrast from the robot, %1").arg(ageText(freshness, robot.age(now))));
 }
 
 void DosePanel::refresh(Instant now)

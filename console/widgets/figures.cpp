@@ -2,22 +2,48 @@
 #include "widgets/figures.hpp"
 
 #include <QFontMetricsF>
+#include <QHash>
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace console {
 
 namespace {
 
-double cellWidth(const QFontMetricsF& metrics)
+/// The ten figures of a face: measuring them takes longer than drawing them.
+struct Cells {
+    std::array<double, 10> advance{};
+    double width = 0;
+};
+
+Cells measure(const QFont& font)
 {
-    double widest = 0;
-    for (char c = '0'; c <= '9'; ++c)
-        widest = std::max(widest, metrics.horizontalAdvance(QLatin1Char(c)));
-    return widest;
+    const QFontMetricsF metrics(font);
+    Cells cells;
+    for (std::size_t i = 0; i < cells.advance.size(); ++i) {
+        cells.advance[i] = metrics.horizontalAdvance(QChar(ushort('0' + i)));
+        cells.width = std::max(cells.width, cells.advance[i]);
+    }
+    return cells;
 }
+
+const Cells& cellsOf(const QFont& font)
+{
+    thread_local QHash<QFont, Cells> known;
+    constexpr qsizetype most = 64;
+    auto place = known.find(font);
+    if (place == known.end()) {
+        if (known.size() >= most)
+            known.clear();
+        place = known.insert(font, measure(font));
+    }
+    return *place;
+}
+
+bool isFigureOf(QChar c) { return c >= QLatin1Char('0') && c <= QLatin1Char('9'); }
 
 // A run is either one figure or a stretch of other characters, which keep their kerning.
 template <typename Visit>
@@ -25,7 +51,7 @@ void forEachRun(const QString& text, Visit visit)
 {
     qsizetype start = 0;
     for (qsizetype i = 0; i < text.size(); ++i) {
-        if (!text.at(i).isDigit())
+        if (!isFigureOf(text.at(i)))
             continue;
         if (i > start)
             visit(text.mid(start, i - start), false);
@@ -38,9 +64,10 @@ void forEachRun(const QString& text, Visit visit)
 
 } // namespace
 
-double figuresWidth(const QFontMetricsF& metrics, const QString& text)
+double figuresWidth(const QFont& font, const QString& text)
 {
-    const double cell = cellWidth(metrics);
+    const QFontMetricsF metrics(font);
+    const double cell = cellsOf(font).width;
     double width = 0;
     forEachRun(text, [&](const QString& run, bool isFigure) { width += isFigure ? cell : metrics.horizontalAdvance(run); });
     return width;
@@ -49,8 +76,8 @@ double figuresWidth(const QFontMetricsF& metrics, const QString& text)
 void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text)
 {
     const QFontMetricsF metrics(painter.font());
-    const double cell = cellWidth(metrics);
-    const double width = figuresWidth(metrics, text);
+    const Cells cells = cellsOf(painter.font());
+    const double width = figuresWidth(painter.font(), text);
     double x = where.left();
     if (alignment.testFlag(Qt::AlignRight))
         x = where.right() - width;
@@ -62,9 +89,9 @@ void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment
     else if (alignment.testFlag(Qt::AlignBottom))
         y = where.bottom() - metrics.descent();
     forEachRun(text, [&](const QString& run, bool isFigure) {
-        const double advance = metrics.horizontalAdvance(run);
-        painter.drawText(QPointF(isFigure ? x + (cell - advance) / 2 : x, y), run);
-        x += isFigure ? cell : advance;
+        const double advance = isFigure ? cells.advance[std::size_t(run.front().digitValue())] : metrics.horizontalAdvance(run);
+        painter.drawText(QPointF(isFigure ? x + (cells.width - advance) / 2 : x, y), run);
+        x += isFigure ? cells.width : advance;
     });
 }
 
@@ -111,7 +138,7 @@ void FigureLabel::reserve(const QString& widest)
 QSize FigureLabel::sizeHint() const
 {
     const QFontMetricsF metrics(font());
-    const double width = std::max(figuresWidth(metrics, text()), figuresWidth(metrics, m_widest));
+    const double width = std::max(figuresWidth(font(), text()), figuresWidth(font(), m_widest));
     const QMargins margins = contentsMargins();
     return {int(std::ceil(width)) + 1 + margins.left() + margins.right(),
             int(std::ceil(metrics.height())) + margins.top() + margins.bottom()};

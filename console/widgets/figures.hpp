@@ -8,13 +8,13 @@
 #include <optional>
 
 class QPainter;
-class QFontMetricsF;
+class QFont;
 
 namespace console {
 
 /// Inter's figures are proportional and Qt 6.4 cannot ask a face for its tabular ones; the cell is the widest figure's.
 void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text);
-double figuresWidth(const QFontMetricsF& metrics, const QString& text);
+double figuresWidth(const QFont& font, const QString& text);
 
 /// `12.3 mm`; an em dash and the unit when there is no value.
 QString figure(std::optional<double> value, int decimals, const QString& unit);

@@ -23,14 +23,18 @@ GuardList::GuardList(QWidget* parent) : QWidget(parent)
 
 void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState& permit)
 {
-    m_lines.assign(checklist.begin(), checklist.end());
+    std::vector<GuardLine> lines(checklist.begin(), checklist.end());
     if (permit.phase == PermitPhase::Armed || permit.phase == PermitPhase::Engaged) {
         const GuardSet kept = keptWhileArmed();
-        std::erase_if(m_lines, [&kept](const GuardLine& line) { return !kept.test(std::size_t(line.guard)); });
-        for (GuardLine& line : m_lines)
+        std::erase_if(lines, [&kept](const GuardLine& line) { return !kept.test(std::size_t(line.guard)); });
+        for (GuardLine& line : lines)
             line.met = permit.kept.test(std::size_t(line.guard));
     }
-    std::stable_partition(m_lines.begin(), m_lines.end(), [](const GuardLine& line) { return !line.met; });
+    std::stable_partition(lines.begin(), lines.end(), [](const GuardLine& line) { return !line.met; });
+    const auto same = [](const GuardLine& a, const GuardLine& b) { return a.guard == b.guard && a.met == b.met && a.text == b.text; };
+    if (std::equal(lines.begin(), lines.end(), m_lines.begin(), m_lines.end(), same))
+        return;
+    m_lines = std::move(lines);
     QStringList missing;
     for (const GuardLine& line : m_lines)
         if (!line.met)
@@ -53,7 +57,7 @@ std::vector<double> GuardList::columnWidths(int columns) const
     const QFontMetricsF metrics(font());
     std::vector<double> widths(std::size_t(columns), metrics.height());
     for (std::size_t i = 0; i < std::min(m_lines.size(), std::size_t(columns * rows)); ++i)
-        widths[i / rows] = std::max(widths[i / rows], figuresWidth(metrics, m_lines[i].text) + metrics.height() * 1.8);
+        widths[i / rows] = std::max(widths[i / rows], figuresWidth(font(), m_lines[i].text) + metrics.height() * 1.8);
     const double asked = std::accumulate(widths.begin(), widths.end(), 0.0);
     const double spare = (width() - asked) / columns;
     for (double& wide : widths)

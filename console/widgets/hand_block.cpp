@@ -46,14 +46,17 @@ double HandBlock::askedWidth() const
 {
     const double scale = theme::scaleOf(this);
     const QFontMetricsF caption(theme::font(TextRole::Caption, scale));
-    const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
-    return caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(strong, tr("advance 00.0 mm/s")) + theme::px(this, 14);
+    return caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(theme::font(TextRole::Strong, scale), tr("advance 00.0 mm/s")) +
+           theme::px(this, 14);
 }
 
 void HandBlock::setState(const HandState& hand, const InstrumentState& instrument, Instant now)
 {
+    const Lamp received = !instrument.robotFresh(now) ? Lamp::Unknown : instrument.robot().value.engaged ? Lamp::On : Lamp::Off;
+    if (m_hand == hand.reading() && m_received == received)
+        return;
     m_hand = hand.reading();
-    m_received = !instrument.robotFresh(now) ? Lamp::Unknown : instrument.robot().value.engaged ? Lamp::On : Lamp::Off;
+    m_received = received;
     setAccessibleDescription(tr("Dead-man sent %1, at the robot %2, clutch %3")
                                  .arg(m_hand.deadMan ? tr("pressed") : tr("released"),
                                       m_received == Lamp::Unknown ? tr("unknown")

@@ -3,7 +3,11 @@
 
 #include <QFile>
 #include <QPainter>
+#include <QPixmapCache>
 #include <QSvgRenderer>
+
+#include <algorithm>
+#include <cmath>
 
 namespace console::icons {
 
@@ -57,26 +61,38 @@ Icon forKind(DeviceKind kind)
     return Icon::Special;
 }
 
-void draw(QPainter& painter, const QRectF& where, Icon icon, const QColor& colour)
+namespace {
+
+// Parsed once and drawn into pictures that are kept: the same few icons are painted many times a second.
+QPixmap rendered(Icon icon, int side, const QColor& colour)
 {
+    const QString key = QStringLiteral("liena-icon-%1-%2-%3").arg(int(icon)).arg(side).arg(colour.rgba(), 8, 16);
+    QPixmap picture;
+    if (QPixmapCache::find(key, &picture))
+        return picture;
     QFile file(QStringLiteral(":/liena/icons/%1.svg").arg(fileName(icon)));
     if (!file.open(QIODevice::ReadOnly))
-        return;
+        return {};
     QByteArray drawing = file.readAll();
     drawing.replace("#ffffff", colour.name().toLatin1());
-    QSvgRenderer renderer(drawing);
-    const double side = std::min(where.width(), where.height());
-    renderer.render(&painter, QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side));
+    picture = QPixmap(side, side);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    QSvgRenderer(drawing).render(&painter, QRectF(0, 0, side, side));
+    painter.end();
+    QPixmapCache::insert(key, picture);
+    return picture;
 }
 
-QPixmap pixmap(Icon icon, int size, const QColor& colour, double devicePixelRatio)
+} // namespace
+
+void draw(QPainter& painter, const QRectF& where, Icon icon, const QColor& colour)
 {
-    QPixmap result(QSize(size, size) * devicePixelRatio);
-    result.setDevicePixelRatio(devicePixelRatio);
-    result.fill(Qt::transparent);
-    QPainter painter(&result);
-    draw(painter, QRectF(0, 0, size, size), icon, colour);
-    return result;
+    const QTransform& transform = painter.deviceTransform();
+    const double zoom = std::hypot(transform.m11(), transform.m12());
+    const double side = std::min(where.width(), where.height());
+    const QPixmap picture = rendered(icon, std::max(1, int(std::lround(side * zoom))), colour);
+    painter.drawPixmap(QRectF(where.center().x() - side / 2, where.center().y() - side / 2, side, side), picture, QRectF(picture.rect()));
 }
 
 } // namespace console::icons

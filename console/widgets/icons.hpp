@@ -4,8 +4,7 @@
 #include "model/device_node.hpp"
 
 #include <QColor>
-#include <QPixmap>
-#include <QString>
+#include <QRectF>
 
 class QPainter;
 
@@ -16,6 +15,5 @@ enum class Icon { Hand, Eye, Brain, Arm, Special, Xray, DeadMan, Clutch, Hold, G
 Icon forKind(DeviceKind kind);
 
 void draw(QPainter& painter, const QRectF& where, Icon icon, const QColor& colour);
-QPixmap pixmap(Icon icon, int size, const QColor& colour, double devicePixelRatio = 1.0);
 
 } // namespace console::icons

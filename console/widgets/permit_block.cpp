@@ -73,8 +73,11 @@ QString PermitBlock::explanation(const PermitModel& permit, Instant now)
 
 void PermitBlock::setPermit(const PermitModel& permit, Instant now)
 {
+    const QString words = explanation(permit, now);
+    if (m_phase == permit.phase() && m_explanation == words)
+        return;
     m_phase = permit.phase();
-    m_explanation = explanation(permit, now);
+    m_explanation = words;
     setAccessibleDescription(word(m_phase) + QStringLiteral(". ") + m_explanation);
     update();
 }

@@ -65,7 +65,7 @@ void RollCall::paintEvent(QPaintEvent*)
             painter.drawRect(mark.adjusted(side * 0.15, side * 0.15, -side * 0.15, -side * 0.15));
         }
         const QString words = holdWords(line);
-        const double wide = figuresWidth(metrics, words);
+        const double wide = figuresWidth(font(), words);
         painter.setPen(line.holding ? colour::text : colour::bright);
         drawFigures(painter, cell, Qt::AlignRight | Qt::AlignVCenter, words);
         const QRectF name = cell.adjusted(side * 1.4, 0, -wide - side, 0);

@@ -29,6 +29,7 @@ struct CockpitStage {
         window.setSceneView(new Pane(QStringLiteral("Scene")));
         window.setMiniTopology(mini);
         window.setTopologyView(topology);
+        QObject::connect(mini, &TopologyCanvas::chosen, &window, [this] { window.showView(View::Topology); });
         window.resize(size);
         window.show();
     }

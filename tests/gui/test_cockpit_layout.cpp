@@ -181,7 +181,7 @@ private Q_SLOTS:
         int controls = 0;
         for (const QWidget* widget : stage.window.findChildren<QWidget*>()) {
             const bool control = qobject_cast<const QAbstractButton*>(widget) || widget->focusPolicy() != Qt::NoFocus;
-            if (!control || !widget->isVisible())
+            if (!control || !widget->isVisible() || widget->focusProxy())
                 continue;
             ++controls;
             QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(describe(widget)));
@@ -213,13 +213,23 @@ private Q_SLOTS:
         stage.refresh();
         const auto places = [&stage] {
             std::vector<QRect> all;
-            for (const QWidget* widget : stage.window.findChildren<QWidget*>())
-                if (!widget->parentWidget()->inherits("console::AlarmBand"))
-                    all.push_back(widget->geometry());
+            for (const QWidget* widget : stage.window.findChildren<QWidget*>()) {
+                const bool fixed = widget->parentWidget() == &stage.window || qobject_cast<const QAbstractButton*>(widget) ||
+                                   widget->inherits("console::LinkCard") || widget->inherits("console::AxisPanel");
+                if (fixed && !widget->parentWidget()->inherits("console::AlarmBand"))
+                    all.push_back(QRect(widget->mapTo(&stage.window, QPoint()), widget->size()));
+            }
             return all;
         };
-        QTest::qWait(0);
-        const auto before = places();
+        auto before = places();
+        const auto settled = [&] {
+            const auto last = before;
+            QTest::qWait(0);
+            stage.refresh();
+            before = places();
+            return before == last;
+        };
+        QTRY_VERIFY(settled());
         stage.cockpit.models.alarms.update({{AlarmCondition::ForceStop, robotId, AlarmPriority::High, true,
                                              QStringLiteral("Force above 2 N"), QStringLiteral("Let go of the dead-man.")},
                                             {AlarmCondition::DriveFault, robotId, AlarmPriority::Medium, true,

@@ -80,8 +80,9 @@ private Q_SLOTS:
 
     void figuresAllTakeTheSameRoom()
     {
-        const QFontMetricsF metrics(theme::font(TextRole::Value, 1));
-        QCOMPARE(figuresWidth(metrics, QStringLiteral("111.1 mm")), figuresWidth(metrics, QStringLiteral("888.8 mm")));
+        const QFont font = theme::font(TextRole::Value, 1);
+        const QFontMetricsF metrics(font);
+        QCOMPARE(figuresWidth(font, QStringLiteral("111.1 mm")), figuresWidth(font, QStringLiteral("888.8 mm")));
         QVERIFY(metrics.horizontalAdvance(QStringLiteral("111")) < metrics.horizontalAdvance(QStringLiteral("888")));
     }
 

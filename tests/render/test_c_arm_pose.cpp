@@ -17,6 +17,7 @@ private Q_SLOTS:
     void namesSidesByAngle_data();
     void namesSidesByAngle();
     void putsSourceIsocentreAndDetectorOnOneLine();
+    void tableMovesTheCArmTheOtherWay();
     void refusesGeometryThatMakesNoSense_data();
     void refusesGeometryThatMakesNoSense();
     void scalesPixelsToTheIsocentre();
@@ -68,13 +69,23 @@ void TestCArmPose::namesSidesByAngle()
 
 void TestCArmPose::putsSourceIsocentreAndDetectorOnOneLine()
 {
-    const auto pose = poseOf({25, -15, 1100, 750, {300, 200}});
+    const auto pose = poseOf({25, -15, 1100, 750, {300, 200}, {}});
     QVERIFY(pose);
     QCOMPARE(pose->source.length(), 750.0F);
     QCOMPARE(pose->detector.length(), 350.0F);
     QVERIFY(near(pose->source.normalized(), -pose->detector.normalized()));
     QVERIFY(near(pose->corner(1, 0) - pose->corner(-1, 0), pose->axes.right * 300));
     QVERIFY(near(pose->corner(0, 1) - pose->corner(0, -1), pose->axes.up * 200));
+}
+
+void TestCArmPose::tableMovesTheCArmTheOtherWay()
+{
+    const auto still = poseOf({0, 0, 1100, 750, {300, 300}, {}});
+    // 10 mm to the patient's right, 20 mm towards the head, 30 mm up, which is to the front of a patient who lies on the back.
+    const auto moved = poseOf({0, 0, 1100, 750, {300, 300}, {10, 20, 30}});
+    QVERIFY(still && moved);
+    QVERIFY(near(moved->source - still->source, -toScene({10, -30, 20})));
+    QVERIFY(near(moved->detector - still->detector, -toScene({10, -30, 20})));
 }
 
 void TestCArmPose::refusesGeometryThatMakesNoSense_data()
@@ -98,8 +109,8 @@ void TestCArmPose::refusesGeometryThatMakesNoSense()
     QFETCH(double, sid);
     QFETCH(double, sod);
     QFETCH(double, edge);
-    QVERIFY(poseOf({0, 0, 1100, 750, {300, 300}}));
-    QVERIFY(!poseOf({primary, 0, sid, sod, {edge, edge}}));
+    QVERIFY(poseOf({0, 0, 1100, 750, {300, 300}, {}}));
+    QVERIFY(!poseOf({primary, 0, sid, sod, {edge, edge}, {}}));
 }
 
 void TestCArmPose::scalesPixelsToTheIsocentre()
@@ -169,6 +180,10 @@ void TestCArmPose::cameraProjectsFocusToTheMiddle()
     const auto right = camera.project(camera.right() * 50, {400, 300});
     QVERIFY(right && right->x() > 210 && std::abs(right->y() - 150) < 1e-3);
     QVERIFY(!camera.project(camera.offset() * 2, {400, 300}));
+    OrbitCamera fitted;
+    fitted.fit(80);
+    const auto top = fitted.project(fitted.up() * 80, {400, 300});
+    QVERIFY(top && top->y() > 0 && top->y() < 20);
 }
 
 QTEST_APPLESS_MAIN(TestCArmPose)

@@ -191,7 +191,7 @@ void TestFrameDecoder::survivesDamagedBytes()
     const auto good = samples::frame(1, smallSize, bits, static_cast<PixelEncoding>(encoding), encoding == 2 ? 90 : 0);
     std::mt19937 random(20240611);
     int refused = 0;
-    for (int trial = 0; trial < 1500; ++trial) {
+    for (int trial = 0; trial < 600; ++trial) {
         std::vector<std::byte> bytes = bytesOf(*good);
         // Half of the damage falls into the header, where sizes and tables are.
         const std::size_t reach = trial % 2 == 0 ? std::min<std::size_t>(bytes.size(), 40) : bytes.size();
@@ -205,7 +205,7 @@ void TestFrameDecoder::survivesDamagedBytes()
         else
             QCOMPARE(QSize(stored.cols, stored.rows), smallSize);
     }
-    QVERIFY(refused > 300);
+    QVERIFY(refused > 120);
 }
 
 void TestFrameDecoder::takesNoMemoryForWhatItRefuses()

@@ -125,7 +125,7 @@ void TestJpegLsDecoder::agreesWithAnotherImplementation()
 {
     QFETCH(int, bits);
     QFETCH(int, near);
-    for (const QSize size : {QSize(1, 1), QSize(1, 40), QSize(53, 1), QSize(61, 47), QSize(200, 30)})
+    for (const QSize size : {QSize(1, 1), QSize(1, 40), QSize(53, 1), QSize(61, 47), QSize(130, 20)})
         for (const Texture texture : {Texture::Flat, Texture::Ramp, Texture::Noise, Texture::Steps, Texture::Film}) {
             const auto values = picture(texture, size, (1 << bits) - 1, static_cast<unsigned>(bits * 7 + near));
             const auto bytes = encoded(values, size, bits, near);
@@ -154,7 +154,7 @@ void TestJpegLsDecoder::refusesDataThatEndEarlyOrLate()
     const auto bytes = encoded(picture(Texture::Film, size, 4095, 3), size, 12, 0);
     cv::Mat stored;
     QVERIFY(decoded(bytes, stored));
-    for (std::size_t length = 0; length < bytes.size(); ++length)
+    for (std::size_t length = 0; length < bytes.size(); length += length + 40 < bytes.size() ? 37 : 1)
         QVERIFY2(!decoded({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length)}, stored),
                  qPrintable(QString::number(length)));
     // A line more in the data than the header says.
@@ -216,7 +216,7 @@ void TestJpegLsDecoder::endsOnEveryDamage()
     const auto good = encoded(picture(Texture::Film, size, (1 << bits) - 1, 9), size, bits, near);
     std::mt19937 random(1234);
     int refused = 0;
-    constexpr int trials = 4000;
+    constexpr int trials = 600;
     for (int trial = 0; trial < trials; ++trial) {
         auto bytes = good;
         for (unsigned hit = 0; hit < 1 + random() % 6; ++hit)

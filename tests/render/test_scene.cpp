@@ -184,7 +184,7 @@ void TestScene::drawsWireOnlyInsideVessels()
 void TestScene::drawsCArmOnlyWithKnownGeometry()
 {
     SceneState state;
-    state.cArm = CArmGeometry{20, 10, 1100, 750, {300, 300}};
+    state.cArm = CArmGeometry{20, 10, 1100, 750, {300, 300}, {}};
     m_scene->show(state);
     OrbitCamera far;
     far.zoom(0.5);
@@ -204,7 +204,7 @@ void TestScene::putsPictureOnTheDetectorUnmirrored()
             picture.setPixel(x, y, qRgb(255, 255, 255));
     SceneState state;
     state.picture = picture;
-    state.pictureGeometry = CArmGeometry{0, 0, 1100, 750, {200, 200}};
+    state.pictureGeometry = CArmGeometry{0, 0, 1100, 750, {200, 200}, {}};
     state.pictureIsLive = true;
     m_scene->show(state);
     OrbitCamera camera = fromTheFront();
@@ -222,7 +222,7 @@ void TestScene::dimsPictureThatIsNotLive()
     picture.fill(qRgb(200, 200, 200));
     SceneState state;
     state.picture = picture;
-    state.pictureGeometry = CArmGeometry{0, 0, 1100, 750, {200, 200}};
+    state.pictureGeometry = CArmGeometry{0, 0, 1100, 750, {200, 200}, {}};
     OrbitCamera camera = fromTheFront();
     camera.zoom(0.4);
     state.pictureIsLive = true;
@@ -240,7 +240,7 @@ void TestScene::usesNoAlarmColour()
     SceneState state;
     state.vessels = forkedTree();
     state.tip = tipAt({0, 0, 20});
-    state.cArm = CArmGeometry{20, 10, 1100, 750, {300, 300}};
+    state.cArm = CArmGeometry{20, 10, 1100, 750, {300, 300}, {}};
     m_scene->show(state);
     QCOMPARE(pixelsThat(m_scene->render(OrbitCamera(), pane), isAlarmHue), 0);
 }
@@ -300,6 +300,8 @@ void TestScene::viewTurnsByMouseAndKeyboard()
     QTest::keyClick(&view, Qt::Key_Minus);
     QTest::keyClick(&view, Qt::Key_Up);
     QVERIFY(view.camera().elevation() > start.elevation());
+    QTest::keyClick(&view, Qt::Key_End);
+    QVERIFY(view.camera().distance() > 2 * start.distance());
 }
 
 void TestScene::viewDrawsNothingWhileHidden()
