@@ -22,17 +22,12 @@ constexpr std::chrono::milliseconds figuresPeriod{100};
 std::filesystem::path path(const QString& text) { return std::filesystem::path(text.toStdU16String()); }
 
 /// The device that the settings name, or the only one that has a cockpit's message set.
-std::optional<std::string> deviceName(const LinkSettings& settings, QString* error)
+std::optional<std::string> deviceName(const LinkSettings& settings, const liena::SystemTopology& topology, QString* error)
 {
     if (!settings.device.isEmpty())
         return settings.device.toStdString();
-    const auto topology = liena::SystemTopology::load(path(settings.topology));
-    if (!topology) {
-        *error = text(topology.error().what);
-        return std::nullopt;
-    }
     std::vector<std::string> cockpits;
-    for (const auto& device : topology.value().devices())
+    for (const auto& device : topology.devices())
         if (device.messageSet == "siat-cockpit")
             cockpits.push_back(device.name);
     if (cockpits.size() == 1)
@@ -45,11 +40,27 @@ std::optional<std::string> deviceName(const LinkSettings& settings, QString* err
     return std::nullopt;
 }
 
+/// What can be said before the library reads the files.
+std::optional<std::string> checkSettings(const LinkSettings& settings, QString* error)
+{
+    const auto topology = liena::SystemTopology::load(path(settings.topology));
+    if (!topology) {
+        *error = text(topology.error().what);
+        return std::nullopt;
+    }
+    const bool identity = !settings.certificate.isEmpty() && !settings.key.isEmpty() && !settings.authority.isEmpty();
+    if (topology.value().security() == liena::SecurityMode::Tls && !identity) {
+        *error = QObject::tr("%1 asks for TLS: give --certificate, --key and --authority").arg(settings.topology);
+        return std::nullopt;
+    }
+    return deviceName(settings, topology.value(), error);
+}
+
 } // namespace
 
 std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, ConsoleModels& models, FrameSink& sink, QString* error)
 {
-    const auto device = deviceName(settings, error);
+    const auto device = checkSettings(settings, error);
     if (!device)
         return nullptr;
     liena::Settings own;

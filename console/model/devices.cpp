@@ -19,7 +19,7 @@ InstrumentState::InstrumentState(QObject* parent) : QObject(parent) {}
 
 bool InstrumentState::drivesHealthy(Instant now) const
 {
-    if (m_drives.freshness(now, driveLimit) != Freshness::Fresh || !m_drives.value.allEnabled())
+    if (m_drives.freshness(now, driveLimit) != Freshness::Fresh || m_robot.value.state == RobotState::Fault)
         return false;
     const auto& warm = m_drives.value.temperature;
     return std::all_of(warm.begin(), warm.end(), [this](double celsius) { return celsius <= m_limits.driveTemperature; });

@@ -38,7 +38,8 @@ public:
     bool robotFresh(Instant now) const { return m_robot.freshness(now, statusLimit) == Freshness::Fresh; }
     bool tipFresh(Instant now) const { return m_tip.freshness(now, tipLimit) == Freshness::Fresh && m_tip.value.valid; }
 
-    /// Known, recent, all enabled and none too warm.
+    /// Known, recent, none too warm, and the robot reports no fault. Whether they are enabled is the robot's affair: it enables them when
+    /// armed.
     bool drivesHealthy(Instant now) const;
 
     double peakForce() const { return m_peakForce; } ///< largest magnitude since resetPeakForce()

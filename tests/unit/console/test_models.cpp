@@ -109,8 +109,12 @@ private Q_SLOTS:
         state.receiveDrives(drives, start + 2s);
         QVERIFY(!state.drivesHealthy(start + 2s));
         drives.temperature[2] = 20;
-        drives.enabled[3] = false;
+        drives.enabled.fill(false); // as they are while the robot holds
         state.receiveDrives(drives, start + 2s);
+        QVERIFY(state.drivesHealthy(start + 2s));
+        RobotStatus status;
+        status.state = RobotState::Fault;
+        state.receiveRobot(status, start + 2s);
         QVERIFY(!state.drivesHealthy(start + 2s));
     }
 
@@ -141,11 +145,12 @@ private Q_SLOTS:
 
     void logIsAnHonestListModel()
     {
-        EventLog log;
+        constexpr int limit = 20;
+        EventLog log(limit);
         const QAbstractItemModelTester tester(&log, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        for (int line = 0; line < EventLog::limit + 3; ++line)
+        for (int line = 0; line < limit + 3; ++line)
             log.append(LogKind::Note, QString::number(line), line);
-        QCOMPARE(log.rowCount(), EventLog::limit);
+        QCOMPARE(log.rowCount(), limit);
         QCOMPARE(log.lost(), quint64(3));
         QCOMPARE(log.data(log.index(0), EventLog::TextRole).toString(), QStringLiteral("3"));
         QVERIFY(log.data(log.index(0)).toString().endsWith(QStringLiteral("note  3")));
