@@ -5,11 +5,14 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QSaveFile>
+
+#include <algorithm>
 
 namespace console {
 
@@ -22,6 +25,8 @@ constexpr std::chrono::seconds clickAgain{2};
 constexpr std::chrono::seconds imageTime{20};
 constexpr std::chrono::seconds armTime{6};
 constexpr std::chrono::seconds engageTime{2};
+
+constexpr int logLines = 100;
 
 constexpr int armKey = Qt::Key_R;
 constexpr int deadManKey = Qt::Key_D;

@@ -5,7 +5,7 @@
 
 namespace console {
 
-EventLog::EventLog(QObject* parent) : QAbstractListModel(parent) {}
+EventLog::EventLog(int limit, QObject* parent) : QAbstractListModel(parent), m_limit(limit) {}
 
 int EventLog::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(m_lines.size()); }
 
@@ -40,7 +40,7 @@ QHash<int, QByteArray> EventLog::roleNames() const
 
 void EventLog::append(LogKind kind, const QString& text, qint64 wallMs)
 {
-    if (rowCount() >= limit) {
+    if (rowCount() >= m_limit) {
         beginRemoveRows({}, 0, 0);
         m_lines.pop_front();
         ++m_lost;

@@ -23,9 +23,9 @@ class EventLog : public QAbstractListModel {
     Q_OBJECT
 public:
     enum Role : int { WallRole = Qt::UserRole + 1, KindRole, TextRole };
-    static constexpr int limit = 5000;
+    static constexpr int usualLimit = 5000;
 
-    explicit EventLog(QObject* parent = nullptr);
+    explicit EventLog(int limit = usualLimit, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
@@ -37,6 +37,7 @@ public:
     void append(LogKind kind, const QString& text, qint64 wallMs);
 
 private:
+    int m_limit;
     std::deque<LogLine> m_lines;
     quint64 m_lost = 0;
 };

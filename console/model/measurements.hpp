@@ -49,7 +49,7 @@ public:
     /// Counted while measuring, between begin() and end().
     void begin(Instant now) { m_begin = now; }
     void end(Instant now) { m_end = now; }
-    Duration measured() const { return m_end > m_begin ? Duration(m_end - m_begin) : Duration::zero(); }
+    Duration measured() const { return m_begin && m_end > *m_begin ? Duration(m_end - *m_begin) : Duration::zero(); }
 
     void notePainted(std::optional<double> ageMs);
     void noteRobot(const RobotStatus& status);
@@ -72,7 +72,7 @@ private:
 
     std::vector<double> m_ages; ///< ms at the paint
     std::optional<double> m_lastGuidewire;
-    Instant m_begin;
+    std::optional<Instant> m_begin;
     Instant m_end;
 };
 

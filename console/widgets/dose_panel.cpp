@@ -40,6 +40,8 @@ DosePanel::DosePanel(const InstrumentState& instrument, const XraySystemState& x
         theme::setTextRole(line, TextRole::Caption);
         setInk(line, colour::secondary);
     }
+    m_contrastAge->reserve(tr("Contrast from the robot, never received"));
+    m_contrastAge->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* head = new QHBoxLayout;
     head->addWidget(headingLabel(tr("Contrast and dose"), this));
     head->addStretch(1);

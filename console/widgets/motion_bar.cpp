@@ -117,7 +117,7 @@ void MotionBar::refresh(Instant now)
     m_guards->setChecklist(m_models.permit.checklist(), m_models.permit.state());
     m_hand->setState(m_models.hand, m_models.instrument, now);
     const bool beam = m_models.xray.fresh(now) && m_models.xray.beamOn();
-    m_pedal->setTexts(tr("X-RAY"), beam ? tr("beam is on") : tr("hold to image"));
+    m_pedal->setTexts(tr("X-RAY"), beam ? tr("beam is on") : m_models.xray.pedalDown() ? tr("beam not seen") : tr("hold to image"));
     setPedalShown(m_models.xray.pedalDown());
     refreshArm(now);
     refreshReset(now);

@@ -64,7 +64,7 @@ QString PermitBlock::explanation(const PermitModel& permit, Instant now)
                                                                   : state.deadMan   ? tr("Release the dead-man")
                                                                                     : tr("The robot holds"));
     case PermitPhase::Incident:
-        return tr("A link is lost. Stand-by until it is re-opened");
+        return tr("Stand-by: a link is lost");
     case PermitPhase::Verifying:
         return unmet == 0 ? tr("Re-opened. Checking for 1 s") : tr("Re-opened. %1 conditions are missing").arg(unmet);
     }

@@ -33,6 +33,8 @@ RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand,
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     theme::setTextRole(m_tip, TextRole::Caption);
     theme::setTextRole(m_drives, TextRole::Caption);
+    m_tip->reserve(tr("Tracker \u00B10.0\u00A0mm \u00B7 stale 00.0\u00A0s"));
+    m_tip->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 6, 14, 6);
     row->setSpacing(18);

@@ -145,11 +145,12 @@ private Q_SLOTS:
 
     void logIsAnHonestListModel()
     {
-        EventLog log;
+        constexpr int limit = 20;
+        EventLog log(limit);
         const QAbstractItemModelTester tester(&log, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        for (int line = 0; line < EventLog::limit + 3; ++line)
+        for (int line = 0; line < limit + 3; ++line)
             log.append(LogKind::Note, QString::number(line), line);
-        QCOMPARE(log.rowCount(), EventLog::limit);
+        QCOMPARE(log.rowCount(), limit);
         QCOMPARE(log.lost(), quint64(3));
         QCOMPARE(log.data(log.index(0), EventLog::TextRole).toString(), QStringLiteral("3"));
         QVERIFY(log.data(log.index(0)).toString().endsWith(QStringLiteral("note  3")));
