@@ -1,6 +1,7 @@
 // Reading and writing the fields of a message in their wire form.
 #include "liena/message.hpp"
 
+#include "liena/log.hpp"
 #include "protocol/byte_reader.hpp"
 #include "protocol/information_part.hpp"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <stdexcept>
 
 namespace liena {
@@ -45,6 +47,12 @@ bool isNumber(const FieldDefinition& field) { return !isText(field) && !isBytes(
 /// Replaces a field by `content` behind a count of `prefix` bytes (0, 2 or 4).
 void splice(FieldBytes& bytes, FieldSpan old, std::size_t prefix, std::size_t count, std::span<const std::byte> content)
 {
+    FieldBytes copy; // what comes from another field of this message must not move while it is read
+    const std::less_equal<> before;
+    if (before(bytes.data(), content.data()) && before(content.data(), bytes.data() + bytes.size())) {
+        copy.assign(content.begin(), content.end());
+        content = {copy.data(), copy.size()};
+    }
     const auto size = prefix + content.size();
     if (size > old.size)
         bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(old.begin + old.size), size - old.size, std::byte{});
@@ -235,7 +243,7 @@ std::string Message::toString() const
         if (isBytes(field))
             line += fmt::format("({} bytes)", bytesAt(i).size());
         else if (isText(field))
-            line += fmt::format("\"{}\"", textAt(i).substr(0, 64));
+            line += fmt::format("\"{}\"", printable(textAt(i)));
         else if (field.enumeration && isNumber(field))
             line += textAt(i);
         else if (isNumber(field))

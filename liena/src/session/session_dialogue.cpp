@@ -239,6 +239,8 @@ void SessionMachine::on(const SetHeard& input)
 
 void SessionMachine::finishAsInitiator()
 {
+    if (m_rejectedWait)
+        return; // our lane 0 is gone: what is said now does not arrive, and the attempt ends with the wait
     if (m_diagnosis) {
         const auto incident = m_incident != 0 ? m_incident : m_namedIncident;
         const auto [a, b] = std::minmax(m_settings.self, m_settings.peer);
@@ -251,6 +253,8 @@ void SessionMachine::finishAsInitiator()
 
 void SessionMachine::finishAsResponder(std::uint64_t token)
 {
+    if (isDialogue() && m_rejectedWait)
+        return;
     if (!isDialogue() || m_duty != Duty::Responder || !m_outgoingUp || m_setOutstanding || token != m_token)
         on(ViolationFound{"the channel cannot be open yet"});
     else
@@ -320,8 +324,13 @@ void SessionMachine::on(const SessionMessageHeard& input)
         if (refuseUnless(m_state == SessionState::Closing && std::get<protocol::ChannelClosed>(input.message).token == m_token,
                          "ChannelClosed outside a closing"))
             heardChannelClosed();
-    } else if (!closable) {
-        on(ViolationFound{std::string(protocol::nameOf(input.message)) + " while the session is not open"});
+    } else {
+        const bool ofAnOpenSession =
+            std::holds_alternative<protocol::StandBy>(input.message) || std::holds_alternative<protocol::StandByReport>(input.message) ||
+            std::holds_alternative<protocol::IncidentDismissed>(input.message) ||
+            std::holds_alternative<protocol::LinkReport>(input.message) || std::holds_alternative<protocol::Abandon>(input.message);
+        if (!closable || !ofAnOpenSession)
+            on(ViolationFound{std::string(protocol::nameOf(input.message)) + " where the session's state does not allow it"});
     }
 }
 
@@ -379,7 +388,7 @@ void SessionMachine::heardChannelClosed() { finishClosing(m_closeReason); }
 void SessionMachine::finishClosing(std::string detail)
 {
     closeLanes(rejectedGrace);
-    enter(SessionState::Closed);
+    enter(m_incident != 0 ? SessionState::StandBy : SessionState::Closed);
     emit(SessionClosed{std::move(detail), m_closedByPeer});
 }
 

@@ -222,17 +222,22 @@ void SessionMachine::on(const Stalled& /*input*/)
 {
     if (carriesMessages(m_state))
         enterReconnecting(LossCause::LocalStall, "this device itself did not run");
+    else if (m_state == SessionState::Reconnecting)
+        emit(DiscardAll{});
 }
 
 void SessionMachine::on(const IncidentHeld& input)
 {
     if (isLive() && input.incident == m_token) {
         enterStandBy(LossCause::ConnectionLost, "the other end says that this session is lost");
-    } else if (m_state == SessionState::Closed) {
+    } else if (m_state == SessionState::Opening) {
         m_incident = input.incident;
-        enter(SessionState::StandBy);
-    } else if (m_state == SessionState::StandBy && m_incident == 0) {
+        abandonAttempt(RejectReason::StandBy, ProbeResult::NotProbed, "this link is in stand-by: it has to be re-opened by a person",
+                       m_outgoingUp);
+    } else if (m_incident == 0) {
         m_incident = input.incident;
+        if (m_state == SessionState::Closed)
+            enter(SessionState::StandBy);
     }
 }
 

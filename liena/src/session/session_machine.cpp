@@ -70,7 +70,8 @@ void SessionMachine::enter(SessionState state)
 void SessionMachine::closeLanes(Nanoseconds grace)
 {
     if (m_pending) {
-        refuse(*m_pending, RejectReason::StandBy, "the session with this device ended while the handshake waited");
+        const auto reason = m_state == SessionState::Closing ? RejectReason::Busy : RejectReason::StandBy;
+        refuse(*m_pending, reason, "the session with this device ended while the handshake waited");
         m_pending.reset();
     }
     emit(CloseLanes{grace});

@@ -129,7 +129,7 @@ LedgerActions StandByLedger::greet(DeviceId peer) const
 LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandBy& message, Now now)
 {
     LedgerActions actions;
-    if (const auto* ended = findEnded(message.incident)) {
+    if (const auto* ended = findEnded(message.incident, now)) {
         actions.push_back(Answer{from, ended->by});
         return actions;
     }
@@ -185,12 +185,16 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::IncidentDismis
 LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpened& message, Timestamp stamp, Now now)
 {
     LedgerActions actions;
-    if (!remember(message.token))
+    const bool isNews = remember(message.token);
+    const auto* named = find(message.incident);
+    if (!isNews && named == nullptr) // both ends tell of one re-opening, and may name different incidents
         return actions;
+    // An answer about an incident that ended long ago carries a fresh stamp: it must not end what the pair lost since then.
+    const auto limit = named != nullptr ? std::min(named->since, stamp) : stamp;
     std::vector<IncidentId> ids;
     for (const auto& [id, incident] : m_incidents) {
         const bool pair = incident.a == message.peerA && incident.b == message.peerB;
-        if (pair && (id == message.incident || incident.since < stamp))
+        if (pair && (id == message.incident || (isNews && id != message.token && incident.since < limit)))
             ids.push_back(id);
     }
     rememberEnded(message.incident, message, now);
@@ -222,16 +226,17 @@ void StandByLedger::end(IncidentId id, const protocol::SessionMessage& by, Devic
 
 void StandByLedger::rememberEnded(IncidentId id, const protocol::SessionMessage& by, Now now)
 {
-    if (id == 0 || m_incidents.contains(id) || findEnded(id) != nullptr)
+    if (id == 0 || m_incidents.contains(id) || findEnded(id, now) != nullptr)
         return;
     while (!m_ended.empty() && (m_ended.size() >= mostEnded || now.mono - m_ended.front().at > endedLife))
         m_ended.pop_front();
     m_ended.push_back({id, by, now.mono});
 }
 
-const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id) const
+const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id, Now now) const
 {
-    const auto found = std::find_if(m_ended.begin(), m_ended.end(), [id](const Ended& ended) { return ended.id == id; });
+    const auto found = std::find_if(m_ended.begin(), m_ended.end(),
+                                    [&](const Ended& ended) { return ended.id == id && now.mono - ended.at <= endedLife; });
     return found != m_ended.end() ? &*found : nullptr;
 }
 

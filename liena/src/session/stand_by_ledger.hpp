@@ -85,7 +85,7 @@ private:
              LedgerActions& actions, Now now);
     void report(IncidentId id, LedgerActions& actions) const;
     void rememberEnded(IncidentId id, const protocol::SessionMessage& by, Now now);
-    const Ended* findEnded(IncidentId id) const;
+    const Ended* findEnded(IncidentId id, Now now) const;
     bool remember(std::uint64_t token);
     std::optional<DeviceId> otherEnd(const Incident& incident) const;
     static protocol::StandBy messageOf(const Incident& incident);

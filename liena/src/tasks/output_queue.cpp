@@ -23,27 +23,36 @@ Rank rankOf(Priority priority)
 bool OutputQueue::push(Entry entry)
 {
     auto& waiting = m_classes[static_cast<std::size_t>(entry.rank)];
-    if (entry.history > 0)
-        dropSuperseded(waiting, entry);
     const bool session = entry.message.header.message.isSessionManagement();
     const auto size = entry.message.part.size();
-    if (!session && (m_count >= m_limits.messages || m_bytes + size > m_limits.bytes))
-        return false;
+    const auto gone = superseded(waiting, entry);
+    std::size_t freed = 0;
+    for (const auto at : gone)
+        freed += waiting[at].entry.message.part.size();
+    if (!session && (m_count - gone.size() >= m_limits.messages || m_bytes - freed + size > m_limits.bytes))
+        return false; // and what it would have replaced still leaves
+    for (auto at = gone.rbegin(); at != gone.rend(); ++at)
+        drop(waiting, waiting.begin() + static_cast<std::ptrdiff_t>(*at), Fate::Superseded);
     ++m_count;
     m_bytes += size;
     waiting.push_back({std::move(entry), {}});
     return true;
 }
 
-void OutputQueue::dropSuperseded(Class& waiting, const Entry& entry)
+/// The places of those that `entry` takes the place of, in ascending order.
+std::vector<std::size_t> OutputQueue::superseded(const Class& waiting, const Entry& entry)
 {
-    const auto same = [&](const Waiting& other) {
-        return !other.encoder.begun() && other.entry.message.header.message == entry.message.header.message &&
-               other.entry.message.header.target == entry.message.header.target;
-    };
-    auto count = static_cast<std::size_t>(std::count_if(waiting.begin(), waiting.end(), same));
-    for (; count >= entry.history; --count)
-        drop(waiting, std::find_if(waiting.begin(), waiting.end(), same), Fate::Superseded);
+    std::vector<std::size_t> places;
+    if (entry.history == 0)
+        return places;
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+        const auto& other = waiting[i];
+        if (!other.encoder.begun() && other.entry.message.header.message == entry.message.header.message &&
+            other.entry.message.header.target == entry.message.header.target)
+            places.push_back(i);
+    }
+    places.resize(places.size() >= entry.history ? places.size() - entry.history + 1 : 0);
+    return places;
 }
 
 bool OutputQueue::appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, std::vector<std::byte>& out)

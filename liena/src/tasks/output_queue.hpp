@@ -68,7 +68,7 @@ private:
     using Class = std::deque<Waiting>;
 
     void drop(Class& waiting, Class::iterator at, Fate fate);
-    void dropSuperseded(Class& waiting, const Entry& entry);
+    static std::vector<std::size_t> superseded(const Class& waiting, const Entry& entry);
 
     Report m_report;
     Limits m_limits;

@@ -1,0 +1,283 @@
+// The rules of partial messages: section 2 and rulings B6, A12.
+#include "protocol/reassembler.hpp"
+#include "support/hex.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::protocol;
+using namespace liena::test;
+
+namespace {
+
+constexpr std::size_t plenty = 1U << 20U;
+
+DatagramHeader segment(std::uint64_t timestamp, std::size_t length, bool more, std::uint16_t number = 0x0200,
+                       DeviceId target = DeviceId(0x40018208U))
+{
+    return {{DeviceId(0x20010208U), number}, target, Timestamp{timestamp}, static_cast<std::uint16_t>(length), more};
+}
+
+struct Lane {
+    PartialBudget own;
+    Reassembler reassembler;
+
+    Lane() : reassembler(own) {}
+    explicit Lane(PartialBudget& shared) : reassembler(shared) {}
+
+    Reassembler::Outcome take(std::uint64_t timestamp, const std::string& text, bool more, std::size_t maximum = plenty,
+                              std::uint16_t number = 0x0200)
+    {
+        return reassembler.take(segment(timestamp, text.size(), more, number), bytesOfText(text), maximum);
+    }
+};
+
+template <typename T>
+bool is(const Reassembler::Outcome& outcome)
+{
+    return std::holds_alternative<T>(outcome);
+}
+
+std::string textOf(const Reassembler::Outcome& outcome)
+{
+    const auto* assembled = std::get_if<Reassembler::Assembled>(&outcome);
+    if (assembled == nullptr)
+        return "(nothing assembled)";
+    return {reinterpret_cast<const char*>(assembled->bytes.data()), assembled->bytes.size()};
+}
+
+} // namespace
+
+class ReassemblerTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void takesSingleSegmentAsItIs();
+    void takesEmptyMessage();
+    void putsSegmentsTogether();
+    void keepsMessagesOfOneLaneApart();
+    void newerSegmentEndsThePartial();
+    void newerWholeMessageEndsThePartial();
+    void refusesOlderTimestamp();
+    void refusesOlderWholeMessage();
+    void refusesAnotherTarget();
+    void refusesEmptySegmentBeforeTheLast_data();
+    void refusesEmptySegmentBeforeTheLast();
+    void refusesEmptyLastSegment();
+    void refusesMoreThanTheDefinitionAllows_data();
+    void refusesMoreThanTheDefinitionAllows();
+    void takesExactlyTheMaximum();
+    void countsMessageOverTheSharedBudget();
+    void recoversFromOverBudget();
+    void givesTheBudgetBack();
+    void abandonEndsOnlyItsMessage();
+    void clearDropsEverything();
+    void lanesEndsGiveTheirBudgetBack();
+};
+
+void ReassemblerTest::takesSingleSegmentAsItIs()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Whole>(lane.take(1, "abc", false)));
+    QVERIFY(!lane.reassembler.hasPartial());
+    QCOMPARE(lane.own.used(), std::size_t{0});
+}
+
+void ReassemblerTest::takesEmptyMessage()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Whole>(lane.take(1, "", false)));
+}
+
+void ReassemblerTest::putsSegmentsTogether()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "a", true)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "bcdef", true)));
+    QVERIFY(lane.reassembler.hasPartial());
+    QVERIFY(lane.own.used() >= 6);
+    QCOMPARE(textOf(lane.take(1, "gh", false)), std::string("abcdefgh"));
+    QVERIFY(!lane.reassembler.hasPartial());
+    QCOMPARE(lane.own.used(), std::size_t{0});
+    QCOMPARE(lane.reassembler.abandoned(), std::uint64_t{0});
+}
+
+void ReassemblerTest::keepsMessagesOfOneLaneApart()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(5, "one-", true, plenty, 0x0200)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(3, "two-", true, plenty, 0x0201)));
+    QVERIFY(is<Reassembler::Whole>(lane.take(1, "three", false, plenty, 0x0202)));
+    QCOMPARE(textOf(lane.take(5, "end", false, plenty, 0x0200)), std::string("one-end"));
+    QCOMPARE(textOf(lane.take(3, "end", false, plenty, 0x0201)), std::string("two-end"));
+}
+
+void ReassemblerTest::newerSegmentEndsThePartial()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "old", true)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(2, "new", true)));
+    QCOMPARE(lane.reassembler.abandoned(), std::uint64_t{1});
+    QCOMPARE(textOf(lane.take(2, "er", false)), std::string("newer"));
+    QCOMPARE(lane.own.used(), std::size_t{0});
+}
+
+void ReassemblerTest::newerWholeMessageEndsThePartial()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "old", true)));
+    QVERIFY(is<Reassembler::Whole>(lane.take(2, "new", false)));
+    QCOMPARE(lane.reassembler.abandoned(), std::uint64_t{1});
+    QVERIFY(!lane.reassembler.hasPartial());
+    QCOMPARE(lane.own.used(), std::size_t{0});
+}
+
+void ReassemblerTest::refusesOlderTimestamp()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(2, "a", true)));
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, "b", true)));
+}
+
+void ReassemblerTest::refusesOlderWholeMessage()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(2, "a", true)));
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, "b", false)));
+}
+
+void ReassemblerTest::refusesAnotherTarget()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "a", true)));
+    const auto other = segment(1, 1, false, 0x0200, DeviceId(0x60008208U));
+    QVERIFY(is<Reassembler::Violation>(lane.reassembler.take(other, bytesOf("62"), plenty)));
+}
+
+void ReassemblerTest::refusesEmptySegmentBeforeTheLast_data()
+{
+    QTest::addColumn<bool>("first");
+    QTest::newRow("first segment") << true;
+    QTest::newRow("middle segment") << false;
+}
+
+void ReassemblerTest::refusesEmptySegmentBeforeTheLast()
+{
+    QFETCH(bool, first);
+    Lane lane;
+    if (!first)
+        QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "a", true)));
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, "", true)));
+}
+
+void ReassemblerTest::refusesEmptyLastSegment()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "a", true)));
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, "", false)));
+}
+
+void ReassemblerTest::refusesMoreThanTheDefinitionAllows_data()
+{
+    QTest::addColumn<int>("before");
+    QTest::addColumn<bool>("more");
+    QTest::newRow("in one segment") << 0 << false;
+    QTest::newRow("in the first of several") << 0 << true;
+    QTest::newRow("in a middle one") << 6 << true;
+    QTest::newRow("in the last") << 6 << false;
+}
+
+void ReassemblerTest::refusesMoreThanTheDefinitionAllows()
+{
+    QFETCH(int, before);
+    QFETCH(bool, more);
+    Lane lane;
+    if (before > 0)
+        QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(static_cast<std::size_t>(before), 'a'), true, 10)));
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, std::string(static_cast<std::size_t>(11 - before), 'b'), more, 10)));
+}
+
+void ReassemblerTest::takesExactlyTheMaximum()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Whole>(lane.take(1, std::string(10, 'a'), false, 10)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(2, std::string(6, 'a'), true, 10)));
+    QCOMPARE(textOf(lane.take(2, std::string(4, 'a'), false, 10)), std::string(10, 'a'));
+}
+
+void ReassemblerTest::countsMessageOverTheSharedBudget()
+{
+    PartialBudget budget(1000);
+    Lane first(budget);
+    Lane second(budget);
+    QVERIFY(is<Reassembler::Incomplete>(first.take(1, std::string(700, 'a'), true)));
+    QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(700, 'b'), true)));
+    QVERIFY(budget.used() <= 1000);
+    QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), true)));
+    QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), false)));
+    QCOMPARE(second.reassembler.overBudget(), std::uint64_t{1});
+    QCOMPARE(first.reassembler.overBudget(), std::uint64_t{0});
+    QCOMPARE(textOf(first.take(1, "z", false)), std::string(700, 'a') + "z");
+    QCOMPARE(budget.used(), std::size_t{0});
+}
+
+void ReassemblerTest::recoversFromOverBudget()
+{
+    PartialBudget budget(100);
+    Lane lane(budget);
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(200, 'a'), true)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(2, "fits", true)));
+    QCOMPARE(textOf(lane.take(2, "!", false)), std::string("fits!"));
+    QCOMPARE(lane.reassembler.overBudget(), std::uint64_t{1});
+    QCOMPARE(budget.used(), std::size_t{0});
+}
+
+void ReassemblerTest::givesTheBudgetBack()
+{
+    PartialBudget budget(100);
+    for (std::uint64_t round = 1; round <= 50; ++round) {
+        Lane lane(budget);
+        QVERIFY(is<Reassembler::Incomplete>(lane.take(round, std::string(60, 'a'), true)));
+        QVERIFY(is<Reassembler::Assembled>(lane.take(round, std::string(10, 'a'), false)));
+        QCOMPARE(budget.used(), std::size_t{0});
+    }
+}
+
+void ReassemblerTest::abandonEndsOnlyItsMessage()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(7, "a", true)));
+    lane.reassembler.abandon(0x0201, Timestamp{7});
+    lane.reassembler.abandon(0x0200, Timestamp{6});
+    QVERIFY(lane.reassembler.hasPartial());
+    lane.reassembler.abandon(0x0200, Timestamp{7});
+    QVERIFY(!lane.reassembler.hasPartial());
+    QCOMPARE(lane.reassembler.abandoned(), std::uint64_t{1});
+    QCOMPARE(lane.own.used(), std::size_t{0});
+    QVERIFY(is<Reassembler::Whole>(lane.take(8, "next", false)));
+}
+
+void ReassemblerTest::clearDropsEverything()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "a", true, plenty, 0x0200)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "b", true, plenty, 0x0201)));
+    lane.reassembler.clear();
+    QVERIFY(!lane.reassembler.hasPartial());
+    QCOMPARE(lane.reassembler.abandoned(), std::uint64_t{2});
+    QCOMPARE(lane.own.used(), std::size_t{0});
+}
+
+void ReassemblerTest::lanesEndsGiveTheirBudgetBack()
+{
+    PartialBudget budget(1000);
+    {
+        Lane lane(budget);
+        QVERIFY(is<Reassembler::Incomplete>(lane.take(1, "abc", true)));
+        QVERIFY(budget.used() > 0);
+    }
+    QCOMPARE(budget.used(), std::size_t{0});
+}
+
+QTEST_APPLESS_MAIN(ReassemblerTest)
+#include "reassembler_test.moc"

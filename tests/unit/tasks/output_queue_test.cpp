@@ -1,0 +1,286 @@
+// Order, history, lifespan and bounds of what waits to leave on a lane.
+#include "support/hex.hpp"
+#include "tasks/output_queue.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::protocol;
+using namespace liena::tasks;
+using namespace liena::test;
+using namespace std::chrono_literals;
+using Fate = OutputQueue::Fate;
+
+namespace {
+
+constexpr std::chrono::steady_clock::time_point now{1h};
+
+struct Lane {
+    std::vector<std::pair<std::uint16_t, Fate>> reports;
+    OutputQueue queue;
+
+    explicit Lane(OutputQueue::Limits limits = {})
+        : queue([this](const OutputQueue::Entry& entry, Fate fate) { reports.emplace_back(entry.message.header.message.number, fate); },
+                limits)
+    {}
+
+    static OutputQueue::Entry entry(std::uint16_t number, Rank rank, const std::string& text, std::uint32_t history = 0,
+                                    DeviceId target = DeviceId(0x40018208U))
+    {
+        OutputQueue::Entry made{{{{DeviceId(0x20010208U), number}, target, Timestamp{1}}, {}}, rank, history, std::nullopt, {}};
+        const auto bytes = bytesOfText(text);
+        made.message.part.assign(bytes.begin(), bytes.end());
+        return made;
+    }
+
+    bool push(std::uint16_t number, Rank rank, const std::string& text, std::uint32_t history = 0)
+    {
+        return queue.push(entry(number, rank, text, history));
+    }
+
+    /// The body of the next segment, with `+` behind it when more follow; `-` when nothing waits.
+    std::string next(std::size_t maximum = 100, std::chrono::steady_clock::time_point at = now)
+    {
+        std::vector<std::byte> out;
+        if (!queue.appendNext(maximum, at, out))
+            return out.empty() ? "-" : "(bytes without a segment)";
+        const auto header = decodeHeader(std::span<const std::byte, headerSize>(out.data(), headerSize));
+        const auto body = std::span(out).subspan(headerSize);
+        if (header.length != body.size())
+            return "(another length)";
+        return std::string(reinterpret_cast<const char*>(body.data()), body.size()) + (header.moreSegments ? "+" : "");
+    }
+};
+
+} // namespace
+
+class OutputQueueTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void ranksAsPrioritiesSay();
+    void higherClassLeavesFirst();
+    void firstComesFirstWithinAClass();
+    void higherClassPassesBetweenSegments();
+    void newerSupersedesUndelivered();
+    void historyKeepsThatMany();
+    void historyIsPerTargetAndNumber();
+    void messageThatHasBegunIsNotSuperseded();
+    void expiredIsNotSent();
+    void messageThatHasBegunDoesNotExpire();
+    void fullQueueRefuses_data();
+    void fullQueueRefuses();
+    void refusedMessageSupersedesNothing();
+    void sessionManagementAlwaysFits();
+    void countsBytesAndMessages();
+    void restartSendsCutMessageFromItsBeginning();
+    void discardsOneClass();
+    void discardsAllButSessionManagement();
+};
+
+void OutputQueueTest::ranksAsPrioritiesSay()
+{
+    QVERIFY(rankOf(Priority::Safety) == Rank::Safety && rankOf(Priority::Control) == Rank::Control);
+    QVERIFY(rankOf(Priority::Status) == Rank::Status && rankOf(Priority::Bulk) == Rank::Bulk);
+}
+
+void OutputQueueTest::higherClassLeavesFirst()
+{
+    Lane lane;
+    lane.push(0x0021, Rank::Last, "last");
+    lane.push(0x0202, Rank::Bulk, "bulk");
+    lane.push(0x0200, Rank::Status, "status");
+    lane.push(0x0101, Rank::Control, "control");
+    lane.push(0x0104, Rank::Safety, "safety");
+    for (const char* expected : {"safety", "control", "status", "bulk", "last", "-"})
+        QCOMPARE(lane.next(), std::string(expected));
+}
+
+void OutputQueueTest::firstComesFirstWithinAClass()
+{
+    Lane lane;
+    for (const char* text : {"a", "b", "c"})
+        lane.push(0x0200, Rank::Status, text);
+    for (const char* expected : {"a", "b", "c"})
+        QCOMPARE(lane.next(), std::string(expected));
+}
+
+void OutputQueueTest::higherClassPassesBetweenSegments()
+{
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, "aabbcc");
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    lane.push(0x0101, Rank::Control, "go");
+    QCOMPARE(lane.next(2), std::string("go"));
+    QCOMPARE(lane.next(2), std::string("bb+"));
+    lane.push(0x0202, Rank::Bulk, "dd");
+    QCOMPARE(lane.next(2), std::string("cc"));
+    QCOMPARE(lane.next(2), std::string("dd"));
+    QVERIFY(lane.queue.empty());
+}
+
+void OutputQueueTest::newerSupersedesUndelivered()
+{
+    Lane lane;
+    lane.push(0x0101, Rank::Control, "old", 1);
+    lane.push(0x0103, Rank::Control, "other", 1);
+    lane.push(0x0101, Rank::Control, "new", 1);
+    QVERIFY((lane.reports == std::vector{std::pair(std::uint16_t{0x0101}, Fate::Superseded)}));
+    QCOMPARE(lane.next(), std::string("other"));
+    QCOMPARE(lane.next(), std::string("new"));
+    QCOMPARE(lane.next(), std::string("-"));
+}
+
+void OutputQueueTest::historyKeepsThatMany()
+{
+    Lane lane;
+    for (const char* text : {"1", "2", "3", "4", "5"})
+        lane.push(0x0200, Rank::Status, text, 3);
+    QCOMPARE(lane.reports.size(), std::size_t{2});
+    for (const char* expected : {"3", "4", "5", "-"})
+        QCOMPARE(lane.next(), std::string(expected));
+}
+
+void OutputQueueTest::historyIsPerTargetAndNumber()
+{
+    Lane lane;
+    lane.queue.push(Lane::entry(0x0200, Rank::Status, "here", 1));
+    lane.queue.push(Lane::entry(0x0200, Rank::Status, "there", 1, DeviceId(0x60008208U)));
+    lane.queue.push(Lane::entry(0x0201, Rank::Status, "else", 1));
+    QVERIFY(lane.reports.empty());
+    QCOMPARE(lane.queue.size(), std::size_t{3});
+}
+
+void OutputQueueTest::messageThatHasBegunIsNotSuperseded()
+{
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, "aabb", 1);
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    lane.push(0x0202, Rank::Bulk, "cc", 1);
+    lane.push(0x0202, Rank::Bulk, "dd", 1);
+    QCOMPARE(lane.reports.size(), std::size_t{1});
+    QCOMPARE(lane.next(2), std::string("bb"));
+    QCOMPARE(lane.next(2), std::string("dd"));
+}
+
+void OutputQueueTest::expiredIsNotSent()
+{
+    Lane lane;
+    auto entry = Lane::entry(0x0101, Rank::Control, "late");
+    entry.expires = now + 50ms;
+    lane.queue.push(entry);
+    lane.queue.push(entry);
+    lane.push(0x0200, Rank::Status, "status");
+    QCOMPARE(lane.next(100, now + 50ms - 1ns), std::string("late"));
+    QCOMPARE(lane.next(100, now + 50ms), std::string("status"));
+    QVERIFY((lane.reports == std::vector{std::pair(std::uint16_t{0x0101}, Fate::Expired)}));
+    QVERIFY(lane.queue.empty() && lane.queue.bytes() == 0);
+}
+
+void OutputQueueTest::messageThatHasBegunDoesNotExpire()
+{
+    Lane lane;
+    auto entry = Lane::entry(0x0202, Rank::Bulk, "aabb");
+    entry.expires = now + 50ms;
+    lane.queue.push(entry);
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    QCOMPARE(lane.next(2, now + 1h), std::string("bb"));
+}
+
+void OutputQueueTest::fullQueueRefuses_data()
+{
+    QTest::addColumn<quint64>("messages");
+    QTest::addColumn<quint64>("bytes");
+    QTest::newRow("of messages") << quint64{2} << quint64{1000};
+    QTest::newRow("of bytes") << quint64{1000} << quint64{5};
+}
+
+void OutputQueueTest::fullQueueRefuses()
+{
+    QFETCH(quint64, messages);
+    QFETCH(quint64, bytes);
+    Lane lane({messages, bytes});
+    QVERIFY(lane.push(0x0200, Rank::Status, "ab"));
+    QVERIFY(lane.push(0x0200, Rank::Status, "cd"));
+    QVERIFY(!lane.push(0x0104, Rank::Safety, "ef"));
+    QVERIFY(lane.reports.empty());
+    QCOMPARE(lane.next(), std::string("ab"));
+    QVERIFY(lane.push(0x0200, Rank::Status, "ef"));
+}
+
+void OutputQueueTest::refusedMessageSupersedesNothing()
+{
+    Lane lane({10, 4});
+    QVERIFY(lane.push(0x0200, Rank::Status, "ab", 1));
+    QVERIFY(!lane.push(0x0200, Rank::Status, "longer", 1));
+    QVERIFY(lane.reports.empty());
+    QCOMPARE(lane.next(), std::string("ab"));
+    QVERIFY(lane.push(0x0200, Rank::Status, "abcd", 1));
+    QVERIFY(lane.push(0x0200, Rank::Status, "efgh", 1)); // it takes the place of the one it supersedes
+    QCOMPARE(lane.next(), std::string("efgh"));
+}
+
+void OutputQueueTest::sessionManagementAlwaysFits()
+{
+    Lane lane({1, 4});
+    QVERIFY(lane.push(0x0200, Rank::Status, "abcd"));
+    QVERIFY(lane.push(0x0010, Rank::Safety, "heartbeat"));
+    QCOMPARE(lane.next(), std::string("heartbeat"));
+}
+
+void OutputQueueTest::countsBytesAndMessages()
+{
+    Lane lane;
+    QVERIFY(lane.queue.empty());
+    lane.push(0x0200, Rank::Status, "abc");
+    lane.push(0x0202, Rank::Bulk, "defgh");
+    QCOMPARE(lane.queue.size(), std::size_t{2});
+    QCOMPARE(lane.queue.bytes(), std::size_t{8});
+    lane.next();
+    QCOMPARE(lane.queue.bytes(), std::size_t{5});
+    lane.next(2);
+    QCOMPARE(lane.queue.size(), std::size_t{1}); // until its last segment has left
+}
+
+void OutputQueueTest::restartSendsCutMessageFromItsBeginning()
+{
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, "aabb");
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    lane.queue.restart();
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    QCOMPARE(lane.next(2), std::string("bb"));
+}
+
+void OutputQueueTest::discardsOneClass()
+{
+    Lane lane;
+    lane.push(0x0104, Rank::Safety, "stop");
+    lane.push(0x0101, Rank::Control, "move");
+    lane.push(0x0103, Rank::Control, "grip");
+    lane.push(0x0200, Rank::Status, "status");
+    lane.queue.discard(Rank::Control);
+    QVERIFY((lane.reports ==
+             std::vector{std::pair(std::uint16_t{0x0101}, Fate::Discarded), std::pair(std::uint16_t{0x0103}, Fate::Discarded)}));
+    QCOMPARE(lane.next(), std::string("stop"));
+    QCOMPARE(lane.next(), std::string("status"));
+    QCOMPARE(lane.queue.bytes(), std::size_t{0});
+}
+
+void OutputQueueTest::discardsAllButSessionManagement()
+{
+    Lane lane;
+    lane.push(0x0007, Rank::Safety, "rejected");
+    lane.push(0x0104, Rank::Safety, "stop");
+    lane.push(0x0101, Rank::Control, "move");
+    lane.push(0x0202, Rank::Bulk, "aabb");
+    lane.push(0x0021, Rank::Last, "commit");
+    lane.queue.discardApplication();
+    QCOMPARE(lane.reports.size(), std::size_t{3});
+    QCOMPARE(lane.next(), std::string("rejected"));
+    QCOMPARE(lane.next(), std::string("commit"));
+    QCOMPARE(lane.next(), std::string("-"));
+}
+
+QTEST_APPLESS_MAIN(OutputQueueTest)
+#include "output_queue_test.moc"
