@@ -99,6 +99,7 @@ public:
         while (!moved()) {
             QVERIFY2(!deadline.hasExpired(), qPrintable(models().permit.unmetText(9)));
             releaseAll();
+            acknowledgeAlarms();
             hold(Qt::Key_F);
             if (!reaches(PermitPhase::Ready))
                 continue;
@@ -112,6 +113,14 @@ public:
             hold(Qt::Key_Up);
             (void)QTest::qWaitFor([&] { return moved() || phase() != PermitPhase::Engaged; }, patience);
         }
+    }
+
+    void acknowledgeAlarms()
+    {
+        constexpr int most = 16;
+        for (int i = 0; i < most && models().alarms.unacknowledgedHigh(); ++i)
+            if (auto* acknowledge = button(QStringLiteral("Acknowledge")); acknowledge != nullptr && acknowledge->isEnabled())
+                QTest::mouseClick(acknowledge, Qt::LeftButton);
     }
 
     bool reaches(PermitPhase wanted)

@@ -82,7 +82,7 @@ private:
     std::uint32_t m_permit = 0;      // of the last start
     std::uint32_t m_shownPermit = 0; // of the newest status
     double m_rate = 0;               // mL/h, commanded
-    double m_shownRate = 0;          // mL/h, reported
+    double m_shownRate = -1;         // mL/h, reported; none yet
 };
 
 int main()

@@ -72,12 +72,13 @@ started+=($!)
 exec 4> "$scratch/person"
 await cockpit.out "opened"
 await first.out "session opening -> open"
+await cockpit.out "PumpStatus permit=" # the permit that "start" takes up
 
 echo "start 60" >&4
 await cockpit.out "Infuse.rate = 60"
 echo "start 5" >&4
 await first.out "infusing 5 mL/h"
-await cockpit.out "PumpStatus permit="
+await cockpit.out "rate=5"
 
 kill -KILL "$pump"
 wait "$pump" 2> /dev/null || true
