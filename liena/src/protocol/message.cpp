@@ -246,6 +246,8 @@ std::string Message::toString() const
             line += fmt::format("\"{}\"", printable(textAt(i)));
         else if (field.enumeration && isNumber(field))
             line += textAt(i);
+        else if (field.type == FieldType::Bool && isNumber(field))
+            line += unsignedAt(i) != 0 ? "true" : "false";
         else if (isNumber(field))
             line += protocol::toString(scalarAt(*m_definition, m_fields, i));
         else {

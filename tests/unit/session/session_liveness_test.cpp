@@ -69,7 +69,8 @@ void SessionLivenessTest::keepsItsBeat()
     const auto until = side.now.mono + 10s;
     while (side.now.mono < until) { // ticks come up to 3 ms late
         side.pass(*side.machine.nextDeadline() - side.now.mono + std::chrono::milliseconds(heartbeats % 4));
-        if (const auto* beat = findSent<protocol::Heartbeat>(side.handle(Tick{}))) {
+        const auto actions = side.handle(Tick{});
+        if (const auto* beat = findSent<protocol::Heartbeat>(actions)) {
             QVERIFY(last == 0 || beat->sequence == last + 1);
             last = beat->sequence;
             ++heartbeats;
