@@ -33,11 +33,12 @@ QString keyLegend()
 CockpitApplication::CockpitApplication(const Options& options) : m_options(options)
 {
     m_models.picture.setProfile(options.profile);
+    m_models.picture.setRehearsal(options.rehearsal);
     if (m_options.registry.isEmpty())
         if (const auto folder = resource(QStringLiteral("devices")); !folder.isEmpty())
             m_options.registry << folder;
     if (m_options.vessels.isEmpty())
-        m_options.vessels = resource(QStringLiteral("vessels/cerebrovascular.swc"));
+        m_options.vessels = resource(QStringLiteral("vessels/cerebral.swc"));
     if (m_options.unattended && m_options.recording.isEmpty())
         m_options.recording = resource(QStringLiteral("recordings/jog.csv"));
 }
@@ -86,6 +87,7 @@ void CockpitApplication::buildWindow()
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
+    m_window->setRehearsal(m_options.rehearsal);
     m_window->setKeyLegend(keyLegend());
     connectIntents();
     connectHand();
@@ -172,12 +174,17 @@ void CockpitApplication::showWindow()
     m_window->activateWindow();
 }
 
-int CockpitApplication::run()
+void CockpitApplication::show()
 {
     m_link->start();
     m_control->start();
     m_sceneClock.start();
     showWindow();
+}
+
+int CockpitApplication::run()
+{
+    show();
     if (m_options.unattended) {
         m_unattended = std::make_unique<UnattendedRun>(*m_window, m_models, *m_link, *m_options.unattended);
         connect(m_unattended.get(), &UnattendedRun::finished, this, [](int status, const QString& failure) {

@@ -30,8 +30,14 @@ public:
     /// Reads the files and takes the port; false with one sentence in `error` when it cannot.
     bool prepare(QString* error);
 
+    /// Takes part in the system and shows the window; the caller runs the event loop.
+    void show();
+
     /// Shows the window and runs until it is closed, or the unattended run ends; the program's status.
     int run();
+
+    CockpitWindow& window() { return *m_window; }
+    const ConsoleModels& models() const { return m_models; }
 
 private:
     bool loadRecording(QString* error);

@@ -222,7 +222,7 @@ void CockpitControl::publishMotion(Instant now)
     snapshot.guiTick = now;
     snapshot.pictureLimit = m_models.picture.limit();
     const auto& shown = m_models.picture.newest();
-    if (shown && shown->captured && shown->source != PictureSource::Recorded)
+    if (shown && shown->captured && m_models.picture.mayGuide(shown->source))
         snapshot.shownCapture = *shown->captured - shown->filterDelay;
     m_link.setMotion(snapshot);
 }

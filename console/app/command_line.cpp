@@ -54,6 +54,9 @@ struct Declared {
                                  QStringLiteral("Recorded hand (time,x,y,z,buttons) to move by while the dead-man is held."),
                                  QStringLiteral("FILE")};
     QCommandLineOption vessels{QStringLiteral("vessels"), QStringLiteral("Vessel tree for the 3-D scene, SWC."), QStringLiteral("FILE")};
+    QCommandLineOption rehearsal{
+        QStringLiteral("rehearsal"),
+        QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};
     QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Window size instead of the whole screen, for example 2560x1440."),
                             QStringLiteral("WxH")};
     QCommandLineOption unattended{
@@ -72,8 +75,8 @@ struct Declared {
     Declared()
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
-        parser.addOptions({topology, device, certificate, key, authority, registry, store, profile, user, recording, vessels, size,
-                           unattended, report, screenshot, help, version});
+        parser.addOptions({topology, device, certificate, key, authority, registry, store, profile, user, recording, vessels, rehearsal,
+                           size, unattended, report, screenshot, help, version});
     }
 };
 
@@ -125,6 +128,7 @@ QString readOptions(const Declared& declared, Options& options)
     options.recording = parser.value(declared.recording);
     options.vessels = parser.value(declared.vessels);
     options.user = parser.value(declared.user);
+    options.rehearsal = parser.isSet(declared.rehearsal);
     const auto profile = parser.value(declared.profile);
     if (profile != QLatin1String("neuro") && profile != QLatin1String("coronary"))
         return QStringLiteral("--profile '%1': choose neuro or coronary").arg(profile);

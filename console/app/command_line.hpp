@@ -28,6 +28,7 @@ struct Options {
     QString recording;
     QString vessels;
     QString user;
+    bool rehearsal = false;
     PictureProfile profile = PictureProfile::Neuro;
     std::optional<QSize> size;
     std::optional<UnattendedSettings> unattended;

@@ -42,7 +42,7 @@ QString pictureMissing(const GuardReadings& r)
     const auto& picture = r.picture;
     if (picture.condition != PictureCondition::Live)
         return Text::tr("Picture: %1").arg(word(picture.condition));
-    if (picture.source == PictureSource::Recorded)
+    if (!picture.mayGuide)
         return Text::tr("Picture is a recording");
     return Text::tr("Picture live for %1 s, %2 of %3 pictures a second")
         .arg(number(seconds(picture.liveFor), 1), number(picture.shownPerSecond, 0), number(picture.expectedPerSecond, 0));
@@ -50,8 +50,7 @@ QString pictureMissing(const GuardReadings& r)
 
 bool pictureTrusted(const GuardReadings& r)
 {
-    return r.picture.condition == PictureCondition::Live && r.picture.source != PictureSource::Recorded && r.picture.age &&
-           *r.picture.age <= r.pictureLimit;
+    return r.picture.condition == PictureCondition::Live && r.picture.mayGuide && r.picture.age && *r.picture.age <= r.pictureLimit;
 }
 
 GuardLine pictureLine(const GuardReadings& r, const GuardLimits& limits)

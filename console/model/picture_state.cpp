@@ -68,6 +68,7 @@ PictureReading PictureState::reading(Instant now) const
     if (!m_newest)
         return reading;
     reading.source = m_newest->source;
+    reading.mayGuide = mayGuide(m_newest->source);
     reading.frame = m_newest->frame;
     reading.captureNs = m_newest->captureNs;
     reading.uncertainty = m_newest->uncertainty;

@@ -55,6 +55,7 @@ struct PictureReading {
     Duration uncertainty{};
     std::optional<Duration> network; ///< NET: capture to arrival
     Duration processing{};           ///< PROC: arrival to paint, with the filter's delay
+    bool mayGuide = false;           ///< the source is one that instruments may be moved by
     double shownPerSecond = 0;
     double expectedPerSecond = 0; ///< 0: nothing is expected
     Duration liveFor{};           ///< without a gap beyond the limit, at the expected rate
@@ -72,6 +73,13 @@ public:
     PictureProfile profile() const { return m_profile; }
     Duration limit() const { return ageLimit(m_profile); }
     void setProfile(PictureProfile profile);
+
+    /// A rehearsal on simulated devices: a recording may stand for the live picture, and everything says so. Never in a procedure.
+    void setRehearsal(bool rehearsal) { m_rehearsal = rehearsal; }
+    bool isRehearsal() const { return m_rehearsal; }
+
+    /// Instruments may be moved by a picture of that source.
+    bool mayGuide(PictureSource source) const { return source != PictureSource::Recorded || m_rehearsal; }
 
     quint64 paintedCount() const { return m_painted; }
     const std::optional<PictureStamp>& newest() const { return m_newest; }
@@ -104,6 +112,7 @@ private:
     Instant m_expectedSince;
     double m_expected = 0;
     bool m_linkUp = false;
+    bool m_rehearsal = false;
     PictureProfile m_profile = PictureProfile::Neuro;
     quint64 m_painted = 0;
     QString m_refusal;

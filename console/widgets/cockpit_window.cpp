@@ -64,7 +64,12 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     setFocus();
 }
 
-CockpitWindow::~CockpitWindow() = default;
+CockpitWindow::~CockpitWindow()
+{
+    // The widgets in it lose the focus as they die, when this is a window no more.
+    disconnect(qApp, nullptr, this, nullptr);
+    disconnect(m_deck, nullptr, this, nullptr);
+}
 
 void CockpitWindow::placeRegions()
 {

@@ -7,8 +7,6 @@
 #include <QPropertyAnimation>
 #include <QResizeEvent>
 
-#include <algorithm>
-
 namespace console {
 
 namespace {
@@ -29,14 +27,20 @@ SheetDeck::SheetDeck(IncidentModel& incidents, QWidget* parent)
     connect(&m_incidents, &IncidentModel::incidentChanged, this, &SheetDeck::choose);
 }
 
-// The robot's link comes before every other: what moves in the patient is asked about first.
+// This console's own links come before others, since only those can be re-opened from here; among them the robot's comes first, since it
+// moves in the patient.
+int SheetDeck::urgency(quint64 incident) const
+{
+    const IncidentRecord* record = m_incidents.incident(incident);
+    if (record == nullptr)
+        return 0;
+    const bool robots = kindOf(record->a) == DeviceKind::Hand || kindOf(record->b) == DeviceKind::Hand;
+    return 1 + (record->peer != 0 ? 2 : 0) + (robots ? 1 : 0);
+}
+
 void SheetDeck::take(quint64 incident)
 {
-    const auto isRobots = [this](quint64 id) {
-        const IncidentRecord* record = m_incidents.incident(id);
-        return record && (kindOf(record->a) == DeviceKind::Hand || kindOf(record->b) == DeviceKind::Hand);
-    };
-    if (m_open != 0 && isRobots(incident) && !isRobots(m_open))
+    if (m_open != 0 && urgency(incident) > urgency(m_open))
         open(incident);
     else
         choose();
@@ -48,8 +52,10 @@ void SheetDeck::choose()
     if (open && !open->folded)
         return;
     const auto& all = m_incidents.incidents();
-    const auto next = std::find_if(all.begin(), all.end(), [](const IncidentRecord& record) { return !record.folded; });
-    m_open = next == all.end() ? 0 : next->id;
+    m_open = 0;
+    for (const IncidentRecord& record : all)
+        if (!record.folded && (m_open == 0 || urgency(record.id) > urgency(m_open)))
+            m_open = record.id;
     if (m_open != 0) {
         slideOut();
     } else if (isVisible()) {

@@ -39,6 +39,7 @@ protected:
 private:
     void take(quint64 incident);
     void choose();
+    int urgency(quint64 incident) const;
     void slideOut();
 
     IncidentModel& m_incidents;

@@ -1,5 +1,6 @@
 // liena: the command line of the middleware.
 #include "check_command.hpp"
+#include "pki_command.hpp"
 
 #include <liena/version.hpp>
 
@@ -21,6 +22,7 @@ int run(int argc, char** argv)
     app.footer("`liena COMMAND --help` explains a command, with examples.\n"
                "Exit codes: 0 done, 1 the command found errors or failed, 2 wrong use of the command line.");
     liena::tools::addCheckCommand(app, exitCode);
+    liena::tools::addPkiCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

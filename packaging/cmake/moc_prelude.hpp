@@ -1,2 +1,2 @@
-// Read by moc before every file: it leaves <type_traits> out, and without that header's first include the standard library cannot be parsed.
+// Read by moc before every file. moc skips <type_traits>, and what follows cannot be parsed unless this came first.
 #include <cstddef>

@@ -107,6 +107,7 @@ GuardReadings InventedCockpit::goodReadings() const
     r.clockUncertainty = 1ms;
     r.picture.condition = PictureCondition::Live;
     r.picture.source = PictureSource::Simulated;
+    r.picture.mayGuide = true;
     r.picture.age = 84ms;
     r.picture.liveFor = 6s;
     r.picture.shownPerSecond = 15;

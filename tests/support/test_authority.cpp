@@ -21,7 +21,7 @@ TestAuthority::TestAuthority()
 
 IdentityFiles TestAuthority::identityOf(DeviceId device, const std::string& name)
 {
-    const IdentityFiles files{folder() / (name + ".crt"), folder() / (name + ".key"), certificate()};
+    IdentityFiles files{folder() / (name + ".crt"), folder() / (name + ".key"), certificate()};
     if (std::filesystem::exists(files.certificate))
         return files;
     if (const auto issued = m_authority->issue(device, name, oneDay); !issued)

@@ -49,7 +49,8 @@ public:
     /// When the last byte arrived here, on the monotonic clock; the epoch for a message that was not received.
     std::chrono::steady_clock::time_point arrival() const { return m_arrival; }
 
-    /// Age at arrival by both clocks (arrival − (timestamp + offset)); nothing while the clock offset is unknown.
+    /// Age at arrival by both clocks (arrival − (timestamp − offset), the offset being the peer's clock − ours); nothing while the clock
+    /// offset is unknown.
     std::optional<std::chrono::nanoseconds> latency() const { return m_latency; }
 
     /// T: bool, an integer, a floating-point type, std::string_view (String fields, and the name of an enum's value),

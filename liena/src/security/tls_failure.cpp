@@ -42,11 +42,15 @@ const char* wordsFor(int reason)
     case SSL_R_TLSV1_ALERT_DECRYPT_ERROR:
     case SSL_R_BAD_SIGNATURE:
         return "a signature is wrong: certificate and key of one end do not belong together";
+    case SSL_R_EXCESSIVE_MESSAGE_SIZE:
+        return "the peer's certificates are too long; it may show its own and one authority's";
     case SSL_R_HTTP_REQUEST:
     case SSL_R_HTTPS_PROXY_REQUEST:
         return "the peer is a web client, not a LiENa device";
     case SSL_R_NO_SUITABLE_SIGNATURE_ALGORITHM:
     case SSL_R_NO_SHARED_CIPHER:
+    case SSL_R_NO_SUITABLE_KEY_SHARE:
+    case SSL_R_NO_SHARED_GROUPS:
     case SSL_R_SSLV3_ALERT_HANDSHAKE_FAILURE:
     case SSL_R_TLSV1_ALERT_INSUFFICIENT_SECURITY:
         return "the two ends have no means of encryption or signature in common";

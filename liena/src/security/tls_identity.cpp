@@ -38,8 +38,13 @@ int selectProtocol(SSL*, const unsigned char** chosen, unsigned char* size, cons
     return SSL_TLSEXT_ERR_OK;
 }
 
+/// What a stranger may make us hold and calculate before we know who it is.
+constexpr long longestCertificateList = 16L * 1024;
+constexpr auto keyExchanges = "X25519:P-256:P-384";
+
 bool limitProtocol(SSL_CTX* context)
 {
+    SSL_CTX_set_max_cert_list(context, longestCertificateList);
     SSL_CTX_set_security_level(context, securityLevel);
     SSL_CTX_set_options(context, SSL_OP_NO_TICKET | SSL_OP_NO_RENEGOTIATION | SSL_OP_NO_COMPRESSION);
     SSL_CTX_set_session_cache_mode(context, SSL_SESS_CACHE_OFF);
@@ -47,7 +52,7 @@ bool limitProtocol(SSL_CTX* context)
     SSL_CTX_set_verify_depth(context, longestChain);
     return SSL_CTX_set_min_proto_version(context, TLS1_3_VERSION) == 1 && SSL_CTX_set_max_proto_version(context, TLS1_3_VERSION) == 1 &&
            SSL_CTX_set_num_tickets(context, 0) == 1 && SSL_CTX_set_max_early_data(context, 0) == 1 &&
-           SSL_CTX_set_recv_max_early_data(context, 0) == 1;
+           SSL_CTX_set_recv_max_early_data(context, 0) == 1 && SSL_CTX_set1_groups_list(context, keyExchanges) == 1;
 }
 
 bool useIdentity(SSL_CTX* context, const Identity& identity)

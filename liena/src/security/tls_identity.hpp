@@ -36,7 +36,8 @@ private:
 };
 
 /// Who is at the other end of a connection whose handshake is complete. Ask this before anything is read or written: an answer means that
-/// the connection is TLS 1.3 with a fresh handshake and ALPN `liena/1`, and that the certificate names exactly this device.
+/// the connection is TLS 1.3 with a fresh handshake and ALPN `liena/1`, and that the certificate names exactly this device. The side that
+/// connected completes the handshake first: if the other end refuses our certificate, the alert comes with the first read.
 Result<DeviceId> peerDevice(SSL* connection);
 
 /// As peerDevice(), for the side that connected and means a certain device.

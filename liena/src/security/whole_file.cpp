@@ -15,7 +15,7 @@ namespace liena::security {
 
 namespace {
 
-constexpr std::size_t longestFile = 1024 * 1024;
+constexpr std::size_t longestFile = 1024UL * 1024UL;
 
 class Descriptor {
 public:

@@ -265,6 +265,7 @@ void SessionMachine::enterOpen()
     const auto incident = m_incident != 0 ? m_incident : m_namedIncident;
     if (m_diagnosis)
         m_incident = 0;
+    m_peerStandsBy = false;
     m_rejectedWait.reset();
     m_monitor.start(m_now.mono);
     m_lossAt = m_now.mono;
@@ -278,7 +279,7 @@ void SessionMachine::abandonAttempt(RejectReason reason, ProbeResult probe, std:
     if (tellPeer)
         emit(Send{protocol::Rejected{m_token, reason, {detail}}});
     closeLanes(tellPeer ? rejectedGrace : 0ns);
-    enter(m_incident != 0 ? SessionState::StandBy : SessionState::Closed);
+    enter(m_incident != 0 || m_peerStandsBy ? SessionState::StandBy : SessionState::Closed);
     emit(OpenFailed{reason, probe, std::move(detail)});
 }
 
@@ -312,10 +313,12 @@ void SessionMachine::on(const SessionMessageHeard& input)
         if (refuseUnless(closable && disengagement->token == m_token, "Disengagement without a session"))
             heardDisengagement(*disengagement);
     } else if (std::holds_alternative<protocol::DisengagementCommit>(input.message)) {
-        if (refuseUnless(m_state == SessionState::Closing, "DisengagementCommit outside a closing"))
+        if (refuseUnless(m_state == SessionState::Closing && std::get<protocol::DisengagementCommit>(input.message).token == m_token,
+                         "DisengagementCommit outside a closing"))
             heardDisengagementCommit();
     } else if (std::holds_alternative<protocol::ChannelClosed>(input.message)) {
-        if (refuseUnless(m_state == SessionState::Closing, "ChannelClosed outside a closing"))
+        if (refuseUnless(m_state == SessionState::Closing && std::get<protocol::ChannelClosed>(input.message).token == m_token,
+                         "ChannelClosed outside a closing"))
             heardChannelClosed();
     } else if (!closable) {
         on(ViolationFound{std::string(protocol::nameOf(input.message)) + " while the session is not open"});
@@ -325,9 +328,11 @@ void SessionMachine::on(const SessionMessageHeard& input)
 void SessionMachine::heardRejected(const protocol::Rejected& rejected)
 {
     const auto detail = rejected.detail.value;
-    if (isDialogue() && rejected.token == m_token)
+    if (isDialogue() && rejected.token == m_token) {
+        // A device that was restarted does not know the incident; its person must be able to re-open all the same.
+        m_peerStandsBy = rejected.reason == RejectReason::StandBy;
         abandonAttempt(rejected.reason, ProbeResult::NotProbed, detail, false);
-    else if (isLive())
+    } else if (isLive())
         enterStandBy(LossCause::ProtocolViolation, "the peer ended the session: " + detail);
     else if (m_state == SessionState::Closing)
         finishClosing(detail);

@@ -239,6 +239,7 @@ void SessionMachine::on(const IncidentHeld& input)
 void SessionMachine::on(const IncidentGone& /*input*/)
 {
     m_incident = 0;
+    m_peerStandsBy = false;
     if (m_state == SessionState::StandBy)
         enter(SessionState::Closed);
 }

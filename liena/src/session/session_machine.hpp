@@ -287,6 +287,7 @@ private:
     bool m_diagnosis = false;
     std::uint64_t m_token = 0;
     IncidentId m_incident = 0;      ///< of this pair, held here
+    bool m_peerStandsBy = false;    ///< the peer holds an incident of this pair that is not known here: this device was restarted
     IncidentId m_namedIncident = 0; ///< the one that the re-opening ends
     SetStanding m_peerSet = SetStanding::Held;
     bool m_committed = false;      ///< the Commit was heard (initiator)

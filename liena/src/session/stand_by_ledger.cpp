@@ -71,9 +71,10 @@ LedgerActions StandByLedger::reopened(DeviceId peer, std::uint64_t token, Incide
     remember(token);
     std::vector<IncidentId> ids;
     for (const auto& [id, incident] : m_incidents)
-        if ((incident.a == a && incident.b == b) || id == named)
+        if (incident.a == a && incident.b == b)
             ids.push_back(id);
-    rememberEnded(named, message, now);
+    if (!m_incidents.contains(named) || std::find(ids.begin(), ids.end(), named) != ids.end())
+        rememberEnded(named, message, now);
     for (const auto id : ids)
         end(id, message, m_self, false, {}, actions, now);
     actions.push_back(Broadcast{message, std::nullopt});
@@ -189,7 +190,7 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpene
     std::vector<IncidentId> ids;
     for (const auto& [id, incident] : m_incidents) {
         const bool pair = incident.a == message.peerA && incident.b == message.peerB;
-        if (id == message.incident || (pair && incident.since < stamp))
+        if (pair && (id == message.incident || incident.since < stamp))
             ids.push_back(id);
     }
     rememberEnded(message.incident, message, now);

@@ -156,6 +156,7 @@ void DistributedModule::perform(session::SessionAction& action)
         void operator()(const session::SessionInterrupted& interrupted)
         {
             ++module.m_interruptions;
+            module.m_host.sessionHealed(module.m_peer.id);
             auto event = module.event(SessionEvent::Kind::Interrupted);
             event.duration = interrupted.duration;
             module.m_host.tell(std::move(event));

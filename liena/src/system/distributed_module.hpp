@@ -45,6 +45,9 @@ public:
     void setIncident(IncidentId incident);
     void setIncidentCount(std::size_t count);
 
+    /// What the peer told breaks the protocol.
+    void endForViolation(const std::string& detail) { violation(detail); }
+
     /// The thread did not run for `gap`.
     void stalled(session::Nanoseconds gap);
 

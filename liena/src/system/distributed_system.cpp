@@ -69,6 +69,8 @@ Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings se
     const auto folder = settings.store.empty() ? defaultStore() : settings.store;
     std::optional<LocalStore> store;
     if (!folder.empty()) {
+        std::error_code ignored; // the store itself says what it cannot open
+        std::filesystem::create_directories(folder.parent_path(), ignored);
         auto opened = LocalStore::open(folder);
         if (!opened)
             return opened.as_failure();

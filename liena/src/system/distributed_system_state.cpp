@@ -97,6 +97,8 @@ void DistributedSystem::State::stop()
     for (auto& [peer, one] : modules)
         one->abort();
     server.close();
+    closingTimer.cancel();
+    unlinked.clear();
     modules.clear();
     // Buried objects die with the handlers that hold them.
     context.restart();
@@ -108,19 +110,15 @@ void DistributedSystem::State::closeAll()
 {
     for (auto& [peer, one] : modules)
         (void)one->close("the application is stopping");
-    auto timer = std::make_shared<transport::Timer>(context);
-    const auto limit = std::chrono::steady_clock::now() + closingLimit;
-    auto check = std::make_shared<std::function<void()>>();
-    *check = [this, timer, limit, weak = std::weak_ptr(check)] {
-        const auto self = weak.lock();
-        if (!self)
-            return;
-        if (!allClosed() && std::chrono::steady_clock::now() < limit)
-            return timer->after(5ms, [self] { (*self)(); });
-        // What a closing dialogue wrote last may still be on its way to the kernel.
-        timer->after(20ms, [this] { context.stop(); });
-    };
-    (*check)();
+    endWhenClosed(std::chrono::steady_clock::now() + closingLimit);
+}
+
+void DistributedSystem::State::endWhenClosed(std::chrono::steady_clock::time_point limit)
+{
+    if (!allClosed() && std::chrono::steady_clock::now() < limit)
+        return closingTimer.after(5ms, [this, limit] { endWhenClosed(limit); });
+    // What a closing dialogue wrote last may still be on its way to the kernel.
+    closingTimer.after(20ms, [this] { context.stop(); });
 }
 
 bool DistributedSystem::State::allClosed() const
@@ -179,10 +177,26 @@ void DistributedSystem::State::attached(transport::AttachedConnection connection
 
 void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection connection)
 {
-    connection.channel->close();
     const auto* device = topology.find(connection.peer);
     const auto why = device == nullptr ? "it is not in the topology" : "the topology has no link to it";
     identityRefused(connection.peer, fmt::format("{} asked for a session, and {}", connection.peer.toString(), why));
+    if (device == nullptr || device->id == ownTopologyDevice.id)
+        return connection.channel->close(); // to a stranger nothing is said
+    const auto token = connection.attach.token;
+    auto& courier = unlinked.try_emplace(device->id, *this, *device).first->second;
+    const auto encode = [&](const protocol::SessionMessage& message) {
+        const auto body = protocol::encodeSessionMessage(message);
+        protocol::EncodedMessage encoded;
+        encoded.header.message = {ownTopologyDevice.id, protocol::numberOf(message)};
+        encoded.header.target = device->id;
+        encoded.header.timestamp = stamp();
+        encoded.part.assign(body.begin(), body.end());
+        return encoded;
+    };
+    auto fresh = std::make_unique<system::FreshConnection>(context, std::move(connection), ownTopologyDevice.id, partialBudget,
+                                                           system::FreshConnection::Handlers{[] {}, [](const auto&) {}, [] {}});
+    courier.send(std::move(fresh), encode(protocol::Attach{protocol::protocolVersion, token, 0}),
+                 encode(protocol::Rejected{token, RejectReason::NoLink, {"this device's topology has no link between the two"}}));
 }
 
 void DistributedSystem::State::identityRefused(DeviceId device, const std::string& detail)
@@ -291,7 +305,8 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
                                             told->event.incident.b.toString()));
             tell(told->event);
         } else if (const auto* violation = std::get_if<session::LedgerViolation>(&action)) {
-            log(LogLevel::Warning, fmt::format("{}: {}", violation->peer.toString(), violation->detail));
+            if (auto* one = module(violation->peer))
+                one->endForViolation(violation->detail);
         }
     }
 }
@@ -299,7 +314,7 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
 void DistributedSystem::State::performBroadcast(const session::Broadcast& broadcast)
 {
     for (auto& [peer, one] : modules)
-        if (carriesMessages(one->state()) && peer != broadcast.except)
+        if ((carriesMessages(one->state()) || one->state() == SessionState::Reconnecting) && peer != broadcast.except)
             one->sendSession(broadcast.message, DeviceId::broadcast());
 }
 

@@ -67,6 +67,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) override;
     bool standsBy() const override { return ledger.standsBy(); }
     void sessionOpened(DeviceId peer, const session::SessionOpened& opened) override;
+    void sessionHealed(DeviceId peer) override { perform(ledger.greet(peer)); }
     void sessionLost(DeviceId peer, const session::SessionLost& lost) override;
     void heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamp) override;
     void deliver(Message message) override;
@@ -106,6 +107,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     };
     std::vector<std::unique_ptr<Periodic>> periodics;
     std::map<DeviceId, std::unique_ptr<system::DistributedModule>> modules;
+    std::map<DeviceId, system::RejectCouriers> unlinked; ///< to devices of the topology that ask for a session without a link
     transport::TcpServer server;
     std::thread thread;
     bool handlingStall = false;
@@ -113,6 +115,9 @@ struct DistributedSystem::State final : public system::ModuleHost {
 private:
     void startPeriodic(Periodic& periodic);
     void closeAll();
+    void endWhenClosed(std::chrono::steady_clock::time_point limit);
+
+    transport::Timer closingTimer{context};
 };
 
 } // namespace liena

@@ -44,6 +44,7 @@ public:
 
     virtual bool standsBy() const = 0;
     virtual void sessionOpened(DeviceId peer, const session::SessionOpened& opened) = 0;
+    virtual void sessionHealed(DeviceId peer) = 0;
     virtual void sessionLost(DeviceId peer, const session::SessionLost& lost) = 0;
     virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamp) = 0;
 

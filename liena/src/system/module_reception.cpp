@@ -66,8 +66,8 @@ tasks::Judgement DistributedModule::judgeApplication(std::uint8_t lane, const pr
         return skip("unknown message number", header);
     if ((definition->priority == Priority::Bulk) != (lane > 0))
         return violation(fmt::format("{} on the wrong kind of lane", definition->name));
-    if (header.target.isBroadcast() && definition->role == Role::Command)
-        return skip("a command that is broadcast", header);
+    if (header.target.isBroadcast() && (definition->role == Role::Command || definition->priority == Priority::Control))
+        return skip("a command or control message that is broadcast", header);
     const auto maximum = definition->maximumSize();
     if (header.length > maximum)
         return violation(fmt::format("{} is longer than the {} bytes its definition allows", definition->name, maximum));

@@ -155,11 +155,16 @@ void MessageReader::readFields(const std::vector<Element>& children, const EnumT
 
 void MessageReader::checkControlBounds(const Element& field, const FieldDefinition& definition) const
 {
-    const bool bounded = definition.enumeration || definition.type == FieldType::Bool || definition.hasFixedSize() == false ||
-                         (field.find("min") && field.find("max"));
-    if (m_message.priority == Priority::Control && !bounded)
+    const bool isNumber = !definition.enumeration && definition.type != FieldType::Bool && definition.type != FieldType::String &&
+                          definition.type != FieldType::Bytes;
+    if (m_message.priority != Priority::Control || !isNumber)
+        return;
+    if (!field.find("min") || !field.find("max"))
         field.warning(fmt::format("the number '{}' of a control message has no min and max", definition.name),
                       "give both, so that an absurd value is refused before it reaches the device");
+    if (definition.nonfinite)
+        field.warning(fmt::format("the number '{}' of a control message may be NaN or infinite", definition.name),
+                      "remove nonfinite, unless the device is safe with both");
 }
 
 void MessageReader::checkSize() const

@@ -19,6 +19,7 @@ GuardReadings good()
     r.clockUncertainty = 1ms;
     r.picture.condition = PictureCondition::Live;
     r.picture.source = PictureSource::Simulated;
+    r.picture.mayGuide = true;
     r.picture.age = 80ms;
     r.picture.liveFor = 1s;
     r.pictureLimit = 250ms;
@@ -58,7 +59,7 @@ const std::vector<Case>& cases()
         {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, Guard::PictureLive, false},
         {"picture held", [](auto& r) { r.picture.condition = PictureCondition::Held; }, Guard::PictureLive, false},
         {"picture's age unknown", [](auto& r) { r.picture.condition = PictureCondition::Unknown; }, Guard::PictureLive, false},
-        {"picture recorded", [](auto& r) { r.picture.source = PictureSource::Recorded; }, Guard::PictureLive, false},
+        {"picture recorded", [](auto& r) { r.picture.mayGuide = false; }, Guard::PictureLive, false},
         {"picture too old", [](auto& r) { r.picture.age = 251ms; }, Guard::PictureLive, false},
         {"picture not live for a second", [](auto& r) { r.picture.liveFor = 999ms; }, Guard::PictureLive, true},
         {"robot silent", [](auto& r) { r.robotFresh = false; }, Guard::RobotFresh, false},

@@ -265,6 +265,5 @@ void IdentityFilesTest::refusesWritingWhereNothingCanBe()
     QVERIFY(staged.error().what.find(nowhere.string()) != std::string::npos);
 }
 
-Q_DECLARE_METATYPE(Recipe)
 QTEST_GUILESS_MAIN(IdentityFilesTest)
 #include "identity_files_test.moc"

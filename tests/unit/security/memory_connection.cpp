@@ -28,6 +28,7 @@ ContextPtr strangerContext(const SSL_METHOD* method, const Stranger& stranger)
     SSL_CTX_set_security_level(context.get(), 0);
     SSL_CTX_set_min_proto_version(context.get(), stranger.lowestVersion);
     SSL_CTX_set_max_proto_version(context.get(), stranger.highestVersion);
+    SSL_CTX_set1_groups_list(context.get(), stranger.groups.c_str());
     if (stranger.certificate != nullptr &&
         (SSL_CTX_use_certificate(context.get(), stranger.certificate) != 1 || SSL_CTX_use_PrivateKey(context.get(), stranger.key) != 1))
         throw std::runtime_error("the stranger cannot use its certificate: " + takeOpensslReason());

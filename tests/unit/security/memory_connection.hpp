@@ -35,6 +35,7 @@ struct Stranger {
     EVP_PKEY* key = nullptr;
     X509* intermediate = nullptr;
     std::string alpn = "liena/1";
+    std::string groups = "X25519:P-256:P-384:P-521:ffdhe8192";
     int lowestVersion = TLS1_2_VERSION;
     int highestVersion = TLS1_3_VERSION;
 };

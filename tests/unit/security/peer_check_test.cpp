@@ -29,6 +29,7 @@ struct Row {
     bool showsCertificate = true;
     std::string alpn = "liena/1";
     int highestVersion = TLS1_3_VERSION;
+    std::string groups = "X25519:P-256:P-384:P-521";
     const char* serverSays = ""; ///< part of what our server says to a client like this; empty: it lets it in
     const char* clientSays = ""; ///< part of what our client says to a server like this
 };
@@ -130,6 +131,11 @@ std::vector<Row> connectionRows()
         {.name = "no ALPN", .recipe = good(), .alpn = "", .serverSays = protocol, .clientSays = protocol},
         {.name = "another ALPN", .recipe = good(), .alpn = "h2", .serverSays = protocol, .clientSays = protocol},
         {.name = "a later version in ALPN", .recipe = good(), .alpn = "liena/12", .serverSays = protocol, .clientSays = protocol},
+        {.name = "costly key exchange only", .recipe = good(), .groups = "ffdhe8192", .serverSays = "in common", .clientSays = "in common"},
+        {.name = "certificate of 20 KiB",
+         .recipe = with([](Recipe& r) { r.dnsNames.assign(100, std::string(200, 'x')); }),
+         .serverSays = "too long",
+         .clientSays = "too long"},
         {.name = "no certificate",
          .recipe = good(),
          .showsCertificate = false,
@@ -231,7 +237,7 @@ Forged PeerCheckTest::madeFor(const Row& row) const
 
 Stranger PeerCheckTest::strangerFor(const Row& row, const Forged& forged) const
 {
-    Stranger stranger{.alpn = row.alpn, .highestVersion = row.highestVersion};
+    Stranger stranger{.alpn = row.alpn, .groups = row.groups, .highestVersion = row.highestVersion};
     if (row.showsCertificate) {
         stranger.certificate = forged.certificate.get();
         stranger.key = forged.key.get();

@@ -1,0 +1,220 @@
+// The vascular robot as a device: commands in, events, and the control loop.
+#include "robot_device.hpp"
+
+#include <boost/outcome/try.hpp>
+
+#include <algorithm>
+#include <random>
+
+namespace liena::devices {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
+
+// A robot that was started anew must not issue the permits of its last run again.
+std::uint32_t randomPermit()
+{
+    std::random_device entropy;
+    return (entropy() & 0x7FFFFFFFU) | 1U;
+}
+
+} // namespace
+
+RobotDevice::RobotDevice(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options, LogSink log)
+    : m_system(system),
+      m_log(log),
+      m_gate(DriveLimits::forWay(VesselWay(tree).length())),
+      m_machine(randomPermit()),
+      m_body(VesselWay(tree), options.start.value_or(VesselWay(tree).length() * 0.65), options.seed),
+      m_patientSide(system, log, {}, [this](std::string_view reason) { stopLocally(reason); })
+{}
+
+Result<std::unique_ptr<RobotDevice>> RobotDevice::create(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options,
+                                                         LogSink log)
+{
+    if (!system.report("RobotStatus"))
+        return fail(Errc::InvalidArgument, "device '" + system.self().name + "' is no vascular robot (message set '" +
+                                               system.self().messageSet + "'); name one with --device");
+    std::unique_ptr<RobotDevice> device(new RobotDevice(system, tree, options, std::move(log)));
+    BOOST_OUTCOME_TRYV(device->subscribe());
+    return device;
+}
+
+Result<void> RobotDevice::subscribe()
+{
+    using Handler = void (RobotDevice::*)(const Message&);
+    const std::pair<std::string_view, Handler> commands[] = {
+        {"PermitRequest", &RobotDevice::onPermitRequest}, {"MotionCommand", &RobotDevice::onMotion},
+        {"GripperCommand", &RobotDevice::onGripper},      {"ContrastInjection", &RobotDevice::onInjection},
+        {"EmergencyStop", &RobotDevice::onEmergencyStop}, {"ResetEmergencyStop", &RobotDevice::onReset}};
+    for (const auto& [name, handler] : commands) {
+        BOOST_OUTCOME_TRYV(m_system.subscribe(name, [this, call = handler](const Message& message) { (this->*call)(message); }));
+    }
+    m_system.subscribe([this](const SessionEvent& event) { onEvent(event); });
+    m_system.every(milliseconds(2), [this] { control(); });
+    m_system.every(milliseconds(10), [this] { publishStatus(); });
+    m_system.every(milliseconds(25), [this] { publishTip(); });
+    m_system.every(milliseconds(200), [this] { publishDrives(); });
+    return ok();
+}
+
+void RobotDevice::onEvent(const SessionEvent& event)
+{
+    using Kind = SessionEvent::Kind;
+    switch (event.kind) {
+    case Kind::StateChanged:
+        if (carriesMessages(event.to) && !carriesMessages(event.from))
+            handle(SessionOpened{event.peer});
+        else if (!carriesMessages(event.to) && carriesMessages(event.from))
+            handle(SessionLost{event.peer});
+        break;
+    case Kind::Interrupted: // the session is open again; the permission to move has ended all the same
+        handle(SessionLost{event.peer});
+        handle(SessionOpened{event.peer});
+        break;
+    case Kind::Lost:
+    case Kind::Closed:
+        handle(SessionLost{event.peer});
+        break;
+    case Kind::StandByBegan:
+        handle(StandByBegan{});
+        break;
+    case Kind::StandByEnded:
+        handle(StandByEnded{});
+        break;
+    case Kind::LocalStall:
+        handle(ProcessStalled{});
+        break;
+    default:
+        break;
+    }
+}
+
+bool RobotDevice::handle(const RobotEvent& event, const MotionCommanded* motion)
+{
+    const SteadyTime now = steadyNow();
+    const RobotState before = m_machine.state();
+    const RobotActions actions = m_machine.handle(event, now);
+    actOnDrives(actions.drives, motion, now);
+    if (actions.stopInjection)
+        if (const auto answer = m_injector.stop(std::string(actions.reason)))
+            publish(*answer);
+    if (actions.revokeControl)
+        m_system.revokeControl();
+    if (actions.confirmHold) {
+        m_holdSince = *actions.confirmHold ? Timestamp::now().ns : 0;
+        m_system.confirmHold(*actions.confirmHold);
+    }
+    if (m_machine.state() != before) {
+        m_lastRefusal = {};
+        m_log(LogLevel::Info, std::string(toString(before)) + " -> " + std::string(toString(m_machine.state())) +
+                                  (actions.reason.empty() ? "" : ": " + std::string(actions.reason)));
+    }
+    // A stream of refused commands is one cause, and one line.
+    if (!actions.accepted && std::exchange(m_lastRefusal, actions.reason) != actions.reason)
+        m_log(LogLevel::Warning, "command refused: " + std::string(actions.reason));
+    return actions.accepted;
+}
+
+void RobotDevice::actOnDrives(RobotActions::Drives drives, const MotionCommanded* motion, SteadyTime now)
+{
+    using Drives = RobotActions::Drives;
+    switch (drives) {
+    case Drives::Leave:
+        break;
+    case Drives::Enable:
+        m_gate.enable();
+        break;
+    case Drives::Drive:
+        if (motion && !m_gate.drive(motion->velocities, std::min(m_commanded, now)))
+            m_machine.countRefusal();
+        break;
+    case Drives::Release:
+        m_gate.release();
+        break;
+    case Drives::Stop:
+        m_gate.stop();
+        break;
+    case Drives::Cut:
+        m_gate.cut();
+        break;
+    }
+}
+
+void RobotDevice::control()
+{
+    const SteadyTime now = steadyNow();
+    const DriveStep step = m_gate.step(now, m_body.feedback());
+    m_body.move(step, m_lastControl == SteadyTime{} ? milliseconds(0) : now - m_lastControl);
+    m_lastControl = now;
+    handle(DrivesChecked{m_body.drivesHealthy(), step.still});
+    if (step.stop)
+        handle(GateStopped{*step.stop});
+    handle(Ticked{});
+    handle(SwitchedOn{});
+    if (const auto answer = m_injector.advance(now))
+        publish(*answer);
+}
+
+void RobotDevice::onPermitRequest(const Message& message)
+{
+    const auto permit = message.get<std::uint32_t>("permit");
+    if (message.get<int>("request") == 1)
+        handle(ArmRequested{message.origin(), permit});
+    else
+        handle(ReleaseRequested{message.origin(), permit});
+}
+
+void RobotDevice::onMotion(const Message& message)
+{
+    const MotionCommanded motion{message.origin(),
+                                 message.get<std::uint32_t>("permit"),
+                                 message.get<std::uint32_t>("sequence"),
+                                 message.get<bool>("engaged"),
+                                 {message.get<double>("guidewire_velocity"), message.get<double>("guidewire_rotation"),
+                                  message.get<double>("catheter_velocity"), message.get<double>("catheter_rotation")}};
+    m_commanded = message.arrival();
+    handle(motion, &motion);
+}
+
+void RobotDevice::onGripper(const Message& message)
+{
+    if (handle(GripperCommanded{message.origin(), message.get<std::uint32_t>("permit")}))
+        m_body.setGripper(message.get<Gripper>("gripper"), message.get<bool>("closed"));
+}
+
+void RobotDevice::onInjection(const Message& message)
+{
+    const InjectionRequest request{message.origin(), message.get<std::uint32_t>("injection"), message.get<double>("volume"),
+                                   message.get<double>("rate")};
+    if (const auto answer = m_injector.known(request.origin, request.number))
+        return publish(*answer);
+    const bool permitted = handle(InjectionCommanded{request.origin, message.get<std::uint32_t>("permit")});
+    const auto answer =
+        permitted ? m_injector.request(request, steadyNow()) : m_injector.refuse(request, "not armed under this permit by this cockpit");
+    if (permitted && answer.state == InjectionState::Refused)
+        m_machine.countRefusal();
+    publish(answer);
+}
+
+void RobotDevice::onEmergencyStop(const Message& message)
+{
+    handle(EmergencyStopCommanded{message.get<std::uint64_t>("token")});
+    m_log(LogLevel::Error, "emergency stop from " + m_patientSide.nameOf(message.origin()) + " (" +
+                               printable(message.get<std::string_view>("source")) +
+                               "): " + printable(message.get<std::string_view>("reason"), 128));
+}
+
+void RobotDevice::stopLocally(std::string_view reason)
+{
+    std::random_device entropy;
+    handle(EmergencyStopCommanded{(std::uint64_t{entropy()} << 32U | entropy()) | 1U});
+    m_log(LogLevel::Error, "emergency stop here: " + printable(reason, 128));
+}
+
+void RobotDevice::onReset(const Message& message) { handle(ResetCommanded{message.origin(), message.get<std::uint64_t>("token")}); }
+
+} // namespace liena::devices

@@ -1,0 +1,90 @@
+// The vascular robot as a device: its reports.
+#include "robot_device.hpp"
+
+#include <algorithm>
+
+namespace liena::devices {
+
+namespace {
+
+// A measured value at the edge of its field's bounds must not silence the whole report.
+double within(double value, double low, double high) { return std::clamp(value, low, high); }
+
+} // namespace
+
+std::uint16_t RobotDevice::limitSwitches() const
+{
+    constexpr double near = 0.01;
+    unsigned bits = 0;
+    const AxisValues positions = m_body.feedback().positions;
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{2}}) {
+        const AxisEnvelope& envelope = m_gate.limits().axes[axis];
+        const unsigned first = axis == 0 ? 0 : 4;
+        const double position = positions[axis];
+        bits |= (envelope.soft && position <= envelope.soft->low + near ? 1U : 0U) << first;
+        bits |= (envelope.soft && position >= envelope.soft->high - near ? 1U : 0U) << (first + 1);
+        bits |= (envelope.hard && position <= envelope.hard->low + near ? 1U : 0U) << (first + 2);
+        bits |= (envelope.hard && position >= envelope.hard->high - near ? 1U : 0U) << (first + 3);
+    }
+    return static_cast<std::uint16_t>(bits);
+}
+
+void RobotDevice::publishStatus()
+{
+    Message status = m_system.report("RobotStatus").value();
+    const DriveFeedback body = m_body.feedback();
+    const AxisValues& speed = m_body.velocities();
+    status.set("state", m_machine.state()).set("permit", m_machine.permit()).set("engaged", m_machine.engaged());
+    status.set("hold_confirmed", m_machine.holdConfirmed()).set("hold_since_ns", m_holdSince);
+    status.set("last_sequence", m_machine.lastSequence()).set("applied_commands", m_machine.appliedCommands());
+    status.set("refused_commands", m_machine.refusedCommands());
+    status.set("guidewire_position", within(body.positions[0], -10, 1600)).set("guidewire_angle", within(body.positions[1], -1e6, 1e6));
+    status.set("catheter_position", within(body.positions[2], -10, 1600)).set("catheter_angle", within(body.positions[3], -1e6, 1e6));
+    status.set("guidewire_velocity", within(speed[0], -60, 60)).set("guidewire_rotation", within(speed[1], -1000, 1000));
+    status.set("catheter_velocity", within(speed[2], -60, 60)).set("catheter_rotation", within(speed[3], -1000, 1000));
+    status.set("guidewire_force", within(m_body.force(), -5, 5)).set("guidewire_torque", within(m_body.torque(), -50, 50));
+    status.set("guidewire_gripper_closed", m_body.gripperClosed(Gripper::Guidewire));
+    status.set("catheter_gripper_closed", m_body.gripperClosed(Gripper::Catheter));
+    status.set("limit_switches", limitSwitches()).set("contrast_remaining", within(m_injector.remaining(), 0, 500));
+    status.set("emergency_stop_token", m_machine.emergencyStopToken()).set("fault_code", m_machine.fault());
+    m_system.publish(status);
+}
+
+void RobotDevice::publishDrives()
+{
+    Message status = m_system.report("DriveStatus").value();
+    std::vector<double> enabled(axisCount), current(axisCount), temperature(axisCount), error(axisCount), voltage(axisCount);
+    for (std::size_t axis = 0; axis < axisCount; ++axis) {
+        const DriveReading reading = m_body.drive(static_cast<Axis>(axis));
+        enabled[axis] = m_gate.enabled() ? 1 : 0;
+        current[axis] = within(reading.current, -10, 10);
+        temperature[axis] = within(reading.temperature, -20, 150);
+        error[axis] = within(reading.followingError, -1000, 1000);
+        voltage[axis] = within(reading.busVoltage, 0, 60);
+    }
+    status.set("enabled", enabled).set("current", current).set("temperature", temperature);
+    status.set("following_error", error).set("bus_voltage", voltage);
+    m_system.publish(status);
+}
+
+void RobotDevice::publishTip()
+{
+    const TipReading reading = m_body.tip();
+    Message pose = m_system.report("TipPose").value();
+    const std::vector<double> quaternion(reading.quaternion.begin(), reading.quaternion.end());
+    pose.set("valid", reading.valid).set("quaternion", quaternion).set("error", reading.error);
+    pose.set("position", std::vector<double>{reading.position.x, reading.position.y, reading.position.z});
+    m_system.publish(pose);
+}
+
+void RobotDevice::publish(const InjectionAnswer& answer)
+{
+    Message report = m_system.report("InjectionReport").value();
+    report.set("injection", answer.number).set("delivered", within(answer.delivered, 0, 30)).set("state", answer.state);
+    report.set("reason", std::string_view(answer.reason).substr(0, 128));
+    m_system.publish(report);
+    if (answer.state == InjectionState::Refused || answer.state == InjectionState::Stopped)
+        m_log(LogLevel::Warning, "injection " + std::to_string(answer.number) + ": " + answer.reason);
+}
+
+} // namespace liena::devices

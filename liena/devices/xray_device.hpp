@@ -1,0 +1,89 @@
+// The X-ray system as a device: its machine on a DistributedSystem, and a thread of its own that takes the pictures.
+#pragma once
+
+#include "frame_encoder.hpp"
+#include "image_source.hpp"
+#include "patient_side.hpp"
+#include "xray_machine.hpp"
+
+#include "liena/distributed_system.hpp"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace liena::devices {
+
+struct XrayOptions {
+    std::unique_ptr<ImageSource> source;
+    Encoding encoding = Encoding::Raw;
+    unsigned quality = 0;
+};
+
+/// Made before the system starts, outlives its run. Commands, events and status are on the network thread; pictures are computed, encoded
+/// and given to send() on the picture thread. The two share the machine and the view of the instruments under one mutex, held for moments
+/// only.
+class XrayDevice {
+public:
+    /// An error when the device of the topology is no X-ray system.
+    static Result<std::unique_ptr<XrayDevice>> create(DistributedSystem& system, XrayOptions options, LogSink log);
+
+    ~XrayDevice(); ///< ends the picture thread
+
+    /// Any thread: a line typed by the person beside the X-ray system.
+    void obey(std::string_view line) { m_patientSide.obey(line); }
+
+private:
+    struct Books {
+        std::uint64_t acquired = 0;
+        std::uint64_t sent = 0;
+        std::uint64_t withheld = 0;
+    };
+
+    XrayDevice(DistributedSystem& system, XrayOptions options, LogSink log);
+
+    Result<void> subscribe(bool robotLinked);
+    void onAcquisition(const Message& message);
+    void onGeometry(const Message& message);
+    void onRobotStatus(const Message& message);
+    void onEvent(const SessionEvent& event);
+    void tick();
+    void publishStatus();
+
+    /// Calls `use` with the machine under the mutex, then wakes the picture thread and logs when the beam has changed.
+    template <typename Use>
+    void withMachine(Use use);
+    void tellBeam(bool before, bool after, std::string_view reason);
+
+    void takePictures();
+    void takeOne(std::unique_lock<std::mutex>& lock);
+    bool produce(const Exposure& exposure, std::uint64_t frame);
+    Message compose(const Exposure& exposure, std::uint64_t frame, std::span<const std::byte> pixels, Timestamp captured) const;
+    bool deliver(Message message);
+    void complain(const std::string& what);
+
+    DistributedSystem& m_system;
+    LogSink m_log;
+    std::vector<DeviceId> m_viewers;
+    PatientSide m_patientSide;
+    std::string_view m_lastRefusal;
+
+    std::mutex m_mutex; ///< of everything down to m_stopping
+    std::condition_variable m_wake;
+    XrayMachine m_machine;
+    InstrumentView m_instruments;
+    SteadyTime m_robotHeard;
+    double m_contrastRemaining = 0;
+    Books m_books;
+    bool m_stopping = false;
+
+    // Of the picture thread.
+    std::unique_ptr<ImageSource> m_source;
+    FrameEncoder m_encoder;
+    Picture m_picture;
+    std::string m_lastComplaint;
+    std::thread m_thread;
+};
+
+} // namespace liena::devices

@@ -1,0 +1,119 @@
+// The X-ray system's state machine: when the beam may be on, where the C-arm stands, and what dose was given.
+#pragma once
+
+#include "drive_gate.hpp"
+
+#include "liena/device_id.hpp"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string_view>
+
+namespace liena::devices {
+
+/// The numbers are those of `AcquisitionMode` in the X-ray system's message set.
+enum class AcquisitionMode : std::uint8_t { Stop = 0, Fluoroscopy = 1, Acquisition = 2, Spin = 3 };
+
+struct AcquisitionRequest {
+    DeviceId origin;
+    AcquisitionMode mode = AcquisitionMode::Stop;
+    double pulseRate = 15; ///< /s
+    bool pedal = false;
+    std::uint32_t press = 0; ///< a repeat has the same number
+};
+
+struct CArmGeometry {
+    double primaryAngle = 0;   ///< deg, LAO positive
+    double secondaryAngle = 0; ///< deg, CRA positive
+    double sourceDetectorDistance = 1100;
+    double sourceObjectDistance = 750;
+    std::array<double, 3> table{}; ///< mm: lateral, longitudinal, height
+    double fieldOfView = 300;      ///< mm at the detector
+
+    friend bool operator==(const CArmGeometry&, const CArmGeometry&) = default;
+};
+
+struct TubeSettings {
+    double voltage = 0;    ///< kV
+    double current = 0;    ///< mA
+    double pulseWidth = 0; ///< ms
+};
+
+struct Dose {
+    double fluoroscopyTime = 0; ///< s
+    double airKerma = 0;        ///< mGy at the reference point
+    double airKermaRate = 0;    ///< mGy/min now
+    double areaProduct = 0;     ///< Gy·cm²
+};
+
+/// The beam is on only while one cockpit's pedal is down, said again every 200 ms, in an open session.
+///
+///              pedal down, a press not seen before, nobody else's pedal
+///   Off ────────────────────────────────────────────────────────────────► On ◄─┐ pedal down, same press: lease renewed
+///    ▲                                                                    │ └──┘
+///    └────────────────────────────────────────────────────────────────────┘
+///      pedal up, mode stop, 250 ms of silence, session lost, stand-by, stall
+///
+/// However the beam ended, its press is spent: only a new press turns it on again, also in stand-by. The stand-by spends every press seen
+/// so far. Pure: time comes from the caller.
+class XrayMachine {
+public:
+    static constexpr std::chrono::milliseconds lease{200};
+    static constexpr std::chrono::milliseconds margin{50};
+
+    /// False: refused; reason() says why.
+    bool command(const AcquisitionRequest& request, SteadyTime now);
+
+    /// Where the C-arm goes; refused from others than cockpits, in stand-by, and while the beam of another cockpit is on.
+    bool moveTo(DeviceId origin, const CArmGeometry& target);
+
+    void sessionLost(DeviceId peer);
+    void setStandBy(bool standsBy);
+    void interrupt(std::string_view reason);
+
+    /// Ends a lease that is over and moves the C-arm.
+    void tick(SteadyTime now);
+
+    /// One pulse was emitted.
+    void pulsed();
+
+    bool beamOn() const { return m_owner.has_value(); }
+    AcquisitionMode mode() const { return m_mode; }
+    double pulseRate() const { return m_pulseRate; }
+    std::uint32_t acquisition() const { return m_acquisition; } ///< counts the runs
+    const CArmGeometry& geometry() const { return m_geometry; }
+    TubeSettings tube() const;
+    const Dose& dose() const { return m_dose; }
+    std::string_view reason() const { return m_reason; }
+
+    /// A source with a rate of its own, a recorded run, fixes it; 0 frees it again.
+    void fixPulseRate(double rate) { m_fixedRate = rate; }
+
+private:
+    bool refuse(std::string_view reason);
+    void beamOff(std::string_view reason);
+    void startRun(const AcquisitionRequest& request);
+    void moveGantry(double seconds);
+    double kermaPerPulse() const;
+
+    std::optional<DeviceId> m_owner;             ///< of the pressed pedal
+    std::map<DeviceId, std::uint32_t> m_presses; ///< the newest press seen of each cockpit: spent unless it is the owner's
+    SteadyTime m_leaseEnd;
+    std::optional<SteadyTime> m_lastTick;
+    AcquisitionMode m_mode = AcquisitionMode::Stop;
+    double m_pulseRate = 15;
+    double m_fixedRate = 0;
+    std::uint32_t m_acquisition = 0;
+    CArmGeometry m_geometry;
+    CArmGeometry m_target;
+    std::optional<DeviceId> m_gantryOwner; ///< while the C-arm moves
+    double m_spinDirection = 1;
+    bool m_standBy = false;
+    Dose m_dose;
+    std::string_view m_reason;
+};
+
+} // namespace liena::devices

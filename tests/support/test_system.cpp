@@ -1,0 +1,143 @@
+// Files, ports and devices of a test system.
+#include "test_system.hpp"
+
+#include <QFile>
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace liena::test {
+
+std::uint16_t freePort()
+{
+    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+                       ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+    ::close(socket);
+    if (!bound)
+        throw std::runtime_error("no free port on 127.0.0.1");
+    return ntohs(address.sin_port);
+}
+
+TestSystem::TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links, Options options) : m_devices(std::move(devices))
+{
+    std::string xml = "<topology xmlns=\"urn:liena:topology:1\" name=\"test\" version=\"1.0\">\n  <timing " + options.timing +
+                      "/>\n  <security mode=\"" + options.mode + "\"/>\n";
+    for (const auto& device : m_devices) {
+        m_ports.push_back(freePort());
+        xml += "  <device name=\"" + device.name + "\" id=\"" + device.id + "\" message-set=\"" + device.set +
+               "\" host=\"127.0.0.1\" port=\"" + std::to_string(m_ports.back()) + "\"/>\n";
+    }
+    for (const auto& link : links)
+        xml += "  <link between=\"" + link + "\"/>\n";
+    xml += "</topology>\n";
+    QFile file(QString::fromStdString(topology().string()));
+    if (!file.open(QIODevice::WriteOnly) || file.write(xml.data(), static_cast<qint64>(xml.size())) < 0)
+        throw std::runtime_error("cannot write " + topology().string());
+}
+
+Settings TestSystem::settingsOf(const std::string& name)
+{
+    Settings settings;
+    settings.topology = topology();
+    settings.device = name;
+    settings.registry = {std::filesystem::path(LIENA_SOURCE_DIR) / "resources" / "devices"};
+    settings.store = folder() / ("store-" + name);
+    settings.software = "test " + name;
+    settings.log = [](LogLevel, std::string_view) {};
+    identityOf(name).applyTo(settings);
+    return settings;
+}
+
+QStringList TestSystem::argumentsOf(const std::string& name)
+{
+    const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
+    const auto settings = settingsOf(name);
+    return {QStringLiteral("--topology"),    text(settings.topology),         QStringLiteral("--device"), QString::fromStdString(name),
+            QStringLiteral("--registry"),    text(settings.registry.front()), QStringLiteral("--store"),  text(settings.store),
+            QStringLiteral("--certificate"), text(settings.certificate),      QStringLiteral("--key"),    text(settings.key),
+            QStringLiteral("--authority"),   text(settings.authority)};
+}
+
+std::uint16_t TestSystem::portOf(const std::string& name) const
+{
+    for (std::size_t i = 0; i < m_devices.size(); ++i)
+        if (m_devices[i].name == name)
+            return m_ports[i];
+    throw std::logic_error("no device " + name);
+}
+
+DeviceId TestSystem::idOf(const std::string& name) const
+{
+    for (const auto& device : m_devices)
+        if (device.name == name)
+            return DeviceId::fromString(device.id).value();
+    throw std::logic_error("no device " + name);
+}
+
+IdentityFiles TestSystem::identityOf(const std::string& name) { return m_authority.identityOf(idOf(name), name); }
+
+TestDevice::TestDevice(Settings settings, const Setup& setup)
+{
+    auto created = DistributedSystem::create(std::move(settings));
+    if (!created)
+        throw std::runtime_error(created.error().what);
+    m_system = std::move(created.value());
+    m_system->subscribe([this](const SessionEvent& event) {
+        const std::lock_guard lock(m_mutex);
+        m_events.push_back(event);
+    });
+    if (setup)
+        setup(*m_system);
+    m_system->start();
+}
+
+TestDevice::~TestDevice() { m_system->stop(); }
+
+std::vector<SessionEvent> TestDevice::events(SessionEvent::Kind kind, std::optional<DeviceId> peer) const
+{
+    const std::lock_guard lock(m_mutex);
+    std::vector<SessionEvent> found;
+    std::copy_if(m_events.begin(), m_events.end(), std::back_inserter(found),
+                 [&](const SessionEvent& event) { return event.kind == kind && (!peer || event.peer == *peer); });
+    return found;
+}
+
+SessionState TestDevice::state(DeviceId peer) const
+{
+    for (const auto& link : m_system->links())
+        if (link.peer == peer)
+            return link.state;
+    throw std::logic_error("no link to " + peer.toString());
+}
+
+std::vector<Message> TestDevice::messages(const std::string& name)
+{
+    for (auto& message : m_system->cache().drain().messages)
+        m_messages.push_back(std::move(message));
+    std::vector<Message> found;
+    std::copy_if(m_messages.begin(), m_messages.end(), std::back_inserter(found),
+                 [&](const Message& message) { return message.name() == name; });
+    return found;
+}
+
+std::string TestDevice::story() const
+{
+    const std::lock_guard lock(m_mutex);
+    std::string text;
+    for (const auto& event : m_events)
+        text += std::string(toString(event.kind)) + " " + event.peer.toString() + " " + std::string(toString(event.from)) + ">" +
+                std::string(toString(event.to)) + " " + event.message + " " + event.detail + "\n";
+    return text;
+}
+
+} // namespace liena::test

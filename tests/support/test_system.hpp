@@ -1,0 +1,104 @@
+// Devices of a small robotic system on loopback, for tests: topology, certificates, ports and what the devices hear.
+#pragma once
+
+#include "liena/distributed_system.hpp"
+#include "test_authority.hpp"
+
+#include <QByteArray>
+#include <QStringList>
+#include <QTemporaryDir>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace liena::test {
+
+/// The word for an enumerator: what QCOMPARE can show.
+template <typename T>
+QByteArray words(T value)
+{
+    const auto text = toString(value);
+    return {text.data(), static_cast<qsizetype>(text.size())};
+}
+
+/// A port that was free a moment ago on 127.0.0.1.
+std::uint16_t freePort();
+
+struct DeviceSpec {
+    std::string name;
+    std::string id;
+    std::string set;
+};
+
+namespace reference {
+inline const DeviceSpec cockpit{"cockpit", "0x40018208", "siat-cockpit"};
+inline const DeviceSpec robot{"robot", "0x00008208", "vascular-robot"};
+inline const DeviceSpec arm{"arm", "0x60008208", "arm-grasper"};
+inline const DeviceSpec xray{"xray", "0x20010208", "cbct-xray"};
+} // namespace reference
+
+/// The files of one system. They go with the object.
+class TestSystem {
+public:
+    struct Options {
+        std::string mode = "tls";
+        /// Slower than a real system: sanitizers and a busy machine must not look like a lost peer.
+        std::string timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
+    };
+
+    /// `links` are as in the topology: "cockpit robot".
+    TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links)
+        : TestSystem(std::move(devices), std::move(links), Options())
+    {}
+    TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links, Options options);
+
+    Settings settingsOf(const std::string& name);
+
+    /// The same as options for one of our programs.
+    QStringList argumentsOf(const std::string& name);
+    std::filesystem::path topology() const { return folder() / "topology.xml"; }
+    std::filesystem::path folder() const { return m_folder.path().toStdString(); }
+    std::uint16_t portOf(const std::string& name) const;
+    DeviceId idOf(const std::string& name) const;
+    IdentityFiles identityOf(const std::string& name);
+
+private:
+    QTemporaryDir m_folder;
+    std::vector<DeviceSpec> m_devices;
+    std::vector<std::uint16_t> m_ports;
+    TestAuthority m_authority;
+};
+
+/// A device in this process that remembers what it hears. Throws when it cannot start.
+class TestDevice {
+public:
+    using Setup = std::function<void(DistributedSystem&)>;
+
+    TestDevice(Settings settings, const Setup& setup = {});
+    ~TestDevice();
+
+    DistributedSystem& operator*() { return *m_system; }
+    DistributedSystem* operator->() { return m_system.get(); }
+
+    /// Events of a kind heard so far, from `peer` or from anybody.
+    std::vector<SessionEvent> events(SessionEvent::Kind kind, std::optional<DeviceId> peer = std::nullopt) const;
+    bool heard(SessionEvent::Kind kind, std::optional<DeviceId> peer = std::nullopt) const { return !events(kind, peer).empty(); }
+    SessionState state(DeviceId peer) const;
+
+    /// Drains the cache and gives all messages of that name so far.
+    std::vector<Message> messages(const std::string& name);
+
+    /// All events in order, for a failing test's output.
+    std::string story() const;
+
+private:
+    mutable std::mutex m_mutex;
+    std::vector<SessionEvent> m_events;
+    std::vector<Message> m_messages;
+    std::unique_ptr<DistributedSystem> m_system;
+};
+
+} // namespace liena::test

@@ -1,0 +1,199 @@
+// The whole system: the real console and the real devices as processes, operated by clicks and keys.
+#include "app/cockpit_application.hpp"
+#include "child_process.hpp"
+#include "test_system.hpp"
+#include "widgets/cockpit_window.hpp"
+#include "widgets/diagnosis_sheet.hpp"
+#include "widgets/theme.hpp"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDeadlineTimer>
+#include <QTest>
+
+using namespace liena::test;
+using namespace console;
+
+namespace {
+
+constexpr int patience = 30000;
+
+/// Console, robot, arm and X-ray system over the links of the reference topology.
+class Theatre {
+public:
+    Theatre()
+        : files({reference::cockpit, reference::robot, reference::arm, reference::xray},
+                {"cockpit robot", "cockpit arm", "cockpit xray", "arm robot", "xray robot"})
+    {
+        robot = start("robot");
+        arm = start("arm");
+        xray = start("xray", {QStringLiteral("--size"), QStringLiteral("256")}); // small pictures: sanitizers are slow
+        const auto settings = files.settingsOf("cockpit");
+        const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
+        Options options;
+        options.topology = text(settings.topology);
+        options.device = QStringLiteral("cockpit");
+        options.registry = {text(settings.registry.front())};
+        options.store = text(settings.store);
+        options.certificate = text(settings.certificate);
+        options.key = text(settings.key);
+        options.authority = text(settings.authority);
+        options.size = QSize(1920, 1080);
+        options.profile = PictureProfile::Coronary;
+        cockpit = std::make_unique<CockpitApplication>(options);
+        QString error;
+        if (!cockpit->prepare(&error))
+            throw std::runtime_error(error.toStdString());
+        cockpit->show();
+    }
+
+    std::unique_ptr<ChildProcess> start(const std::string& role, const QStringList& options = {})
+    {
+        auto process = std::make_unique<ChildProcess>(QStringLiteral("liena-device"),
+                                                      QStringList{QString::fromStdString(role)} + files.argumentsOf(role) + options);
+        if (!process->waitForLine(QStringLiteral("listening on")))
+            throw std::runtime_error(process->output().toStdString());
+        return process;
+    }
+
+    CockpitWindow& window() { return cockpit->window(); }
+    const ConsoleModels& models() const { return cockpit->models(); }
+    PermitPhase phase() const { return models().permit.phase(); }
+    LinkState link(const std::string& name) const { return models().sessions.state(files.idOf(name).value()); }
+    const RobotStatus& robotStatus() const { return models().instrument.robot().value; }
+
+    QAbstractButton* button(const QString& text, QWidget* within = nullptr)
+    {
+        for (auto* candidate : (within != nullptr ? within : &window())->findChildren<QAbstractButton*>())
+            if (candidate->isVisible() && candidate->text().remove(QLatin1Char('&')).startsWith(text))
+                return candidate;
+        return nullptr;
+    }
+
+    void click(const QString& text, QWidget* within = nullptr)
+    {
+        QAbstractButton* found = nullptr;
+        QTRY_VERIFY2_WITH_TIMEOUT((found = button(text, within)) != nullptr && found->isEnabled(), qPrintable(text), patience);
+        QTest::mouseClick(found, Qt::LeftButton);
+    }
+
+    void openAll()
+    {
+        QVERIFY(QTest::qWaitForWindowActive(&window()));
+        QTest::keyClick(&window(), Qt::Key_F2);
+        click(QStringLiteral("Open all"));
+        QTRY_VERIFY_WITH_TIMEOUT(models().sessions.allOpen(), patience);
+        QTest::keyClick(&window(), Qt::Key_F1);
+    }
+
+    void hold(int key) { QTest::keyPress(&window(), static_cast<Qt::Key>(key)); }
+    void release(int key) { QTest::keyRelease(&window(), static_cast<Qt::Key>(key)); }
+
+    /// Pedal, hold to arm, dead-man, and the arrow that advances; ends with the robot moving. A condition that fails on the way (a busy
+    /// computer paints too late, say) sends a person back to the start, and so this.
+    void armAndMove()
+    {
+        const QDeadlineTimer deadline(3 * patience);
+        const auto before = robotStatus().guidewirePosition;
+        const auto moved = [&] { return robotStatus().guidewirePosition > before + 0.5; };
+        while (!moved()) {
+            QVERIFY2(!deadline.hasExpired(), qPrintable(models().permit.unmetText(9)));
+            releaseAll();
+            hold(Qt::Key_F);
+            if (!reaches(PermitPhase::Ready))
+                continue;
+            hold(Qt::Key_R);
+            if (!reaches(PermitPhase::Armed))
+                continue;
+            release(Qt::Key_R);
+            hold(Qt::Key_D);
+            if (!reaches(PermitPhase::Engaged))
+                continue;
+            hold(Qt::Key_Up);
+            (void)QTest::qWaitFor([&] { return moved() || phase() != PermitPhase::Engaged; }, patience);
+        }
+    }
+
+    bool reaches(PermitPhase wanted)
+    {
+        return QTest::qWaitFor([&] { return phase() == wanted; }, 6000);
+    }
+
+    void releaseAll()
+    {
+        for (const int key : {Qt::Key_Up, Qt::Key_D, Qt::Key_R, Qt::Key_F})
+            release(key);
+    }
+
+    TestSystem files;
+    std::unique_ptr<ChildProcess> robot;
+    std::unique_ptr<ChildProcess> arm;
+    std::unique_ptr<ChildProcess> xray;
+    std::unique_ptr<CockpitApplication> cockpit;
+};
+
+} // namespace
+
+class CockpitTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance())); }
+
+    void aKilledRobotIsReopenedByClickAndMovesOnlyAfterANewArming()
+    {
+        Theatre theatre;
+        theatre.openAll();
+        theatre.armAndMove();
+        QVERIFY(!QTest::currentTestFailed());
+        theatre.robot->kill();
+
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::StandBy, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.phase() == PermitPhase::Incident, patience);
+        QVERIFY2(theatre.arm->waitForLine(QStringLiteral("stand-by")), qPrintable(theatre.arm->output()));
+        QVERIFY2(theatre.xray->waitForLine(QStringLiteral("stand-by")), qPrintable(theatre.xray->output()));
+        auto* sheet = theatre.window().findChild<DiagnosisSheet*>();
+        QTRY_VERIFY_WITH_TIMEOUT((sheet = theatre.window().findChild<DiagnosisSheet*>()) != nullptr && sheet->isVisible(), patience);
+
+        theatre.robot = theatre.start("robot");
+        // The hand still holds every key: nothing of that may move the robot that comes back.
+        theatre.click(QStringLiteral("Re-open channel"), sheet);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::Open, patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.models().incidents.empty(), qPrintable(theatre.arm->output() + theatre.xray->output()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.robotFresh(std::chrono::steady_clock::now()), patience);
+        QVERIFY(theatre.phase() != PermitPhase::Armed && theatre.phase() != PermitPhase::Engaged);
+        QCOMPARE(theatre.robotStatus().appliedCommands, quint64{0});
+
+        theatre.releaseAll();
+        theatre.armAndMove();
+        QVERIFY(theatre.robotStatus().appliedCommands > 0);
+        theatre.releaseAll();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, patience);
+    }
+
+    void aFrozenRobotAppliesNothingStaleWhenItWakes()
+    {
+        Theatre theatre;
+        theatre.openAll();
+        theatre.armAndMove();
+        QVERIFY(!QTest::currentTestFailed());
+        theatre.robot->freeze();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::StandBy, patience);
+        const auto frozen = theatre.robotStatus();
+        theatre.robot->thaw();
+        QVERIFY2(theatre.robot->waitForLine(QStringLiteral("did not run")), qPrintable(theatre.robot->output()));
+        DiagnosisSheet* sheet = nullptr;
+        QTRY_VERIFY_WITH_TIMEOUT((sheet = theatre.window().findChild<DiagnosisSheet*>()) != nullptr && sheet->isVisible(), patience);
+        theatre.click(QStringLiteral("Re-open channel"), sheet);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::Open, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.robotFresh(std::chrono::steady_clock::now()), patience);
+        // What it had applied and not yet reported is at most one report's worth; everything later was stale.
+        QVERIFY(theatre.robotStatus().appliedCommands <= frozen.appliedCommands + 25);
+        QVERIFY(theatre.robotStatus().holdConfirmed);
+        QVERIFY(theatre.phase() != PermitPhase::Armed && theatre.phase() != PermitPhase::Engaged);
+        theatre.releaseAll();
+    }
+};
+
+QTEST_MAIN(CockpitTest)
+#include "cockpit_test.moc"

@@ -1,0 +1,229 @@
+// The X-ray system: beam only while a pedal is held, and never again by itself.
+#include "xray_machine.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::devices;
+using namespace std::chrono_literals;
+
+namespace {
+
+const DeviceId cockpit(0x40018208);
+const DeviceId otherCockpit(0x40018209);
+const DeviceId robot(0x00008208);
+const SteadyTime start{1h};
+
+struct Rig {
+    XrayMachine machine;
+    SteadyTime now = start;
+    AcquisitionMode mode = AcquisitionMode::Fluoroscopy;
+
+    bool pedal(std::uint32_t press, bool down = true, DeviceId origin = cockpit)
+    {
+        return machine.command({origin, mode, 15, down, press}, now);
+    }
+    void wait(std::chrono::milliseconds duration)
+    {
+        now += duration;
+        machine.tick(now);
+    }
+};
+
+} // namespace
+
+class XrayMachineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void beamLastsWhileThePedalIsRepeated()
+    {
+        Rig rig;
+        QVERIFY(rig.pedal(1));
+        for (int count = 0; count < 20; ++count) {
+            rig.wait(200ms);
+            QVERIFY(rig.machine.beamOn());
+            QVERIFY(rig.pedal(1));
+        }
+        QCOMPARE(rig.machine.acquisition(), 1U);
+        QVERIFY(rig.pedal(1, false));
+        QVERIFY(!rig.machine.beamOn());
+    }
+
+    void beamEndsWithoutRepetition()
+    {
+        Rig rig;
+        rig.pedal(1);
+        rig.wait(250ms);
+        QVERIFY(rig.machine.beamOn());
+        rig.wait(1ms);
+        QVERIFY(!rig.machine.beamOn());
+        QCOMPARE(rig.machine.mode(), AcquisitionMode::Stop);
+    }
+
+    void endedPressIsSpent_data()
+    {
+        QTest::addColumn<QString>("end");
+        for (const char* end : {"silence", "released", "session lost", "stand-by", "stall"})
+            QTest::newRow(end) << QString(end);
+    }
+
+    void endedPressIsSpent()
+    {
+        QFETCH(QString, end);
+        Rig rig;
+        rig.pedal(1);
+        if (end == "silence")
+            rig.wait(300ms);
+        if (end == "released")
+            rig.pedal(1, false);
+        if (end == "session lost")
+            rig.machine.sessionLost(cockpit);
+        if (end == "stand-by")
+            rig.machine.setStandBy(true);
+        if (end == "stall")
+            rig.machine.interrupt("stall");
+        QVERIFY(!rig.machine.beamOn());
+        QVERIFY(!rig.pedal(1));
+        QVERIFY(!rig.machine.beamOn());
+        QVERIFY(rig.pedal(2)); // also in stand-by: a press that began after it
+        QVERIFY(rig.machine.beamOn());
+        QCOMPARE(rig.machine.acquisition(), 2U);
+    }
+
+    void anothersSessionDoesNotEndTheBeam()
+    {
+        Rig rig;
+        rig.pedal(1);
+        rig.machine.sessionLost(robot);
+        QVERIFY(rig.machine.beamOn());
+    }
+
+    void oneCockpitAtATime()
+    {
+        Rig rig;
+        rig.pedal(1);
+        QVERIFY(!rig.pedal(1, true, otherCockpit));
+        QVERIFY(rig.pedal(1, false, otherCockpit)); // its release ends nothing of ours
+        QVERIFY(rig.machine.beamOn());
+        QVERIFY(!rig.pedal(9, true, robot));
+    }
+
+    void refusedPressOfAnotherMayBeUsedLater()
+    {
+        Rig rig;
+        rig.pedal(1);
+        rig.pedal(5, true, otherCockpit);
+        rig.pedal(1, false);
+        QVERIFY(rig.pedal(5, true, otherCockpit));
+    }
+
+    void doseFollowsThePulses()
+    {
+        Rig rig;
+        rig.pedal(1);
+        rig.machine.pulsed();
+        const double one = rig.machine.dose().airKerma;
+        QVERIFY(one > 0.005 && one < 0.2);
+        rig.machine.pulsed();
+        QVERIFY(std::abs(rig.machine.dose().airKerma - 2 * one) < 1e-12);
+        QVERIFY(rig.machine.dose().areaProduct > 0);
+        rig.wait(100ms);
+        QVERIFY(rig.machine.dose().airKermaRate > 1);
+        QVERIFY(std::abs(rig.machine.dose().fluoroscopyTime - 0.0) < 0.2);
+        rig.pedal(1, false);
+        QCOMPARE(rig.machine.dose().airKermaRate, 0.0);
+        QCOMPARE(rig.machine.tube().voltage, 0.0);
+    }
+
+    void acquisitionCostsMoreThanFluoroscopy()
+    {
+        Rig fluoroscopy;
+        fluoroscopy.pedal(1);
+        fluoroscopy.machine.pulsed();
+        Rig acquisition;
+        acquisition.mode = AcquisitionMode::Acquisition;
+        acquisition.pedal(1);
+        acquisition.machine.pulsed();
+        QVERIFY(acquisition.machine.dose().airKerma > 5 * fluoroscopy.machine.dose().airKerma);
+    }
+
+    void beamTimeIsCounted()
+    {
+        Rig rig;
+        rig.machine.tick(rig.now);
+        rig.pedal(1);
+        for (int count = 0; count < 100; ++count) {
+            rig.wait(10ms);
+            rig.pedal(1);
+        }
+        QVERIFY(std::abs(rig.machine.dose().fluoroscopyTime - 1.0) < 0.02);
+    }
+
+    void gantryGoesWhereItIsSentAndStopsInStandBy()
+    {
+        Rig rig;
+        CArmGeometry target;
+        target.primaryAngle = 30;
+        target.fieldOfView = 200;
+        QVERIFY(rig.machine.moveTo(cockpit, target));
+        rig.machine.tick(rig.now);
+        rig.wait(100ms);
+        const double moved = rig.machine.geometry().primaryAngle;
+        QVERIFY(moved > 1 && moved < 5);
+        rig.machine.setStandBy(true);
+        rig.wait(100ms);
+        rig.wait(100ms);
+        QCOMPARE(rig.machine.geometry().primaryAngle, moved);
+        QVERIFY(!rig.machine.moveTo(cockpit, target));
+        rig.machine.setStandBy(false);
+        rig.wait(100ms);
+        QCOMPARE(rig.machine.geometry().primaryAngle, moved); // not by itself
+        QVERIFY(!rig.machine.moveTo(robot, target));
+        QVERIFY(rig.machine.moveTo(cockpit, target));
+        for (int count = 0; count < 30; ++count)
+            rig.wait(100ms);
+        QCOMPARE(rig.machine.geometry(), target);
+    }
+
+    void spinTurnsTheArmAndEndsItself()
+    {
+        Rig rig;
+        rig.mode = AcquisitionMode::Spin;
+        rig.machine.tick(rig.now);
+        rig.pedal(1);
+        for (int count = 0; count < 300 && rig.machine.beamOn(); ++count) {
+            rig.wait(50ms);
+            rig.pedal(1);
+        }
+        QVERIFY(!rig.machine.beamOn());
+        QCOMPARE(rig.machine.geometry().primaryAngle, 100.0);
+    }
+
+    void recordedRunFixesThePulseRate()
+    {
+        Rig rig;
+        rig.machine.fixPulseRate(7.5);
+        rig.pedal(1);
+        QCOMPARE(rig.machine.pulseRate(), 7.5);
+    }
+
+    void refusesImpossibleRates_data()
+    {
+        QTest::addColumn<double>("rate");
+        QTest::newRow("zero") << 0.0;
+        QTest::newRow("too many") << 31.0;
+        QTest::newRow("no number") << std::nan("");
+    }
+
+    void refusesImpossibleRates()
+    {
+        QFETCH(double, rate);
+        XrayMachine machine;
+        QVERIFY(!machine.command({cockpit, AcquisitionMode::Fluoroscopy, rate, true, 1}, start));
+        QVERIFY(!machine.beamOn());
+    }
+};
+
+QTEST_GUILESS_MAIN(XrayMachineTest)
+#include "xray_machine_test.moc"
