@@ -45,7 +45,8 @@ CockpitApplication::CockpitApplication(const Options& options) : m_options(optio
 
 CockpitApplication::~CockpitApplication()
 {
-    // Widgets and the loop may still be told things while sessions close.
+    if (m_control)
+        m_control->stop();
     if (m_link)
         m_link->stop();
 }

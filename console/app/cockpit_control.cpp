@@ -62,6 +62,13 @@ void CockpitControl::start()
     run();
 }
 
+void CockpitControl::stop()
+{
+    m_timer.stop();
+    setPedal(false);
+    apply(PermitEventKind::PanicHold);
+}
+
 void CockpitControl::run()
 {
     const auto now = presentTime();

@@ -23,6 +23,9 @@ public:
 
     void start();
 
+    /// Pedal up and Hold: what is asked of the robot and the X-ray system ends before their sessions do.
+    void stop();
+
     // What the window and the hand ask for.
     void setArmHeld(bool held);
     void setPedal(bool down);

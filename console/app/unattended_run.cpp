@@ -217,8 +217,12 @@ QString UnattendedRun::save() const
     if (m_settings.report.isEmpty())
         return {};
     QSaveFile file(m_settings.report);
-    const bool written =
-        file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(m_measurements.toJson()).toJson()) > 0 && file.commit();
+    auto json = m_measurements.toJson();
+    QJsonArray log;
+    for (int row = std::max(0, m_models.log.rowCount() - logLines); row < m_models.log.rowCount(); ++row)
+        log.append(m_models.log.data(m_models.log.index(row)).toString());
+    json.insert(QStringLiteral("log"), log);
+    const bool written = file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(json).toJson()) > 0 && file.commit();
     return written ? QString() : QStringLiteral("%1: the report could not be written: %2").arg(m_settings.report, file.errorString());
 }
 
