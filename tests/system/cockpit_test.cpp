@@ -38,7 +38,7 @@ public:
         options.certificate = text(settings.certificate);
         options.key = text(settings.key);
         options.authority = text(settings.authority);
-        options.size = QSize(1920, 1080);
+        options.size = QSize(1366, 768);
         options.profile = PictureProfile::Coronary;
         cockpit = std::make_unique<CockpitApplication>(options);
         QString error;
@@ -97,7 +97,7 @@ public:
         const auto before = robotStatus().guidewirePosition;
         const auto moved = [&] { return robotStatus().guidewirePosition > before + 0.5; };
         while (!moved()) {
-            QVERIFY2(!deadline.hasExpired(), qPrintable(models().permit.unmetText(9)));
+            QVERIFY2(!deadline.hasExpired(), qPrintable(story()));
             releaseAll();
             acknowledgeAlarms();
             hold(Qt::Key_F);
@@ -121,6 +121,15 @@ public:
         for (int i = 0; i < most && models().alarms.unacknowledgedHigh(); ++i)
             if (auto* acknowledge = button(QStringLiteral("Acknowledge")); acknowledge != nullptr && acknowledge->isEnabled())
                 QTest::mouseClick(acknowledge, Qt::LeftButton);
+    }
+
+    /// What the console noted, for a failing test's output.
+    QString story() const
+    {
+        QString text = word(phase()) + QLatin1Char('\n');
+        for (const auto& entry : models().log.lines())
+            text += entry.text + QLatin1Char('\n');
+        return text + models().permit.unmetText(9);
     }
 
     bool reaches(PermitPhase wanted)
