@@ -153,6 +153,24 @@ private Q_SLOTS:
         QCOMPARE(words(cockpit.events(Kind::OpenFailed)[0].reason), words(RejectReason::TopologyMismatch));
     }
 
+    void saysThatItsTopologyHasNoLink()
+    {
+        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "cockpit arm"});
+        std::ifstream whole(system.topology());
+        std::string xml{std::istreambuf_iterator<char>(whole), {}};
+        const std::string link = "<link between=\"cockpit robot\"/>";
+        xml.erase(xml.find(link), link.size());
+        auto settings = system.settingsOf("robot");
+        settings.topology = system.folder() / "without.xml";
+        std::ofstream(settings.topology) << xml;
+        TestDevice robot(settings);
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        QVERIFY(cockpit->openChannel(system.idOf("robot")));
+        QTRY_VERIFY2(cockpit.heard(Kind::OpenFailed), cockpit.story().c_str());
+        QCOMPARE(words(cockpit.events(Kind::OpenFailed)[0].reason), words(RejectReason::NoLink));
+        QTRY_VERIFY(robot.heard(Kind::IdentityRefused));
+    }
+
     void refusesADeviceWithAnothersCertificate()
     {
         TestSystem system({reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "cockpit arm"});

@@ -159,6 +159,26 @@ private Q_SLOTS:
         QCOMPARE(words(system.cockpit.state(system.robotId)), words(SessionState::StandBy));
     }
 
+    void aRestartedDeviceIsReopenedByItsOwnPerson()
+    {
+        TestSystem system({reference::robot, reference::arm}, {"arm robot"});
+        const auto start = [&](const char* role) {
+            return std::make_unique<ChildProcess>(QStringLiteral("liena-device"),
+                                                  QStringList{QString::fromLatin1(role)} + system.argumentsOf(role));
+        };
+        auto robot = start("robot");
+        QVERIFY2(robot->waitForLine(QStringLiteral("listening on")), qPrintable(robot->output()));
+        auto arm = start("arm"); // it opens its link to the robot by itself
+        QVERIFY2(arm->waitForLine(QStringLiteral("opening -> open")), qPrintable(arm->output()));
+        arm->kill();
+        QVERIFY2(robot->waitForLine(QStringLiteral("stand-by began")), qPrintable(robot->output()));
+        arm = start("arm");
+        QVERIFY2(arm->waitForLine(QStringLiteral("opening -> stand-by")), qPrintable(arm->output() + robot->output()));
+        arm->say(QStringLiteral("reopen robot"));
+        QVERIFY2(arm->waitForLine(QStringLiteral("re-opening -> open")), qPrintable(arm->output() + robot->output()));
+        QVERIFY2(robot->waitForLine(QStringLiteral("stand-by ended")), qPrintable(robot->output()));
+    }
+
     void endsCleanlyOnSigterm()
     {
         Triangle system;

@@ -6,6 +6,7 @@
 #include "system/fresh_connection.hpp"
 #include "system/module_host.hpp"
 #include "system/reject_courier.hpp"
+#include "system/session_encoding.hpp"
 #include "system/traffic_books.hpp"
 #include "tasks/output_lane.hpp"
 #include "tasks/reception_task.hpp"
@@ -85,7 +86,7 @@ private:
     void setHeard(const protocol::MessageSetAnswer& answer);
     void drop(const std::string& cause, std::uint16_t number, const std::string& detail = {});
 
-    // Sessions (distributed_module.cpp)
+    // Sessions (distributed_module.cpp) and their lanes (module_lanes.cpp)
     void handle(const session::SessionInput& input);
     void perform(session::SessionActions actions);
     void perform(session::SessionAction& action);

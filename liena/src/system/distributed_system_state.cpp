@@ -184,19 +184,12 @@ void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection conn
         return connection.channel->close(); // to a stranger nothing is said
     const auto token = connection.attach.token;
     auto& courier = unlinked.try_emplace(device->id, *this, *device).first->second;
-    const auto encode = [&](const protocol::SessionMessage& message) {
-        const auto body = protocol::encodeSessionMessage(message);
-        protocol::EncodedMessage encoded;
-        encoded.header.message = {ownTopologyDevice.id, protocol::numberOf(message)};
-        encoded.header.target = device->id;
-        encoded.header.timestamp = stamp();
-        encoded.part.assign(body.begin(), body.end());
-        return encoded;
-    };
     auto fresh = std::make_unique<system::FreshConnection>(context, std::move(connection), ownTopologyDevice.id, partialBudget,
                                                            system::FreshConnection::Handlers{[] {}, [](const auto&) {}, [] {}});
-    courier.send(std::move(fresh), encode(protocol::Attach{protocol::protocolVersion, token, 0}),
-                 encode(protocol::Rejected{token, RejectReason::NoLink, {"this device's topology has no link between the two"}}));
+    courier.send(
+        std::move(fresh), system::encodeSession(*this, protocol::Attach{protocol::protocolVersion, token, 0}, device->id),
+        system::encodeSession(
+            *this, protocol::Rejected{token, RejectReason::NoLink, {"this device's topology has no link between the two"}}, device->id));
 }
 
 void DistributedSystem::State::identityRefused(DeviceId device, const std::string& detail)

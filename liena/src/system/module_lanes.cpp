@@ -1,0 +1,191 @@
+// The lanes of one peer: connecting ours, taking in theirs, and the connections whose handshake is still to come.
+#include "system/distributed_module.hpp"
+
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace liena::system {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto connectLimit = 1s;
+constexpr auto reconnectLimit = 250ms;
+
+} // namespace
+
+void DistributedModule::connectLaneZero()
+{
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    m_laneZero.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), 0}, m_peer.id),
+                       dialogue ? connectLimit : reconnectLimit);
+}
+
+void DistributedModule::connectBulk()
+{
+    if (m_bulk.isUp() || m_bulk.isConnecting() || m_bulk.queue().empty() || !carriesMessages(m_machine.state()))
+        return;
+    m_bulk.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), bulkLane}, m_peer.id), connectLimit);
+}
+
+void DistributedModule::retryBulk()
+{
+    m_bulkRetry.after(50ms, [this] { connectBulk(); });
+}
+
+void DistributedModule::closeLanes(session::Nanoseconds grace)
+{
+    m_laneZero.close(grace);
+    m_bulk.close(0ns);
+    m_bulkRetry.cancel();
+    std::vector<std::shared_ptr<tasks::ReceptionTask>> ended;
+    if (m_incoming)
+        ended.push_back(std::move(m_incoming));
+    for (auto& [lane, task] : m_incomingBulk)
+        ended.push_back(std::move(task));
+    m_incomingBulk.clear();
+    for (auto& task : ended) {
+        m_bytesReceived += task->bytesReceived();
+        if (grace <= 0ns) {
+            task->close();
+            bury(task);
+            continue;
+        }
+        task->orphan();
+        auto timer = std::make_shared<boost::asio::steady_timer>(m_host.io(), grace);
+        timer->async_wait([timer, task](const boost::system::error_code&) {});
+    }
+}
+
+void DistributedModule::adopt(session::ConnectionNumber number)
+{
+    const auto fresh = m_fresh.find(number);
+    if (fresh == m_fresh.end())
+        return;
+    m_incoming = fresh->second->release();
+    m_incoming->setSink(*this);
+    bury(std::move(fresh->second));
+    m_fresh.erase(fresh);
+    boost::asio::post(m_host.io(), [this, task = m_incoming.get()] {
+        if (m_incoming.get() == task)
+            task->start();
+    });
+}
+
+void DistributedModule::refuse(const session::Refuse& refusal)
+{
+    const auto fresh = m_fresh.find(refusal.connection);
+    if (fresh == m_fresh.end())
+        return;
+    m_host.log(LogLevel::Warning, fmt::format("refused a session with {}: {}: {}", m_peer.name, toString(refusal.reason), refusal.detail));
+    m_couriers.send(std::move(fresh->second), encode(protocol::Attach{protocol::protocolVersion, refusal.token, 0}, m_peer.id),
+                    encode(protocol::Rejected{refusal.token, refusal.reason, {refusal.detail}}, m_peer.id));
+    m_fresh.erase(fresh);
+}
+
+void DistributedModule::attached(transport::AttachedConnection connection)
+{
+    const auto state = m_machine.state();
+    const bool inSession = state != SessionState::Closed && state != SessionState::StandBy && connection.attach.token == m_machine.token();
+    if (connection.attach.protocol != protocol::protocolVersion) {
+        m_host.log(LogLevel::Warning, fmt::format("{} speaks version {} of the protocol, this device version {}", m_peer.name,
+                                                  connection.attach.protocol, protocol::protocolVersion));
+        const auto token = connection.attach.token;
+        auto fresh = std::make_unique<FreshConnection>(m_host.io(), std::move(connection), m_host.ownDevice().id, m_host.budget(),
+                                                       FreshConnection::Handlers{[] {}, [](const auto&) {}, [] {}});
+        m_couriers.send(std::move(fresh), encode(protocol::Attach{protocol::protocolVersion, token, 0}, m_peer.id),
+                        encode(protocol::Rejected{token, RejectReason::ProtocolVersion, {"version 1 is spoken here"}}, m_peer.id));
+        return;
+    }
+    if (connection.attach.lane > 0)
+        return inSession && m_incoming ? admitBulk(std::move(connection)) : connection.channel->close();
+    if (!inSession)
+        return admitFresh(std::move(connection));
+    if (m_incoming) {
+        m_bytesReceived += m_incoming->bytesReceived();
+        m_incoming->close();
+        bury(std::move(m_incoming));
+    }
+    m_incoming = std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(),
+                                                        std::uint8_t{0}, *this);
+    auto* task = m_incoming.get();
+    handle(session::IncomingUp{});
+    if (m_incoming.get() == task)
+        task->start();
+}
+
+void DistributedModule::admitFresh(transport::AttachedConnection connection)
+{
+    constexpr std::size_t mostFresh = 4;
+    if (m_fresh.size() >= mostFresh)
+        endFresh(m_fresh.begin()->first);
+    const auto number = ++m_nextConnection;
+    auto fresh = std::make_unique<FreshConnection>(
+        m_host.io(), std::move(connection), m_host.ownDevice().id, m_host.budget(),
+        FreshConnection::Handlers{[this] { m_host.turned(); },
+                                  [this, number](const protocol::SessionMessage& message) { handshakeHeard(number, message); },
+                                  [this, number] { endFresh(number); }});
+    auto* raw = fresh.get();
+    m_fresh.emplace(number, std::move(fresh));
+    raw->start();
+}
+
+void DistributedModule::endFresh(session::ConnectionNumber number)
+{
+    const auto fresh = m_fresh.find(number);
+    if (fresh == m_fresh.end())
+        return;
+    fresh->second->close();
+    bury(std::move(fresh->second));
+    m_fresh.erase(fresh);
+}
+
+void DistributedModule::handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message)
+{
+    session::HandshakeHeard input;
+    input.connection = number;
+    if (const auto* plain = std::get_if<protocol::Handshake>(&message)) {
+        input.handshake = *plain;
+    } else {
+        const auto& diagnosis = std::get<protocol::DiagnosisHandshake>(message);
+        input.handshake = diagnosis.handshake;
+        input.diagnosis = true;
+        input.previous = diagnosis.previous;
+    }
+    input.standing = m_host.standingOf(m_peer.id, input.handshake.set);
+    if (input.standing == session::SetStanding::Held)
+        m_peerSet = m_host.setOf(m_peer.id, input.handshake.set);
+    handle(input);
+}
+
+void DistributedModule::admitBulk(transport::AttachedConnection connection)
+{
+    constexpr std::uint8_t mostLanes = 8;
+    const auto lane = connection.attach.lane;
+    if (lane > mostLanes)
+        return connection.channel->close();
+    auto& task = m_incomingBulk[lane];
+    if (task) {
+        m_bytesReceived += task->bytesReceived();
+        task->close();
+        bury(std::move(task));
+    }
+    task =
+        std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(), lane, *this);
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    if (!dialogue) // in a dialogue it is attached and not read
+        task->start();
+}
+
+void DistributedModule::bury(std::shared_ptr<void> ended)
+{
+    if (ended)
+        boost::asio::post(m_host.io(), [ended = std::move(ended)] {});
+}
+
+} // namespace liena::system
