@@ -24,7 +24,7 @@ QString keyLegend()
 {
     QStringList parts;
     for (const auto& [key, meaning] : KeyboardMaster::bindings())
-        parts << key + QLatin1Char(' ') + meaning;
+        parts << key + QLatin1Char(' ') + meaning.section(QLatin1Char(':'), 0, 0).section(QLatin1Char(';'), 0, 0);
     return parts.join(QStringLiteral(" · "));
 }
 
