@@ -10,7 +10,6 @@
 
 #include <QApplication>
 #include <QDateTime>
-#include <QStringList>
 
 #include <cstdio>
 
@@ -19,14 +18,6 @@ namespace console {
 namespace {
 
 constexpr std::chrono::milliseconds scenePeriod{50};
-
-QString keyLegend()
-{
-    QStringList parts;
-    for (const auto& [key, meaning] : KeyboardMaster::bindings())
-        parts << key + QLatin1Char(' ') + meaning.section(QLatin1Char(':'), 0, 0).section(QLatin1Char(';'), 0, 0);
-    return parts.join(QStringLiteral(" · "));
-}
 
 } // namespace
 
@@ -88,7 +79,7 @@ void CockpitApplication::buildWindow()
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
     m_window->setRehearsal(m_options.rehearsal);
-    m_window->setKeyLegend(keyLegend());
+    m_window->setKeyLegend(KeyboardMaster::legend());
     connectIntents();
     connectHand();
     connectPictures();

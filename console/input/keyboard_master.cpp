@@ -121,4 +121,9 @@ QList<QPair<QString, QString>> KeyboardMaster::bindings()
             {tr("Page Up / Page Down"), tr("larger / smaller scale; never larger while engaged")}};
 }
 
+QString KeyboardMaster::legend()
+{
+    return tr("D dead-man · F X-ray · R arm · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale");
+}
+
 } // namespace console

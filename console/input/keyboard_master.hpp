@@ -43,6 +43,9 @@ public:
     /// The keys with what they do: `D, held` `dead-man`.
     static QList<QPair<QString, QString>> bindings();
 
+    /// The same in one short line, for the motion bar.
+    static QString legend();
+
 Q_SIGNALS:
     void pedalChanged(bool down);
 

@@ -1,152 +1,9 @@
-// The motion permit: every phase against every event, and what must never be possible.
-#include "model/motion_permit.hpp"
+// The motion permit: every phase against every event, and the way to motion.
+#include "permit_run.hpp"
 
 #include <QTest>
 
-using namespace console;
-using namespace std::chrono_literals;
-using Kind = PermitEventKind;
-using Phase = PermitPhase;
-
-namespace {
-
-constexpr quint32 permit = 7;
-const Instant start = Instant{} + 1h;
-
-GuardSet all() { return ~GuardSet{}; }
-
-PermitEvent told(Kind kind)
-{
-    PermitEvent e;
-    e.kind = kind;
-    e.armable = all();
-    e.kept = all();
-    e.robot = RobotState::Ready;
-    e.holdConfirmed = true;
-    e.permit = permit;
-    return e;
-}
-
-PermitEvent robot(RobotState state, quint32 number = permit, bool confirmed = true)
-{
-    auto e = told(Kind::RobotReported);
-    e.robot = state;
-    e.permit = number;
-    e.holdConfirmed = confirmed;
-    return e;
-}
-
-PermitEvent guards(bool armable, bool kept)
-{
-    auto e = told(Kind::GuardsChecked);
-    e.armable = armable ? all() : GuardSet{};
-    e.kept = kept ? all() : GuardSet{};
-    return e;
-}
-
-/// Drives the machine as its caller does, and keeps what was asked for.
-struct Run {
-    PermitState state;
-    PermitActions last;
-    Instant now = start;
-
-    PermitActions feed(const PermitEvent& e)
-    {
-        const auto next = step(state, e, now);
-        state = next.state;
-        last = next.actions;
-        return last;
-    }
-    PermitActions feed(Kind kind) { return feed(told(kind)); }
-    void wait(Duration duration) { now += duration; }
-
-    void openSession()
-    {
-        feed(Kind::SessionOpen);
-        feed(robot(RobotState::Ready));
-    }
-    void makeReady()
-    {
-        openSession();
-        feed(guards(true, true));
-    }
-    void hold()
-    {
-        makeReady();
-        feed(Kind::ArmPressed);
-    }
-    void ask()
-    {
-        hold();
-        wait(1500ms);
-        feed(Kind::Tick);
-    }
-    void arm()
-    {
-        ask();
-        feed(robot(RobotState::Armed));
-    }
-    void engage()
-    {
-        arm();
-        feed(Kind::DeadManPressed);
-    }
-    void fallIntoHold()
-    {
-        engage();
-        feed(Kind::PanicHold);
-    }
-    void standBy()
-    {
-        engage();
-        feed(Kind::SystemStandsBy);
-    }
-    void verify()
-    {
-        standBy();
-        feed(Kind::DeadManReleased);
-        feed(Kind::SessionOpen);
-    }
-};
-
-Run in(Phase phase)
-{
-    Run run;
-    switch (phase) {
-    case Phase::Off:
-        break;
-    case Phase::Standby:
-        run.openSession();
-        break;
-    case Phase::Ready:
-        run.makeReady();
-        break;
-    case Phase::Arming:
-        run.hold();
-        break;
-    case Phase::Armed:
-        run.arm();
-        break;
-    case Phase::Engaged:
-        run.engage();
-        break;
-    case Phase::Hold:
-        run.fallIntoHold();
-        break;
-    case Phase::Incident:
-        run.standBy();
-        break;
-    case Phase::Verifying:
-        run.verify();
-        break;
-    }
-    return run;
-}
-
-const std::array allPhases{Phase::Off,     Phase::Standby, Phase::Ready,    Phase::Arming,   Phase::Armed,
-                           Phase::Engaged, Phase::Hold,    Phase::Incident, Phase::Verifying};
-
-} // namespace
+using namespace permit_run;
 
 class TestMotionPermit : public QObject {
     Q_OBJECT
@@ -156,7 +13,6 @@ private Q_SLOTS:
     void leavesEveryPhaseAsTheTableSays();
     void leavesEveryPhaseWhenGuardsFail_data();
     void leavesEveryPhaseWhenGuardsFail();
-
     void armsOnlyAfterTheButtonWasHeldInFull();
     void asksForTheReportedPermitOnce();
     void staysUnarmedWhenTheRobotAnswersForAnotherPermit();
@@ -168,12 +24,6 @@ private Q_SLOTS:
     void givesThePermitBackWhenUnused();
     void stopsWhenTheRobotWithdraws_data();
     void stopsWhenTheRobotWithdraws();
-
-    void healedInterruptionGivesNothingBack();
-    void holdEndsOnlyWithRobotsWordAndReleasedDeadMan();
-    void holdDoesNotEndUnderTheSpentPermit();
-    void reopenedSessionNeedsGuardsForASecondAndANewArm();
-    void nothingButTheWholeWayLeadsToMotion();
 };
 
 void TestMotionPermit::leavesEveryPhaseAsTheTableSays_data()
@@ -382,127 +232,6 @@ void TestMotionPermit::stopsWhenTheRobotWithdraws()
     QCOMPARE(run.state.cause, HoldCause::RobotWithdrew);
     QVERIFY(actions.release);
     QCOMPARE(actions.permit, permit);
-}
-
-void TestMotionPermit::healedInterruptionGivesNothingBack()
-{
-    auto run = in(Phase::Engaged);
-    run.feed(Kind::SessionInterrupted);
-    QCOMPARE(run.state.phase, Phase::Hold);
-    run.feed(Kind::SessionOpen);
-    run.feed(guards(true, true));
-    run.feed(Kind::DeadManPressed);
-    QCOMPARE(run.state.stream(), MotionStream::None);
-    run.feed(Kind::DeadManReleased);
-    run.feed(robot(RobotState::Ready, permit + 1));
-    run.feed(Kind::DeadManPressed);
-    run.feed(guards(true, true));
-    QVERIFY(run.state.phase == Phase::Standby || run.state.phase == Phase::Ready);
-    QCOMPARE(run.state.stream(), MotionStream::None);
-}
-
-void TestMotionPermit::holdEndsOnlyWithRobotsWordAndReleasedDeadMan()
-{
-    auto run = in(Phase::Hold);
-    run.feed(robot(RobotState::Ready, permit + 1));
-    QCOMPARE(run.state.phase, Phase::Hold); // the dead-man is still down
-    run.feed(Kind::DeadManReleased);
-    QCOMPARE(run.state.phase, Phase::Standby);
-
-    auto other = in(Phase::Hold);
-    other.feed(Kind::DeadManReleased);
-    QCOMPARE(other.state.phase, Phase::Hold); // the robot has not said that it holds
-    other.feed(robot(RobotState::Hold, permit + 1, false));
-    QCOMPARE(other.state.phase, Phase::Hold);
-    other.feed(robot(RobotState::Hold, permit + 1, true));
-    QCOMPARE(other.state.phase, Phase::Standby);
-}
-
-void TestMotionPermit::holdDoesNotEndUnderTheSpentPermit()
-{
-    auto run = in(Phase::Hold);
-    run.feed(Kind::DeadManReleased);
-    run.feed(robot(RobotState::Hold, permit, true));
-    QCOMPARE(run.state.phase, Phase::Hold);
-}
-
-void TestMotionPermit::reopenedSessionNeedsGuardsForASecondAndANewArm()
-{
-    auto run = in(Phase::Verifying);
-    run.feed(robot(RobotState::Ready, permit + 1));
-    run.feed(guards(true, true));
-    run.wait(999ms);
-    run.feed(guards(true, true));
-    QCOMPARE(run.state.phase, Phase::Verifying);
-    run.feed(guards(false, true)); // the second starts anew
-    run.wait(999ms);
-    run.feed(guards(true, true));
-    run.wait(999ms);
-    run.feed(Kind::Tick);
-    QCOMPARE(run.state.phase, Phase::Verifying);
-    run.wait(1ms);
-    run.feed(Kind::Tick);
-    QCOMPARE(run.state.phase, Phase::Standby);
-    run.feed(guards(true, true));
-    QCOMPARE(run.state.phase, Phase::Ready);
-    run.feed(Kind::DeadManPressed);
-    QCOMPARE(run.state.stream(), MotionStream::None);
-}
-
-/// Seeded walks through the machine: whenever it streams motion, the whole way lies behind it since the last thing that ends motion.
-void TestMotionPermit::nothingButTheWholeWayLeadsToMotion()
-{
-    std::uint32_t seed = 12345;
-    const auto next = [&seed](std::uint32_t below) {
-        seed = seed * 1664525U + 1013904223U;
-        return (seed >> 8U) % below;
-    };
-    int engagements = 0;
-    for (int walk = 0; walk < 3000; ++walk) {
-        Run run;
-        bool armHeldInFull = false, robotArmed = false, releasedSince = false;
-        for (int move = 0; move < 200; ++move) {
-            run.wait(std::chrono::milliseconds(next(600)));
-            auto e = told(static_cast<Kind>(next(permitEventCount)));
-            if (e.kind == Kind::RobotReported) {
-                constexpr std::array states{RobotState::Ready, RobotState::Armed, RobotState::Engaged, RobotState::Hold};
-                e.robot = states.at(next(4));
-                e.permit = next(8) == 0 ? permit + next(3) : run.state.robotPermit == 0 ? permit : run.state.robotPermit;
-            }
-            if (e.kind == Kind::GuardsChecked && next(20) == 0)
-                e.kept.reset();
-            // Ends of motion are rare, or no walk would get anywhere.
-            if ((e.kind <= Kind::SystemStandsBy && e.kind != Kind::SessionOpen) || e.kind == Kind::PanicHold || e.kind == Kind::Stalled ||
-                e.kind == Kind::ArmReleased)
-                if (next(8) != 0)
-                    continue;
-            const auto before = run.state;
-            const auto actions = run.feed(e);
-            const auto phase = run.state.phase;
-            if (phase != Phase::Arming && phase != Phase::Armed && phase != Phase::Engaged)
-                armHeldInFull = robotArmed = releasedSince = false;
-            if (actions.requestArm) {
-                armHeldInFull = true;
-                QVERIFY(run.now - before.since >= 1500ms);
-            }
-            if (phase == Phase::Armed && before.phase == Phase::Arming) {
-                QVERIFY(armHeldInFull);
-                QVERIFY(e.kind == Kind::RobotReported && e.robot == RobotState::Armed && e.permit == run.state.permit);
-                robotArmed = true;
-                releasedSince = !run.state.deadMan;
-            }
-            if (e.kind == Kind::DeadManReleased)
-                releasedSince = robotArmed;
-            if (phase == Phase::Engaged && before.phase != Phase::Engaged) {
-                QVERIFY(armHeldInFull && robotArmed && releasedSince);
-                QCOMPARE(e.kind, Kind::DeadManPressed);
-                ++engagements;
-            }
-            if (run.state.stream() == MotionStream::Motion)
-                QVERIFY(run.state.deadMan && run.state.permit != 0);
-        }
-    }
-    QVERIFY2(engagements > 20, qPrintable(QString::number(engagements)));
 }
 
 QTEST_GUILESS_MAIN(TestMotionPermit)
