@@ -13,19 +13,31 @@
 
 namespace liena::test {
 
-std::uint16_t freePort()
+namespace {
+
+/// The port that a socket of that kind gets on 127.0.0.1, wanting `port` (0: any); 0 when it cannot have it.
+std::uint16_t tryPort(int kind, std::uint16_t port)
 {
-    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    const int socket = ::socket(AF_INET, kind, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
+    address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     socklen_t size = sizeof address;
     const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
                        ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
     ::close(socket);
-    if (!bound)
-        throw std::runtime_error("no free port on 127.0.0.1");
-    return ntohs(address.sin_port);
+    return bound ? ntohs(address.sin_port) : std::uint16_t{0};
+}
+
+} // namespace
+
+std::uint16_t freePort()
+{
+    for (int attempt = 0; attempt < 100; ++attempt)
+        if (const auto port = tryPort(SOCK_STREAM, 0); port != 0 && tryPort(SOCK_DGRAM, port) == port)
+            return port;
+    throw std::runtime_error("no port of 127.0.0.1 is free for TCP and UDP");
 }
 
 TestSystem::TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links, Options options) : m_devices(std::move(devices))

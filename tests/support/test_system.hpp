@@ -24,7 +24,7 @@ QByteArray words(T value)
     return {text.data(), static_cast<qsizetype>(text.size())};
 }
 
-/// A port that was free a moment ago on 127.0.0.1.
+/// A port that was free a moment ago on 127.0.0.1, for TCP and UDP.
 std::uint16_t freePort();
 
 struct DeviceSpec {

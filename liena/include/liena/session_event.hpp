@@ -107,6 +107,8 @@ struct LinkStatus {
     std::uint32_t epoch = 0;          ///< ours, of what we receive
     std::uint32_t peerEpoch = 0;      ///< the peer's, as last heard; 0 before the first heartbeat
     std::uint32_t interruptions = 0;
+    std::uint8_t packetsHeard = 0;       ///< by UDP in the last 8 heartbeat periods, at most 255
+    std::uint8_t packetsHeardByPeer = 0; ///< the same as the peer last said it; 0: the datagram path to it does not work
     bool toPeerConnected = false;
     bool fromPeerConnected = false;
     IncidentId incident = 0; ///< of this pair; 0 when there is none

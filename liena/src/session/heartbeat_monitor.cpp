@@ -14,11 +14,22 @@ void HeartbeatMonitor::start(Instant now)
     m_lastHeartbeat.reset();
 }
 
-void HeartbeatMonitor::heard(Instant now, bool laneZero)
+void HeartbeatMonitor::heard(Instant now, LifePath path)
 {
     m_lastHeard = std::max(m_lastHeard, now);
-    if (laneZero)
+    if (path == LifePath::LaneZero)
         m_lastLaneZero = std::max(m_lastLaneZero, now);
+    else if (path == LifePath::Packet) {
+        m_packets[m_nextPacket] = now;
+        m_nextPacket = (m_nextPacket + 1) % m_packets.size();
+    }
+}
+
+std::uint8_t HeartbeatMonitor::packetsHeard(Instant now) const
+{
+    const auto since = now - 8 * m_timing.heartbeat;
+    return static_cast<std::uint8_t>(
+        std::count_if(m_packets.begin(), m_packets.end(), [&](Instant at) { return at != Instant{} && at > since; }));
 }
 
 void HeartbeatMonitor::heartbeat(Instant now, std::uint32_t sequence, SessionState peerState)

@@ -5,11 +5,16 @@
 #include "liena/system_topology.hpp"
 #include "session/instant.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
 
 namespace liena::session {
+
+/// Where a datagram of the peer came.
+enum class LifePath : std::uint8_t { LaneZero, BulkLane, Packet };
 
 /// Pure: it is told what arrives and when, and answers how things stand.
 class HeartbeatMonitor {
@@ -19,8 +24,8 @@ public:
     /// Counting begins: the session is Open from now.
     void start(Instant now);
 
-    /// Any valid datagram of the peer; `laneZero` when it came there.
-    void heard(Instant now, bool laneZero);
+    /// Any valid datagram of the peer.
+    void heard(Instant now, LifePath path);
 
     /// A heartbeat with its sequence and the state that the peer reports.
     void heartbeat(Instant now, std::uint32_t sequence, SessionState peerState);
@@ -44,6 +49,9 @@ public:
     std::uint64_t missed() const { return m_missed; }
     std::uint64_t receivedInLastSecond(Instant now) const;
 
+    /// Packets of the datagram path in the last 8 heartbeat periods, at most 255.
+    std::uint8_t packetsHeard(Instant now) const;
+
 private:
     LinkTiming m_timing;
     Instant m_lastHeard;
@@ -55,7 +63,9 @@ private:
     std::uint32_t m_onTimeRun = 0;
     std::uint64_t m_received = 0;
     std::uint64_t m_missed = 0;
-    std::deque<Instant> m_recent; ///< arrivals of the last second
+    std::deque<Instant> m_recent;         ///< arrivals of the last second
+    std::array<Instant, 255> m_packets{}; ///< arrivals of the newest packets, as a ring
+    std::size_t m_nextPacket = 0;
 };
 
 } // namespace liena::session

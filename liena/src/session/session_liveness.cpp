@@ -45,6 +45,7 @@ void SessionMachine::sendHeartbeat()
     heartbeat.echoSequence = m_newest.sequence;
     heartbeat.echoSentNs = m_newest.sentNs;
     heartbeat.echoReceivedNs = m_newestArrival.ns;
+    heartbeat.datagramsHeard = m_monitor.packetsHeard(m_now.mono);
     heartbeat.state = m_state;
     heartbeat.incidents = m_incidents;
     heartbeat.epoch = m_guard.epoch();
@@ -78,7 +79,7 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
 
 void SessionMachine::on(const LifeHeard& input)
 {
-    m_monitor.heard(m_now.mono, input.laneZero);
+    m_monitor.heard(m_now.mono, input.path);
     if (m_state == SessionState::Suspect && !m_monitor.isSuspect(m_now.mono))
         enter(SessionState::Open);
 }

@@ -74,7 +74,7 @@ struct SessionMessageHeard {
 };
 /// A valid datagram of the peer, delivered or not.
 struct LifeHeard {
-    bool laneZero = true;
+    LifePath path = LifePath::LaneZero;
 };
 struct ViolationFound {
     std::string detail;
@@ -210,6 +210,9 @@ public:
     ControlStamper& stamper() { return m_stamper; }
     const ControlStamper& stamper() const { return m_stamper; }
     const HeartbeatMonitor& monitor() const { return m_monitor; }
+
+    /// Packets that the peer heard on the datagram path, as it last said; 0 before its first heartbeat.
+    std::uint8_t datagramsHeardByPeer() const { return m_newest.datagramsHeard; }
     const ClockOffset& clock() const { return m_clock; }
     Nanoseconds jitter() const { return m_jitter; }
 

@@ -28,7 +28,7 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
       m_link(std::move(link)),
       m_machine(settingsOf(host, m_peer, m_link)),
       m_laneZero(host.io(), m_peer, host.identity(), {8192, 32768},
-                 {[this] { handle(session::OutgoingUp{}); },
+                 {[this] { laneZeroUp(); },
                   [this](const transport::ConnectionFailure& failure) {
                       handle(session::OutgoingFailed{failure.probe, failure.detail});
                   },
@@ -39,6 +39,7 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
       m_bulk(host.io(), m_peer, host.identity(), {16384, 65536},
              {[] {}, [this](const transport::ConnectionFailure&) { retryBulk(); }, [this](const std::string&, bool) { retryBulk(); },
               [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); }}),
+      m_datagrams(host.packets(), m_peer.port, host.identity() != nullptr),
       m_bulkRetry(host.io()),
       m_couriers(host, m_peer),
       m_timer(host.io())
@@ -124,6 +125,8 @@ void DistributedModule::perform(session::SessionAction& action)
         }
         void operator()(const session::Send& send)
         {
+            if (const auto* heartbeat = std::get_if<protocol::Heartbeat>(&send.message))
+                return module.sendHeartbeat(*heartbeat);
             const auto rank = send.afterOutput ? tasks::Rank::Last : tasks::Rank::Safety;
             module.m_laneZero.push({module.encode(send.message, module.m_peer.id), rank, 0, std::nullopt, {}});
         }
@@ -171,6 +174,14 @@ void DistributedModule::sendSession(const protocol::SessionMessage& message, Dev
     m_laneZero.push({encode(message, target), tasks::Rank::Safety, 0, std::nullopt, {}});
 }
 
+/// The same bytes on both ways; whichever arrives first counts.
+void DistributedModule::sendHeartbeat(const protocol::Heartbeat& heartbeat)
+{
+    auto encoded = encode(heartbeat, m_peer.id);
+    m_datagrams.send(encoded);
+    m_laneZero.push({std::move(encoded), tasks::Rank::Safety, 0, std::nullopt, {}});
+}
+
 void DistributedModule::entered(const session::Entered& change)
 {
     auto event = this->event(SessionEvent::Kind::StateChanged);
@@ -187,6 +198,7 @@ void DistributedModule::entered(const session::Entered& change)
 void DistributedModule::opened(const session::SessionOpened& opened)
 {
     m_deadlines.reset();
+    m_newest.clear();
     auto event = this->event(opened.reopened ? SessionEvent::Kind::ReOpened : SessionEvent::Kind::Opened);
     event.duration = opened.duration;
     event.incident.id = opened.incident;

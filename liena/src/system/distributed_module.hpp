@@ -2,6 +2,7 @@
 #pragma once
 
 #include "session/session_machine.hpp"
+#include "system/datagram_path.hpp"
 #include "system/deadline_watch.hpp"
 #include "system/fresh_connection.hpp"
 #include "system/module_host.hpp"
@@ -38,6 +39,10 @@ public:
 
     /// A connection of the peer with its Attach.
     void attached(transport::AttachedConnection connection);
+
+    /// A UDP packet with that token is for this module.
+    bool owns(std::uint64_t token) const;
+    void packetHeard(std::span<std::byte> packet);
 
     /// To the peer alone, or as the next hop of a broadcast.
     void sendSession(const protocol::SessionMessage& message, DeviceId target);
@@ -84,6 +89,16 @@ private:
                  FieldBytes* owned);
     void commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous);
     void setHeard(const protocol::MessageSetAnswer& answer);
+    bool isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const;
+
+    // module_datagrams.cpp
+    bool isAddressedHere(const protocol::DatagramHeader& header);
+    bool fillsItsPacket(const protocol::DatagramHeader& header, std::size_t partSize);
+    void packetViolation(const std::string& detail, const protocol::DatagramHeader& header);
+    void heartbeatPacket(const protocol::DatagramHeader& header, std::span<const std::byte> part);
+    void applicationPacket(const protocol::DatagramHeader& header, std::span<const std::byte> part);
+    void sendHeartbeat(const protocol::Heartbeat& heartbeat);
+
     void drop(const std::string& cause, std::uint16_t number, const std::string& detail = {});
 
     // Sessions (distributed_module.cpp) and their lanes (module_lanes.cpp)
@@ -91,6 +106,7 @@ private:
     void perform(session::SessionActions actions);
     void perform(session::SessionAction& action);
     void connectLaneZero();
+    void laneZeroUp();
     void connectBulk();
     void retryBulk();
     void notSent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate);
@@ -124,6 +140,8 @@ private:
 
     tasks::OutputLane m_laneZero;
     tasks::OutputLane m_bulk;
+    DatagramPath m_datagrams;
+    std::map<std::uint16_t, Timestamp> m_newest; ///< delivered, of each message that may travel by UDP
     transport::Timer m_bulkRetry;
     std::unique_ptr<tasks::ReceptionTask> m_incoming;
     std::map<std::uint8_t, std::unique_ptr<tasks::ReceptionTask>> m_incomingBulk;

@@ -32,6 +32,8 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
       ownMessageSet(registry.find(ownTopologyDevice.id)),
       outbox([this] { asio::post(context, [this] { drainOutbox(); }); }),
       ledger(ownTopologyDevice.id),
+      udpSocket(
+          context, [this](std::span<std::byte> packet) { packetHeard(packet); }, settings.log),
       server(context, ownTopologyDevice.id, tlsIdentity,
              {[this](transport::AttachedConnection connection) { attached(std::move(connection)); },
               [this](DeviceId device, const std::string& detail) { identityRefused(device, detail); }},
@@ -50,7 +52,12 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
 
 DistributedSystem::State::~State() { stop(); }
 
-Result<void> DistributedSystem::State::listen() { return server.listen(ownTopologyDevice.host, ownTopologyDevice.port); }
+Result<void> DistributedSystem::State::listen()
+{
+    if (auto listening = server.listen(ownTopologyDevice.host, ownTopologyDevice.port); !listening)
+        return listening;
+    return udpSocket.listen(server.address(), ownTopologyDevice.port);
+}
 
 void DistributedSystem::State::start()
 {
@@ -63,6 +70,7 @@ void DistributedSystem::State::start()
     log(LogLevel::Info, fmt::format("{} ({}) listening on {}:{}", ownTopologyDevice.name, ownTopologyDevice.id.toString(),
                                     ownTopologyDevice.host, ownTopologyDevice.port));
     server.start();
+    udpSocket.start();
     for (auto& periodic : periodics)
         startPeriodic(*periodic);
     thread = std::thread([this] {
@@ -97,6 +105,7 @@ void DistributedSystem::State::stop()
     for (auto& [peer, one] : modules)
         one->abort();
     server.close();
+    udpSocket.close();
     closingTimer.cancel();
     unlinked.clear();
     modules.clear();
@@ -173,6 +182,20 @@ void DistributedSystem::State::attached(transport::AttachedConnection connection
     if (auto* one = module(connection.peer))
         return one->attached(std::move(connection));
     rejectUnlinked(std::move(connection));
+}
+
+void DistributedSystem::State::packetHeard(std::span<std::byte> packet)
+{
+    if (stopped)
+        return;
+    turned();
+    const auto prefix = protocol::decodePacketPrefix(packet);
+    if (!prefix)
+        return;
+    // A packet of a session that just ended, or a stranger's: nothing can be said of it, and nobody is told.
+    for (auto& [peer, one] : modules)
+        if (one->owns(prefix->token))
+            return one->packetHeard(packet);
 }
 
 void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection connection)

@@ -13,6 +13,7 @@
 #include "topology/registry.hpp"
 #include "transport/tcp_server.hpp"
 #include "transport/timer.hpp"
+#include "transport/udp_socket.hpp"
 
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
@@ -20,6 +21,7 @@
 #include <atomic>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -46,6 +48,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void performBroadcast(const session::Broadcast& broadcast);
     void housekeeping();
     void attached(transport::AttachedConnection connection);
+    void packetHeard(std::span<std::byte> packet);
     void identityRefused(DeviceId device, const std::string& detail);
     void rejectUnlinked(transport::AttachedConnection connection);
     bool allClosed() const;
@@ -58,6 +61,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     const std::string& software() const override { return settings.software; }
     std::shared_ptr<security::TlsIdentity> identity() override { return tlsIdentity; }
     protocol::PartialBudget& budget() override { return partialBudget; }
+    transport::UdpSocket& packets() override { return udpSocket; }
     Timestamp stamp() override { return stamps.next(Timestamp::now()); }
     session::Now now() const override { return {std::chrono::steady_clock::now(), Timestamp::now()}; }
     std::uint64_t freshToken() override;
@@ -106,6 +110,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
         std::chrono::steady_clock::time_point due;
     };
     std::vector<std::unique_ptr<Periodic>> periodics;
+    transport::UdpSocket udpSocket;
     std::map<DeviceId, std::unique_ptr<system::DistributedModule>> modules;
     std::map<DeviceId, system::RejectCouriers> unlinked; ///< to devices of the topology that ask for a session without a link
     transport::TcpServer server;

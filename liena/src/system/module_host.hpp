@@ -8,6 +8,7 @@
 #include "protocol/reassembler.hpp"
 #include "security/tls_identity.hpp"
 #include "session/session_machine.hpp"
+#include "transport/udp_socket.hpp"
 
 #include <boost/asio/io_context.hpp>
 
@@ -28,6 +29,7 @@ public:
     virtual const std::string& software() const = 0;
     virtual std::shared_ptr<security::TlsIdentity> identity() = 0;
     virtual protocol::PartialBudget& budget() = 0;
+    virtual transport::UdpSocket& packets() = 0;
 
     virtual Timestamp stamp() = 0;
     virtual session::Now now() const = 0;

@@ -26,6 +26,12 @@ void DistributedModule::connectLaneZero()
                        dialogue ? connectLimit : reconnectLimit);
 }
 
+void DistributedModule::laneZeroUp()
+{
+    m_datagrams.outgoingUp(m_machine.token(), *m_laneZero.channel());
+    handle(session::OutgoingUp{});
+}
+
 void DistributedModule::connectBulk()
 {
     if (m_bulk.isUp() || m_bulk.isConnecting() || m_bulk.queue().empty() || !carriesMessages(m_machine.state()))
@@ -43,6 +49,7 @@ void DistributedModule::closeLanes(session::Nanoseconds grace)
     m_laneZero.close(grace);
     m_bulk.close(0ns);
     m_bulkRetry.cancel();
+    m_datagrams.end();
     std::vector<std::shared_ptr<tasks::ReceptionTask>> ended;
     if (m_incoming)
         ended.push_back(std::move(m_incoming));
@@ -69,6 +76,7 @@ void DistributedModule::adopt(session::ConnectionNumber number)
         return;
     m_incoming = fresh->second->release();
     m_incoming->setSink(*this);
+    m_datagrams.incomingUp(m_machine.token(), m_incoming->channel(), m_host.now().mono);
     bury(std::move(fresh->second));
     m_fresh.erase(fresh);
     boost::asio::post(m_host.io(), [this, task = m_incoming.get()] {
@@ -114,6 +122,7 @@ void DistributedModule::attached(transport::AttachedConnection connection)
     m_incoming = std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(),
                                                         std::uint8_t{0}, *this);
     auto* task = m_incoming.get();
+    m_datagrams.incomingUp(m_machine.token(), task->channel(), m_host.now().mono);
     handle(session::IncomingUp{});
     if (m_incoming.get() == task)
         task->start();

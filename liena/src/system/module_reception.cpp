@@ -14,6 +14,8 @@ namespace {
 
 bool isReserved(std::uint16_t number) { return number == 0 || number >= 0x1000; }
 
+session::LifePath pathOf(std::uint8_t lane) { return lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane; }
+
 } // namespace
 
 const MessageDefinition* DistributedModule::definitionOf(std::uint16_t number) const
@@ -55,7 +57,7 @@ tasks::Judgement DistributedModule::judgeSession(std::uint8_t lane, const protoc
         return violation("session management on a bulk lane");
     if (header.length > *maximum)
         return violation(fmt::format("session message 0x{:04x} is longer than it can be", header.message.number));
-    handle(session::LifeHeard{lane == 0});
+    handle(session::LifeHeard{pathOf(lane)});
     return {HeaderVerdict::Take, *maximum};
 }
 
@@ -73,7 +75,7 @@ tasks::Judgement DistributedModule::judgeApplication(std::uint8_t lane, const pr
         return violation(fmt::format("{} is longer than the {} bytes its definition allows", definition->name, maximum));
     if (definition->priority == Priority::Control && header.moreSegments)
         return violation(fmt::format("{} is a control message in several segments", definition->name));
-    handle(session::LifeHeard{lane == 0});
+    handle(session::LifeHeard{pathOf(lane)});
     return {HeaderVerdict::Take, maximum};
 }
 
@@ -144,6 +146,8 @@ void DistributedModule::receivedApplication(const protocol::DatagramHeader& head
         return drop("session not open", header.message.number);
     if (!flowAllowed(*definition, m_peer.id))
         return drop("the topology's flows forbid it", header.message.number);
+    if (!isNewest(*definition, header))
+        return drop("a newer one was delivered before", header.message.number);
     if (control && !passesGuard(*definition, header, part))
         return;
     if (!definition->allowedInStandBy && m_host.standsBy())
@@ -185,6 +189,8 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
         m_books.late();
         return drop("older than its lifespan", header.message.number);
     }
+    if (definition.path == Path::Datagram)
+        m_newest[definition.number] = header.timestamp;
     m_deadlines.arrived(definition, now.mono);
     m_books.delivered(latency);
     auto bytes = owned != nullptr && definition.recordSize() == 0 ? std::move(*owned) : FieldBytes(fields.begin(), fields.end());

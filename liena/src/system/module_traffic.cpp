@@ -54,6 +54,10 @@ Result<void> DistributedModule::send(Message message)
     } else {
         encoded.part = MessageAccess::takeFields(message);
     }
+    if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded)) {
+        m_books.sent();
+        return ok();
+    }
     tasks::OutputQueue::Entry entry{std::move(encoded), tasks::rankOf(definition.priority), definition.history, std::nullopt,
                                     definition.name};
     if (definition.lifespan)
@@ -98,14 +102,16 @@ LinkStatus DistributedModule::status() const
     status.messagesSent = m_books.messagesSent();
     status.messagesReceived = m_books.messagesReceived();
     status.messagesDropped = m_books.messagesDropped();
-    status.bytesSent = m_laneZero.bytesSent() + m_bulk.bytesSent();
-    status.bytesReceived = m_bytesReceived + (m_incoming ? m_incoming->bytesReceived() : 0);
+    status.bytesSent = m_laneZero.bytesSent() + m_bulk.bytesSent() + m_datagrams.bytesSent();
+    status.bytesReceived = m_bytesReceived + m_datagrams.bytesReceived() + (m_incoming ? m_incoming->bytesReceived() : 0);
     for (const auto& [lane, task] : m_incomingBulk)
         status.bytesReceived += task->bytesReceived();
     status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queue().size());
     status.epoch = m_machine.guard().epoch();
     status.peerEpoch = m_machine.stamper().targetEpoch();
     status.interruptions = m_interruptions;
+    status.packetsHeard = monitor.packetsHeard(m_host.now().mono);
+    status.packetsHeardByPeer = m_machine.datagramsHeardByPeer();
     status.toPeerConnected = m_machine.isOutgoingUp();
     status.fromPeerConnected = m_machine.isIncomingUp();
     status.incident = m_machine.incident();

@@ -34,6 +34,9 @@ public:
     bool isUp() const { return m_task != nullptr; }
     bool isConnecting() const { return m_client != nullptr; }
 
+    /// The connection; null while there is none.
+    const transport::TcpChannel* channel() const { return m_task ? &m_task->channel() : nullptr; }
+
     /// False when the queue is full.
     bool push(OutputQueue::Entry entry);
 

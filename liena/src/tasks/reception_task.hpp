@@ -53,6 +53,7 @@ public:
     bool hasPartial() const { return m_reassembler.hasPartial(); }
     std::uint64_t abandoned() const { return m_reassembler.abandoned(); }
     std::uint64_t bytesReceived() const { return m_bytesReceived; }
+    const transport::TcpChannel& channel() const { return *m_channel; }
     std::size_t backlog() const { return m_decoder->buffered(); }
     bool isClosed() const { return m_closed; }
 

@@ -29,6 +29,7 @@ public:
 
     bool isIdle() const { return !m_writing && m_queue->empty(); }
     std::uint64_t bytesSent() const { return m_bytesSent; }
+    const transport::TcpChannel& channel() const { return *m_channel; }
 
     /// Bytes to be sent before everything that is queued: the Attach of a fresh connection.
     void sendFirst(const protocol::EncodedMessage& message);

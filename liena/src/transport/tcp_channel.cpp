@@ -50,6 +50,13 @@ Result<std::optional<DeviceId>> TcpChannel::peerDevice()
     return std::optional(device.value());
 }
 
+Result<security::DatagramKey> TcpChannel::datagramKey(std::uint64_t token) const
+{
+    if (!m_tls)
+        return fail(Errc::CertificateInvalid, "a connection in the clear has no keys");
+    return security::exportDatagramKey(m_tls->native_handle(), token);
+}
+
 void TcpChannel::read(std::span<std::byte> buffer)
 {
     auto handler = [self = shared_from_this()](const boost::system::error_code& error, std::size_t count) {

@@ -3,6 +3,7 @@
 
 #include "liena/device_id.hpp"
 #include "liena/error.hpp"
+#include "security/datagram_seal.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -40,6 +41,9 @@ public:
 
     /// The device that the peer's certificate names; nothing in the clear.
     Result<std::optional<DeviceId>> peerDevice();
+
+    /// The key of the datagram path that belongs to this connection; an error in the clear.
+    Result<security::DatagramKey> datagramKey(std::uint64_t token) const;
 
     void setListener(Listener* listener) { m_listener = listener; }
 

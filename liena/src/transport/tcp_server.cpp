@@ -156,6 +156,12 @@ Result<void> TcpServer::listen(const std::string& host, std::uint16_t port)
     return ok();
 }
 
+asio::ip::address TcpServer::address() const
+{
+    boost::system::error_code ignored;
+    return m_acceptor.local_endpoint(ignored).address();
+}
+
 void TcpServer::start() { accept(); }
 
 void TcpServer::close()

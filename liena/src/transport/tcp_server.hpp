@@ -42,6 +42,9 @@ public:
     /// Takes the port; an error names the address, the reason and what to do.
     Result<void> listen(const std::string& host, std::uint16_t port);
 
+    /// Where it listens, once it does.
+    boost::asio::ip::address address() const;
+
     void start();
     void close();
 

@@ -51,6 +51,8 @@ private slots:
     void leavesOutSamplesOfASteppedClock();
     void tellsTheNewestDelay();
     void beginsAnewAfterReset();
+    void countsPacketsOfEightHeartbeats();
+    void countsAtMost255Packets();
     void seesThatTheProcessDidNotRun();
     void isNotStalledWhilePaused();
 };
@@ -67,9 +69,9 @@ void LifeSignsTest::becomesSuspectAndLostAtTheLimits()
 void LifeSignsTest::anyDatagramIsLife()
 {
     auto heartbeats = monitor();
-    heartbeats.heard(start + 60ms, false);
+    heartbeats.heard(start + 60ms, LifePath::BulkLane);
     QVERIFY(!heartbeats.isSuspect(start + 129ms));
-    heartbeats.heard(start + 10ms, true); // told late: time does not go back
+    heartbeats.heard(start + 10ms, LifePath::LaneZero); // told late: time does not go back
     QVERIFY(heartbeats.lastHeard() == start + 60ms);
 }
 
@@ -77,11 +79,11 @@ void LifeSignsTest::laneZeroMustSpeakItself()
 {
     auto heartbeats = monitor();
     for (auto at = 20ms; at <= 600ms; at += 20ms)
-        heartbeats.heard(start + at, false);
+        heartbeats.heard(start + at, LifePath::BulkLane);
     QVERIFY(!heartbeats.isSuspect(start + 600ms));
     QVERIFY(!heartbeats.isLaneZeroLost(start + 500ms - 1ns));
     QVERIFY(heartbeats.isLaneZeroLost(start + 500ms));
-    heartbeats.heard(start + 610ms, true);
+    heartbeats.heard(start + 610ms, LifePath::LaneZero);
     QVERIFY(!heartbeats.isLaneZeroLost(start + 620ms));
 }
 
@@ -109,9 +111,9 @@ void LifeSignsTest::tellsWhenTheNextAnswerChanges()
     QVERIFY(heartbeats.nextChange(false) == start + 70ms);
     QVERIFY(heartbeats.nextChange(true) == start + 110ms);
     for (auto at = 20ms; at <= 460ms; at += 20ms)
-        heartbeats.heard(start + at, false);
+        heartbeats.heard(start + at, LifePath::BulkLane);
     QVERIFY(heartbeats.nextChange(false) == start + 500ms); // lane 0
-    heartbeats.heard(start + 460ms, true);
+    heartbeats.heard(start + 460ms, LifePath::LaneZero);
     heartbeats.heartbeat(start + 20ms, 1, SessionState::Reconnecting);
     QVERIFY(heartbeats.nextChange(false) == start + 520ms); // unwell
 }
@@ -223,6 +225,27 @@ void LifeSignsTest::beginsAnewAfterReset()
         exchange(clock, base, 1000, 1000, 500);
     clock.reset();
     QVERIFY(!clock.offset() && !clock.lastDelay() && clock.samples() == 0);
+}
+
+void LifeSignsTest::countsPacketsOfEightHeartbeats()
+{
+    auto heartbeats = monitor();
+    QCOMPARE(heartbeats.packetsHeard(start), std::uint8_t{0});
+    heartbeats.heard(start + 10ms, LifePath::Packet);
+    heartbeats.heard(start + 20ms, LifePath::LaneZero);
+    heartbeats.heard(start + 30ms, LifePath::Packet);
+    QCOMPARE(heartbeats.packetsHeard(start + 30ms), std::uint8_t{2});
+    QCOMPARE(heartbeats.packetsHeard(start + 10ms + 159ms), std::uint8_t{2});
+    QCOMPARE(heartbeats.packetsHeard(start + 10ms + 160ms), std::uint8_t{1});
+    QCOMPARE(heartbeats.packetsHeard(start + 30ms + 160ms), std::uint8_t{0});
+}
+
+void LifeSignsTest::countsAtMost255Packets()
+{
+    auto heartbeats = monitor();
+    for (int i = 0; i < 1000; ++i)
+        heartbeats.heard(start + 1ms, LifePath::Packet);
+    QCOMPARE(heartbeats.packetsHeard(start + 2ms), std::uint8_t{255});
 }
 
 void LifeSignsTest::seesThatTheProcessDidNotRun()

@@ -67,7 +67,7 @@ const std::vector<Event>& inputs()
         {"CommitHeard", [](Side& s) { return s.commit(); }},
         {"CommitHeard-diagnosis", [](Side& s) { return s.commit(true); }},
         {"SetHeard", [](Side&) { return SetHeard{}; }},
-        {"LifeHeard", [](Side&) { return LifeHeard{true}; }},
+        {"LifeHeard", [](Side&) { return LifeHeard{}; }},
         {"ViolationFound", [](Side&) { return ViolationFound{"a violation"}; }},
         {"Stalled", [](Side&) { return Stalled{80ms}; }},
         {"IncidentHeld-this-session", [](Side& s) { return IncidentHeld{s.machine.token() != 0 ? s.machine.token() : 100}; }},

@@ -159,7 +159,7 @@ void SessionLivenessTest::lifeEndsSuspicion()
 {
     Side side;
     side.becomeSuspect();
-    side.handle(LifeHeard{false}); // on any path
+    side.handle(LifeHeard{LifePath::Packet}); // on any path
     QVERIFY(side.machine.state() == SessionState::Open);
     QVERIFY(raisedTo(side, 1));
 }
@@ -170,7 +170,7 @@ void SessionLivenessTest::otherPathsDoNotReplaceLaneZero()
     side.becomeOpen();
     for (auto at = 20ms; at < 500ms; at += 20ms) {
         side.tick(20ms);
-        side.handle(LifeHeard{false});
+        side.handle(LifeHeard{LifePath::Packet});
         QVERIFY(side.machine.state() == SessionState::Open);
     }
     side.tick(20ms);
@@ -391,7 +391,7 @@ void SessionLivenessTest::measuresTheClockFromEchoes()
         const auto* ours = findSent<protocol::Heartbeat>(sent);
         QVERIFY(ours != nullptr);
         side.pass(8ms);
-        side.handle(LifeHeard{true});
+        side.handle(LifeHeard{});
         protocol::Heartbeat echo;
         echo.sequence = 1000 + i;
         echo.echoSequence = ours->sequence;

@@ -147,7 +147,7 @@ private:
         }
         if (to.incoming != connection || m_ended.contains(connection))
             return;
-        feed(to, session::LifeHeard{true});
+        feed(to, session::LifeHeard{});
         if (const auto* commit = std::get_if<protocol::HandshakeCommit>(&message))
             feed(to, session::CommitHeard{*commit, false, 0, session::SetStanding::Held});
         else if (const auto* again = std::get_if<protocol::DiagnosisHandshakeCommit>(&message))

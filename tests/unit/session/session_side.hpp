@@ -149,7 +149,7 @@ struct Side {
     /// The peer's next heartbeat, as the shell tells of it: life, then the message.
     session::SessionActions beat()
     {
-        auto actions = handle(session::LifeHeard{true});
+        auto actions = handle(session::LifeHeard{});
         protocol::Heartbeat heartbeat;
         heartbeat.sequence = ++peerSequence;
         heartbeat.sentNs = now.wall.ns;

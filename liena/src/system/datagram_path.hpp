@@ -1,0 +1,77 @@
+// The datagram path of one session: numbers, keys and the window of its packets (protocol section 6; rulings A11, B4).
+#pragma once
+
+#include "protocol/datagram_encoder.hpp"
+#include "protocol/packet.hpp"
+#include "security/datagram_seal.hpp"
+#include "session/instant.hpp"
+#include "session/packet_window.hpp"
+#include "transport/tcp_channel.hpp"
+#include "transport/udp_socket.hpp"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace liena::system {
+
+/// Network thread. In mode `none` packets are in the clear and have no tag.
+class DatagramPath {
+public:
+    /// The peer listens on `port`, on the host that its lane 0 has reached.
+    DatagramPath(transport::UdpSocket& socket, std::uint16_t port, bool sealed);
+
+    /// Our lane 0 of the session with that token stands: its key seals from now on.
+    void outgoingUp(std::uint64_t token, const transport::TcpChannel& lane);
+
+    /// The peer's lane 0 stands: its key opens from now on, and the one before for another second.
+    void incomingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
+
+    /// The session is over; its keys are forgotten.
+    void end();
+
+    bool isSealed() const { return m_sealed; }
+
+    /// Seals and sends one whole message; false when it did not leave.
+    bool send(const protocol::EncodedMessage& message);
+
+    enum class Fault : std::uint8_t { NotNew, NotGenuine };
+    struct Opened {
+        std::optional<Fault> fault;
+        std::span<const std::byte> datagram; ///< within `packet`
+    };
+    /// Judges a packet that has this session's token: the number first, then the tag, and only then the number is noted.
+    Opened open(std::span<std::byte> packet, session::Instant now);
+
+    std::uint64_t bytesSent() const { return m_bytesSent; }
+    std::uint64_t bytesReceived() const { return m_bytesReceived; }
+
+private:
+    void begin(std::uint64_t token);
+    bool unseal(std::uint64_t number, std::span<std::byte> packet, session::Instant now);
+
+    transport::UdpSocket& m_socket;
+    std::uint16_t m_port;
+    bool m_sealed;
+    std::uint64_t m_token = 0;
+
+    std::optional<boost::asio::ip::udp::endpoint> m_to;
+    std::optional<security::DatagramSeal> m_sending;
+    std::uint64_t m_lastNumber = 0;
+    std::array<std::byte, protocol::maximumPacket> m_packet{};
+
+    bool m_hears = false;
+    std::optional<security::DatagramSeal> m_receiving;
+    std::optional<security::DatagramSeal> m_before;
+    session::Instant m_beforeUntil;
+    session::PacketWindow m_window;
+
+    std::uint64_t m_bytesSent = 0;
+    std::uint64_t m_bytesReceived = 0;
+};
+
+std::string_view toString(DatagramPath::Fault fault);
+
+} // namespace liena::system
