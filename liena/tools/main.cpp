@@ -1,6 +1,7 @@
 // liena: the command line of the middleware.
 #include "check_command.hpp"
 #include "pki_command.hpp"
+#include "sets_command.hpp"
 
 #include <liena/version.hpp>
 
@@ -23,6 +24,7 @@ int run(int argc, char** argv)
                "Exit codes: 0 done, 1 the command found errors or failed, 2 wrong use of the command line.");
     liena::tools::addCheckCommand(app, exitCode);
     liena::tools::addPkiCommand(app, exitCode);
+    liena::tools::addSetsCommand(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,8 @@
 // The dialogues between two and three devices in one process: open, exchange, close, refuse, learn.
 #include "test_system.hpp"
 
+#include "liena/known_sets.hpp"
+
 #include <QTest>
 
 #include <fstream>
@@ -220,6 +222,36 @@ private Q_SLOTS:
         QVERIFY(robot->messageSet(system.idOf("cockpit")) != nullptr);
         const auto hash = cockpit->messageSet(robotId)->hash().toHex();
         QVERIFY(std::filesystem::exists(system.folder() / "store-cockpit" / (hash + ".xml")));
+    }
+
+    void takesAChangedSetOnlyAfterAPersonAcceptedIt()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        auto xml = MessageSet::load(std::filesystem::path(LIENA_SOURCE_DIR) / "resources/devices/vascular-robot.xml").value()->xml();
+        const std::string bound = "max=\"40\"";
+        QVERIFY(xml.find(bound) != std::string::npos);
+        xml.replace(xml.find(bound), bound.size(), "max=\"50\"");
+        const auto changed = MessageSet::parse(xml, "changed.xml").value();
+        auto settings = system.settingsOf("robot");
+        settings.registry = {system.folder() / "changed"};
+        std::filesystem::create_directories(settings.registry.front());
+        std::ofstream(settings.registry.front() / "vascular-robot.xml") << xml;
+        std::filesystem::copy_file(std::filesystem::path(LIENA_SOURCE_DIR) / "resources/devices/siat-cockpit.xml",
+                                   settings.registry.front() / "siat-cockpit.xml");
+        TestDevice robot(settings);
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        const auto robotId = system.idOf("robot");
+        QVERIFY(cockpit->openChannel(robotId));
+        QTRY_VERIFY2(cockpit.heard(Kind::OpenFailed), cockpit.story().c_str());
+        QCOMPARE(words(cockpit.events(Kind::OpenFailed)[0].reason), words(RejectReason::MessageSetChanged));
+
+        QVERIFY(acceptSet(system.settingsOf("cockpit").store, *changed));
+        QTRY_COMPARE(words(cockpit.state(robotId)), words(SessionState::Closed));
+        QTRY_COMPARE(words(robot.state(system.idOf("cockpit"))), words(SessionState::Closed));
+        QVERIFY(cockpit->openChannel(robotId));
+        QTRY_VERIFY2(cockpit.heard(Kind::Opened), cockpit.story().c_str());
+        QVERIFY(cockpit->messageSet(robotId)->hash() == changed->hash());
+        QVERIFY(!motion(*cockpit, robotId, 1).set("guidewire_velocity", 45.0).fault());
     }
 
     void sendRefusesWhatCannotBe()

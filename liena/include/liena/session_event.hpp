@@ -100,10 +100,12 @@ struct LinkStatus {
     std::uint64_t heartbeatsMissed = 0;
     std::uint64_t messagesSent = 0;
     std::uint64_t messagesReceived = 0;
-    std::uint64_t messagesDropped = 0; ///< for every cause, here
+    std::uint64_t messagesDropped = 0;   ///< for every cause, here
+    std::uint64_t messagesAbandoned = 0; ///< begun by the peer and not sent to their end
     std::uint64_t bytesSent = 0;
     std::uint64_t bytesReceived = 0;
     std::uint32_t queuedMessages = 0; ///< accepted by send() and not yet given to the kernel
+    std::uint8_t bulkLanes = 0;       ///< connections of ours for bulk
     std::uint32_t epoch = 0;          ///< ours, of what we receive
     std::uint32_t peerEpoch = 0;      ///< the peer's, as last heard; 0 before the first heartbeat
     std::uint32_t interruptions = 0;

@@ -32,8 +32,7 @@ Reassembler::Outcome Reassembler::begin(const DatagramHeader& header, std::span<
     auto& partial = m_partials[header.message.number];
     partial.timestamp = header.timestamp;
     partial.target = header.target;
-    append(partial, body);
-    return Incomplete{};
+    return append(partial, body);
 }
 
 Reassembler::Outcome Reassembler::extend(Partials::iterator partial, const DatagramHeader& header, std::span<const std::byte> body,
@@ -44,35 +43,33 @@ Reassembler::Outcome Reassembler::extend(Partials::iterator partial, const Datag
         return Violation{fmt::format("message 0x{:04x} changes its target between segments", header.message.number)};
     if (body.empty())
         return Violation{fmt::format("message 0x{:04x} ends with an empty segment", header.message.number)};
-    if (!state.discarding && state.bytes.size() + body.size() > maximum)
+    if (state.heard + body.size() > maximum)
         return Violation{fmt::format("message 0x{:04x} is longer than the {} bytes its definition allows", header.message.number, maximum)};
-    append(state, body);
+    auto outcome = append(state, body);
     if (header.moreSegments)
-        return Incomplete{};
-    const bool discarded = state.discarding;
-    Assembled assembled{std::move(state.bytes)};
+        return outcome;
+    if (!state.discarding)
+        outcome = Assembled{std::move(state.bytes)};
     m_budget.giveBack(state.reserved);
     m_partials.erase(partial);
-    if (discarded)
-        return Incomplete{};
-
-    return assembled;
+    return outcome;
 }
 
-void Reassembler::append(Partial& partial, std::span<const std::byte> body)
+Reassembler::Outcome Reassembler::append(Partial& partial, std::span<const std::byte> body)
 {
+    partial.heard += body.size();
     if (partial.discarding)
-        return;
+        return Incomplete{};
     if (!m_budget.take(body.size())) {
-        ++m_overBudget;
         m_budget.giveBack(partial.reserved);
         partial.reserved = 0;
         partial.bytes = {};
         partial.discarding = true;
-        return;
+        return OverBudget{};
     }
     partial.reserved += body.size();
     partial.bytes.insert(partial.bytes.end(), body.begin(), body.end());
+    return Incomplete{};
 }
 
 void Reassembler::abandon(std::uint16_t number, Timestamp timestamp)

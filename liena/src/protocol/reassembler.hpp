@@ -53,7 +53,9 @@ public:
     struct Assembled {
         FieldBytes bytes;
     };
-    using Outcome = std::variant<Incomplete, Whole, Assembled, Violation>;
+    /// With this segment the partials of the process would hold too much; the rest of the message is passed over.
+    struct OverBudget {};
+    using Outcome = std::variant<Incomplete, Whole, Assembled, OverBudget, Violation>;
 
     /// `maximum`: the most bytes that the message's definition allows.
     Outcome take(const DatagramHeader& header, std::span<const std::byte> body, std::size_t maximum);
@@ -66,13 +68,13 @@ public:
 
     bool hasPartial() const { return !m_partials.empty(); }
     std::uint64_t abandoned() const { return m_abandoned; }
-    std::uint64_t overBudget() const { return m_overBudget; }
 
 private:
     struct Partial {
         Timestamp timestamp;
         DeviceId target;
         FieldBytes bytes;
+        std::size_t heard = 0;    ///< bytes of its segments so far, kept or not
         std::size_t reserved = 0; ///< taken from the budget
         bool discarding = false;  ///< over budget: the rest is passed over
     };
@@ -80,13 +82,12 @@ private:
 
     Outcome begin(const DatagramHeader& header, std::span<const std::byte> body);
     Outcome extend(Partials::iterator partial, const DatagramHeader& header, std::span<const std::byte> body, std::size_t maximum);
-    void append(Partial& partial, std::span<const std::byte> body);
+    Outcome append(Partial& partial, std::span<const std::byte> body);
     void drop(Partials::iterator partial);
 
     PartialBudget& m_budget;
     Partials m_partials;
     std::uint64_t m_abandoned = 0;
-    std::uint64_t m_overBudget = 0;
 };
 
 } // namespace liena::protocol

@@ -174,7 +174,8 @@ std::string_view explain(RejectReason reason)
     case RejectReason::AlreadyOpen:
         return "The device is in a session already: look for a second program with the same identity.";
     case RejectReason::MessageSetChanged:
-        return "The device shows another message set than the one accepted for its type: a person has to compare and accept it.";
+        return "The device shows another message set than the one accepted for its type: a person has to read the changes and accept it "
+               "(liena sets accept).";
     }
     return "";
 }

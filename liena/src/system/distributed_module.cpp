@@ -35,12 +35,17 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
                   [this](const std::string& detail, bool identity) {
                       handle(session::OutgoingLost{identity ? ProbeResult::TlsFailure : ProbeResult::NotProbed, detail});
                   },
-                  [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); }}),
-      m_bulk(host.io(), m_peer, host.identity(), {16384, 65536},
-             {[] {}, [this](const transport::ConnectionFailure&) { retryBulk(); }, [this](const std::string&, bool) { retryBulk(); },
-              [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); }}),
+                  [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); },
+                  [this](const protocol::DatagramHeader& begun) { return abandon(begun); }}),
+      m_bulk(host.io(), m_peer, host.identity(),
+             {[this](std::uint8_t lane) {
+                  return encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), lane}, m_peer.id);
+              },
+              [this] { return carriesMessages(m_machine.state()); },
+              [this](std::uint8_t lane, const std::string& detail) { bulkLaneLost(lane, detail); },
+              [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); },
+              [this](const protocol::DatagramHeader& begun) { return abandon(begun); }}),
       m_datagrams(host.packets(), m_peer.port, host.identity() != nullptr),
-      m_bulkRetry(host.io()),
       m_couriers(host, m_peer),
       m_timer(host.io())
 {}
@@ -140,7 +145,7 @@ void DistributedModule::perform(session::SessionAction& action)
         void operator()(const session::DiscardAll&)
         {
             module.m_laneZero.queue().discardApplication();
-            module.m_bulk.queue().discardApplication();
+            module.m_bulk.discardApplication();
         }
         void operator()(const session::Entered& change) { module.entered(change); }
         void operator()(const session::SessionOpened& opened) { module.opened(opened); }
@@ -169,6 +174,11 @@ protocol::EncodedMessage DistributedModule::encode(const protocol::SessionMessag
     return encodeSession(m_host, message, target);
 }
 
+protocol::EncodedMessage DistributedModule::abandon(const protocol::DatagramHeader& begun)
+{
+    return encode(protocol::Abandon{begun.message.number, begun.timestamp.ns}, m_peer.id);
+}
+
 void DistributedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
 {
     m_laneZero.push({encode(message, target), tasks::Rank::Safety, 0, std::nullopt, {}});
@@ -190,15 +200,18 @@ void DistributedModule::entered(const session::Entered& change)
     m_host.log(LogLevel::Info, fmt::format("session with {}: {} -> {}", m_peer.name, toString(change.from), toString(change.to)));
     showStatus();
     m_host.tell(std::move(event));
-    if (change.to == SessionState::Open)
-        for (auto& [lane, task] : m_incomingBulk)
-            task->start();
+    if (change.to != SessionState::Open)
+        return;
+    for (auto& [lane, task] : m_incomingBulk)
+        task->start();
+    m_bulk.connect();
 }
 
 void DistributedModule::opened(const session::SessionOpened& opened)
 {
     m_deadlines.reset();
     m_newest.clear();
+    m_books.beginWindow(m_host.now().mono);
     auto event = this->event(opened.reopened ? SessionEvent::Kind::ReOpened : SessionEvent::Kind::Opened);
     event.duration = opened.duration;
     event.incident.id = opened.incident;
@@ -286,8 +299,9 @@ void DistributedModule::housekeeping()
     });
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
         m_nextReport = now + reportPeriod;
-        sendSession(m_books.takeReport(now, m_incoming ? m_incoming->backlog() : 0), m_peer.id);
+        sendSession(m_books.takeReport(now, backlog()), m_peer.id);
     }
+    m_bulk.retire(now);
     showStatus();
 }
 

@@ -9,6 +9,7 @@
 #include "system/reject_courier.hpp"
 #include "system/session_encoding.hpp"
 #include "system/traffic_books.hpp"
+#include "tasks/bulk_lanes.hpp"
 #include "tasks/output_lane.hpp"
 #include "tasks/reception_task.hpp"
 #include "transport/tcp_server.hpp"
@@ -74,6 +75,7 @@ private:
     void turned() override { m_host.turned(); }
     tasks::Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) override;
     void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned) override;
+    void overBudget(const protocol::DatagramHeader& header) override;
     void violated(std::uint8_t lane, const std::string& detail) override;
     void laneLost(std::uint8_t lane, const std::string& detail) override;
 
@@ -107,8 +109,8 @@ private:
     void perform(session::SessionAction& action);
     void connectLaneZero();
     void laneZeroUp();
-    void connectBulk();
-    void retryBulk();
+    void bulkLaneLost(std::uint8_t lane, const std::string& detail);
+    std::size_t backlog() const;
     void notSent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate);
     void closeLanes(session::Nanoseconds grace);
     void adopt(session::ConnectionNumber number);
@@ -123,14 +125,14 @@ private:
     void endFresh(session::ConnectionNumber number);
     void armTimer();
     void showStatus();
+    void settle(const tasks::ReceptionTask& ended);
     void bury(std::shared_ptr<void> ended);
     void startProbe(std::optional<session::SessionLost> lost);
     bool flowAllowed(const MessageDefinition& definition, DeviceId from) const;
     Result<void> checkSendable(const Message& message) const;
     SessionEvent event(SessionEvent::Kind kind) const;
+    protocol::EncodedMessage abandon(const protocol::DatagramHeader& begun);
     protocol::EncodedMessage encode(const protocol::SessionMessage& message, DeviceId target);
-
-    static constexpr std::size_t bulkLane = 1;
 
     ModuleHost& m_host;
     TopologyDevice m_peer;
@@ -139,10 +141,9 @@ private:
     std::shared_ptr<const MessageSet> m_peerSet; ///< pinned or learnt; null while unknown
 
     tasks::OutputLane m_laneZero;
-    tasks::OutputLane m_bulk;
+    tasks::BulkLanes m_bulk;
     DatagramPath m_datagrams;
     std::map<std::uint16_t, Timestamp> m_newest; ///< delivered, of each message that may travel by UDP
-    transport::Timer m_bulkRetry;
     std::unique_ptr<tasks::ReceptionTask> m_incoming;
     std::map<std::uint8_t, std::unique_ptr<tasks::ReceptionTask>> m_incomingBulk;
     std::map<session::ConnectionNumber, std::unique_ptr<FreshConnection>> m_fresh;
@@ -158,6 +159,7 @@ private:
     session::Instant m_nextReport;
     std::uint32_t m_interruptions = 0;
     std::uint64_t m_bytesReceived = 0; ///< of lanes that ended
+    std::uint64_t m_abandoned = 0;     ///< of lanes that ended
 };
 
 } // namespace liena::system

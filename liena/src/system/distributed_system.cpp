@@ -1,4 +1,5 @@
 // The facade's calls, from any thread.
+#include "liena/known_sets.hpp"
 #include "system/distributed_system_state.hpp"
 
 #include <boost/asio/post.hpp>
@@ -13,15 +14,6 @@ namespace liena {
 namespace asio = boost::asio;
 
 namespace {
-
-std::filesystem::path defaultStore()
-{
-    if (const char* state = std::getenv("XDG_STATE_HOME"); state != nullptr && *state != '\0')
-        return std::filesystem::path(state) / "liena" / "sets";
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
-        return std::filesystem::path(home) / ".local" / "state" / "liena" / "sets";
-    return {};
-}
 
 bool isLoopback(const std::string& host)
 {
@@ -66,7 +58,7 @@ Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings se
     auto identity = loadIdentity(settings, topology.value(), own.value());
     if (!identity)
         return identity.as_failure();
-    const auto folder = settings.store.empty() ? defaultStore() : settings.store;
+    const auto folder = settings.store.empty() ? defaultSetStore() : settings.store;
     std::optional<LocalStore> store;
     if (!folder.empty()) {
         std::error_code ignored; // the store itself says what it cannot open

@@ -226,15 +226,18 @@ void DistributedSystem::State::identityRefused(DeviceId device, const std::strin
     tell(std::move(event));
 }
 
+/// What a person has accepted stands above the register, and that above what was met first (ruling B14).
 session::SetStanding DistributedSystem::State::standingOf(DeviceId peer, const Sha256& set)
 {
     using session::SetStanding;
-    if (const auto known = registry.find(peer))
-        return known->hash() == set ? SetStanding::Held : SetStanding::Changed;
-    if (!store)
-        return SetStanding::Unknown;
-    const auto pin = store->pinFor(peer.deviceType());
-    if (pin && pin.value() && *pin.value() != set)
+    const auto pin = store ? store->pinFor(peer.deviceType()) : Result<std::optional<LocalStore::Pin>>(std::nullopt);
+    if (!pin) {
+        log(LogLevel::Error, "no message set is accepted: " + pin.error().what);
+        return SetStanding::Changed;
+    }
+    const auto known = registry.find(peer);
+    const bool accepted = pin.value() && pin.value()->accepted;
+    if (accepted ? pin.value()->hash != set : known ? known->hash() != set : pin.value() && pin.value()->hash != set)
         return SetStanding::Changed;
     return setOf(peer, set) ? SetStanding::Held : SetStanding::Unknown;
 }
@@ -242,9 +245,10 @@ session::SetStanding DistributedSystem::State::standingOf(DeviceId peer, const S
 std::shared_ptr<const MessageSet> DistributedSystem::State::setOf(DeviceId peer, const Sha256& set)
 {
     auto known = registry.find(peer);
-    if (!known && store)
-        if (auto learnt = store->find(set))
-            known = learnt.value();
+    if ((!known || known->hash() != set) && store) {
+        const auto learnt = store->find(set);
+        known = learnt ? learnt.value() : nullptr;
+    }
     if (!known || known->hash() != set || known->deviceType() != peer.deviceType())
         return nullptr;
     board.showSet(peer, known);

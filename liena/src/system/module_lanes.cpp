@@ -32,23 +32,17 @@ void DistributedModule::laneZeroUp()
     handle(session::OutgoingUp{});
 }
 
-void DistributedModule::connectBulk()
+/// No event of the session: the lane is connected again when there is bulk to send.
+void DistributedModule::bulkLaneLost(std::uint8_t lane, const std::string& detail)
 {
-    if (m_bulk.isUp() || m_bulk.isConnecting() || m_bulk.queue().empty() || !carriesMessages(m_machine.state()))
-        return;
-    m_bulk.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), bulkLane}, m_peer.id), connectLimit);
-}
-
-void DistributedModule::retryBulk()
-{
-    m_bulkRetry.after(50ms, [this] { connectBulk(); });
+    m_host.log(LogLevel::Warning, fmt::format("bulk lane {} to {} broke: {}; what was under way on it may be missing there", lane,
+                                              m_peer.name, printable(detail, 256)));
 }
 
 void DistributedModule::closeLanes(session::Nanoseconds grace)
 {
     m_laneZero.close(grace);
-    m_bulk.close(0ns);
-    m_bulkRetry.cancel();
+    m_bulk.close();
     m_datagrams.end();
     std::vector<std::shared_ptr<tasks::ReceptionTask>> ended;
     if (m_incoming)
@@ -57,9 +51,10 @@ void DistributedModule::closeLanes(session::Nanoseconds grace)
         ended.push_back(std::move(task));
     m_incomingBulk.clear();
     for (auto& task : ended) {
-        m_bytesReceived += task->bytesReceived();
-        if (grace <= 0ns) {
+        if (grace <= 0ns)
             task->close();
+        settle(*task);
+        if (grace <= 0ns) {
             bury(task);
             continue;
         }
@@ -115,8 +110,8 @@ void DistributedModule::attached(transport::AttachedConnection connection)
     if (!inSession)
         return admitFresh(std::move(connection));
     if (m_incoming) {
-        m_bytesReceived += m_incoming->bytesReceived();
         m_incoming->close();
+        settle(*m_incoming);
         bury(std::move(m_incoming));
     }
     m_incoming = std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(),
@@ -180,8 +175,8 @@ void DistributedModule::admitBulk(transport::AttachedConnection connection)
         return connection.channel->close();
     auto& task = m_incomingBulk[lane];
     if (task) {
-        m_bytesReceived += task->bytesReceived();
         task->close();
+        settle(*task);
         bury(std::move(task));
     }
     task =
@@ -189,6 +184,12 @@ void DistributedModule::admitBulk(transport::AttachedConnection connection)
     const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
     if (!dialogue) // in a dialogue it is attached and not read
         task->start();
+}
+
+void DistributedModule::settle(const tasks::ReceptionTask& ended)
+{
+    m_bytesReceived += ended.bytesReceived();
+    m_abandoned += ended.abandoned();
 }
 
 void DistributedModule::bury(std::shared_ptr<void> ended)

@@ -200,6 +200,11 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
     m_host.deliver(std::move(message));
 }
 
+void DistributedModule::overBudget(const protocol::DatagramHeader& header)
+{
+    drop("the unfinished messages of this process hold too much", header.message.number);
+}
+
 void DistributedModule::violated(std::uint8_t /*lane*/, const std::string& detail) { violation(detail); }
 
 void DistributedModule::laneLost(std::uint8_t lane, const std::string& detail)
@@ -208,7 +213,7 @@ void DistributedModule::laneLost(std::uint8_t lane, const std::string& detail)
     auto& task = lane == 0 ? m_incoming : m_incomingBulk[lane];
     if (!task)
         return;
-    m_bytesReceived += task->bytesReceived();
+    settle(*task);
     bury(std::move(task));
     if (lane == 0)
         handle(session::IncomingLost{detail});

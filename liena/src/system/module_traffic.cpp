@@ -62,12 +62,10 @@ Result<void> DistributedModule::send(Message message)
                                     definition.name};
     if (definition.lifespan)
         entry.expires = m_host.now().mono + *definition.lifespan;
-    const bool bulk = definition.priority == Priority::Bulk;
-    if (!(bulk ? m_bulk : m_laneZero).push(std::move(entry)))
+    const bool taken = definition.priority == Priority::Bulk ? m_bulk.push(std::move(entry)) : m_laneZero.push(std::move(entry));
+    if (!taken)
         return fail(Errc::QueueFull, fmt::format("too much waits for {} already: {} is refused", m_peer.name, definition.name));
     m_books.sent();
-    if (bulk)
-        connectBulk();
     return ok();
 }
 
@@ -81,6 +79,14 @@ void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::O
     event.detail = fate == tasks::OutputQueue::Fate::Expired ? "its lifespan ended before it could leave"
                                                              : "the session was interrupted before it left";
     m_host.tell(std::move(event));
+}
+
+std::size_t DistributedModule::backlog() const
+{
+    auto bytes = m_incoming ? m_incoming->backlog() : std::size_t{0};
+    for (const auto& [lane, task] : m_incomingBulk)
+        bytes += task->backlog();
+    return bytes;
 }
 
 LinkStatus DistributedModule::status() const
@@ -104,9 +110,13 @@ LinkStatus DistributedModule::status() const
     status.messagesDropped = m_books.messagesDropped();
     status.bytesSent = m_laneZero.bytesSent() + m_bulk.bytesSent() + m_datagrams.bytesSent();
     status.bytesReceived = m_bytesReceived + m_datagrams.bytesReceived() + (m_incoming ? m_incoming->bytesReceived() : 0);
-    for (const auto& [lane, task] : m_incomingBulk)
+    status.messagesAbandoned = m_abandoned + (m_incoming ? m_incoming->abandoned() : 0);
+    for (const auto& [lane, task] : m_incomingBulk) {
         status.bytesReceived += task->bytesReceived();
-    status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queue().size());
+        status.messagesAbandoned += task->abandoned();
+    }
+    status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queuedMessages());
+    status.bulkLanes = static_cast<std::uint8_t>(m_bulk.connected());
     status.epoch = m_machine.guard().epoch();
     status.peerEpoch = m_machine.stamper().targetEpoch();
     status.interruptions = m_interruptions;

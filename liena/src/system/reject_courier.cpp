@@ -23,6 +23,7 @@ void RejectCouriers::send(std::unique_ptr<FreshConnection> refused, protocol::En
     handlers.failed = [this, place](const transport::ConnectionFailure&) { end(place->get()); };
     handlers.lost = [this, place](const std::string&, bool) { end(place->get()); };
     handlers.dropped = [](const tasks::OutputQueue::Entry&, tasks::OutputQueue::Fate) {};
+    handlers.abandoning = [](const protocol::DatagramHeader&) { return protocol::EncodedMessage(); }; // it carries no segments
     *place = std::make_shared<Trip>(m_host, m_peer, std::move(handlers));
     (*place)->refused = std::move(refused);
     (*place)->lane.connect(std::move(attach), 1s);

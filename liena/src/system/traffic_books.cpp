@@ -6,6 +6,13 @@
 
 namespace liena::system {
 
+void TrafficBooks::beginWindow(Instant now)
+{
+    m_window = {};
+    m_latencies.clear();
+    m_windowBegan = now;
+}
+
 protocol::LinkReport TrafficBooks::takeReport(Instant now, std::size_t backlog)
 {
     auto report = std::exchange(m_window, {});

@@ -45,6 +45,9 @@ public:
     void late() { ++m_window.lateMessages; }
     void sent() { ++m_sent; }
 
+    /// A session opens: what was counted before belongs to no report of it.
+    void beginWindow(Instant now);
+
     /// The LinkReport of the window since the last call (ruling B15).
     protocol::LinkReport takeReport(Instant now, std::size_t backlog);
 

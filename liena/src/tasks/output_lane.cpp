@@ -20,7 +20,10 @@ OutputLane::OutputLane(asio::io_context& io, TopologyDevice peer, std::shared_pt
 
 OutputLane::~OutputLane() = default;
 
-std::unique_ptr<OutputQueue> OutputLane::makeQueue() const { return std::make_unique<OutputQueue>(m_handlers.dropped); }
+std::unique_ptr<OutputQueue> OutputLane::makeQueue() const
+{
+    return std::make_unique<OutputQueue>(m_handlers.dropped, m_handlers.abandoning);
+}
 
 void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit)
 {
@@ -70,6 +73,11 @@ bool OutputLane::push(OutputQueue::Entry entry)
     if (m_task)
         m_task->wake();
     return true;
+}
+
+bool OutputLane::isDelivered() const
+{
+    return m_queue->empty() && (!m_task || (m_task->isIdle() && m_task->channel().unacknowledged() == 0));
 }
 
 void OutputLane::close(std::chrono::nanoseconds grace)

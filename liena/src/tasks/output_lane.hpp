@@ -20,6 +20,7 @@ public:
         std::function<void(const transport::ConnectionFailure&)> failed;
         std::function<void(const std::string& detail, bool identity)> lost;
         OutputQueue::Report dropped;
+        OutputQueue::Abandoning abandoning;
     };
 
     OutputLane(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity,
@@ -39,6 +40,9 @@ public:
 
     /// False when the queue is full.
     bool push(OutputQueue::Entry entry);
+
+    /// Nothing waits, nothing is being written, and the peer's kernel has all that was.
+    bool isDelivered() const;
 
     OutputQueue& queue() { return *m_queue; }
     const OutputQueue& queue() const { return *m_queue; }

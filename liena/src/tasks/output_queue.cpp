@@ -58,9 +58,15 @@ std::vector<std::size_t> OutputQueue::superseded(const Class& waiting, const Ent
 bool OutputQueue::appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, std::vector<std::byte>& out)
 {
     for (auto& waiting : m_classes) {
-        while (!waiting.empty() && !waiting.front().encoder.begun() && waiting.front().entry.expires &&
-               *waiting.front().entry.expires <= now)
+        while (!waiting.empty() && isExpired(waiting.front(), now)) {
+            const bool begun = waiting.front().encoder.begun();
+            const auto header = waiting.front().entry.message.header;
             drop(waiting, waiting.begin(), Fate::Expired);
+            if (begun) {
+                protocol::DatagramEncoder().appendSegment(m_abandoning(header), maximumSegment, out);
+                return true;
+            }
+        }
         if (waiting.empty())
             continue;
         auto& front = waiting.front();
@@ -72,6 +78,11 @@ bool OutputQueue::appendNext(std::size_t maximumSegment, std::chrono::steady_clo
         return true;
     }
     return false;
+}
+
+bool OutputQueue::isExpired(const Waiting& waiting, std::chrono::steady_clock::time_point now)
+{
+    return waiting.entry.expires && *waiting.entry.expires <= now;
 }
 
 void OutputQueue::drop(Class& waiting, Class::iterator at, Fate fate)
@@ -100,10 +111,17 @@ void OutputQueue::discard(Rank rank)
 
 void OutputQueue::discardApplication()
 {
+    std::vector<protocol::EncodedMessage> abandoned;
     for (auto& waiting : m_classes)
-        for (std::size_t i = waiting.size(); i-- > 0;)
-            if (!waiting[i].entry.message.header.message.isSessionManagement())
-                drop(waiting, waiting.begin() + static_cast<std::ptrdiff_t>(i), Fate::Discarded);
+        for (std::size_t i = waiting.size(); i-- > 0;) {
+            if (waiting[i].entry.message.header.message.isSessionManagement())
+                continue;
+            if (waiting[i].encoder.begun())
+                abandoned.push_back(m_abandoning(waiting[i].entry.message.header));
+            drop(waiting, waiting.begin() + static_cast<std::ptrdiff_t>(i), Fate::Discarded);
+        }
+    for (auto& message : abandoned)
+        push({std::move(message), Rank::Safety, 0, std::nullopt, {}});
 }
 
 } // namespace liena::tasks

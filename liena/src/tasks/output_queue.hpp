@@ -40,8 +40,13 @@ public:
     enum class Fate : std::uint8_t { Superseded, Expired, Discarded };
     using Report = std::function<void(const Entry&, Fate)>;
 
-    explicit OutputQueue(Report report) : OutputQueue(std::move(report), Limits()) {}
-    OutputQueue(Report report, Limits limits) : m_report(std::move(report)), m_limits(limits) {}
+    /// The Abandon for a message that was begun and will not be sent to its end.
+    using Abandoning = std::function<protocol::EncodedMessage(const protocol::DatagramHeader& begun)>;
+
+    OutputQueue(Report report, Abandoning abandoning) : OutputQueue(std::move(report), std::move(abandoning), Limits()) {}
+    OutputQueue(Report report, Abandoning abandoning, Limits limits)
+        : m_report(std::move(report)), m_abandoning(std::move(abandoning)), m_limits(limits)
+    {}
 
     /// False when the queue is full; session management always fits.
     bool push(Entry entry);
@@ -53,7 +58,7 @@ public:
     void restart();
 
     void discard(Rank rank);
-    /// Everything but session management.
+    /// Everything but session management; what was begun is abandoned.
     void discardApplication();
 
     bool empty() const { return m_count == 0; }
@@ -67,10 +72,12 @@ private:
     };
     using Class = std::deque<Waiting>;
 
+    static bool isExpired(const Waiting& waiting, std::chrono::steady_clock::time_point now);
     void drop(Class& waiting, Class::iterator at, Fate fate);
     static std::vector<std::size_t> superseded(const Class& waiting, const Entry& entry);
 
     Report m_report;
+    Abandoning m_abandoning;
     Limits m_limits;
     std::array<Class, 5> m_classes;
     std::size_t m_count = 0;

@@ -68,6 +68,8 @@ bool ReceptionTask::take(const protocol::DatagramHeader& header, std::span<const
     auto outcome = m_reassembler.take(header, body, m_maximum);
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_sink->violated(m_lane, violation->what);
+    else if (std::holds_alternative<protocol::Reassembler::OverBudget>(outcome))
+        m_sink->overBudget(header);
     else if (std::holds_alternative<protocol::Reassembler::Whole>(outcome))
         m_sink->received(m_lane, header, body, nullptr);
     else if (auto* assembled = std::get_if<protocol::Reassembler::Assembled>(&outcome))

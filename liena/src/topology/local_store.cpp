@@ -1,4 +1,5 @@
-// Files of the local store: `<64 hex digits>.xml` per set, and `pins`, one line of device type and hash per pin.
+// Files of the local store: `<64 hex digits>.xml` per set, and `pins`: a line of device type and hash per pin, with ` accepted` behind it
+// when a person has accepted that set.
 #include "topology/local_store.hpp"
 
 #include "topology/xml_scan.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr const char* pinsName = "pins";
 constexpr std::size_t mostPinBytes = 256UL * 1024;
 constexpr std::string_view suffix = ".xml";
+constexpr std::string_view acceptedMark = " accepted";
 
 std::string nameOf(const Sha256& hash) { return hash.toHex() + std::string(suffix); }
 
@@ -58,34 +60,39 @@ Result<void> LocalStore::save(const MessageSet& set)
         if (bytes && bytes.value() == set.xml())
             return ok();
     } else {
-        const auto count = countSets();
-        if (!count)
-            return count.as_failure();
-        if (count.value() >= mostSets)
+        const auto held = sets();
+        if (!held)
+            return held.as_failure();
+        if (held.value().size() >= mostSets)
             return fail(Errc::FileUnwritable, fmt::format("{} holds {} message sets, the most that are kept; delete those no longer used",
-                                                          m_directory.path().string(), count.value()));
+                                                          m_directory.path().string(), held.value().size()));
     }
     return m_directory.write(name, set.xml());
 }
 
-Result<std::size_t> LocalStore::countSets() const
+Result<std::vector<Sha256>> LocalStore::sets() const
 {
     const auto names = m_directory.names();
     if (!names)
         return names.as_failure();
-    return static_cast<std::size_t>(std::count_if(names.value().begin(), names.value().end(), isSetName));
+    std::vector<Sha256> hashes;
+    for (const auto& name : names.value())
+        if (isSetName(name))
+            hashes.push_back(*Sha256::fromHex(std::string_view(name).substr(0, name.size() - suffix.size())));
+    std::sort(hashes.begin(), hashes.end(), [](const Sha256& a, const Sha256& b) { return a.toHex() < b.toHex(); });
+    return hashes;
 }
 
-Result<std::optional<Sha256>> LocalStore::pinFor(DeviceId type) const
+Result<std::optional<LocalStore::Pin>> LocalStore::pinFor(DeviceId type) const
 {
     const auto pins = readPins();
     if (!pins)
         return pins.as_failure();
     const auto found = pins.value().find(type.deviceType());
-    return found == pins.value().end() ? std::optional<Sha256>() : std::optional(found->second);
+    return found == pins.value().end() ? std::optional<Pin>() : std::optional(found->second);
 }
 
-Result<void> LocalStore::pin(DeviceId type, const Sha256& hash)
+Result<void> LocalStore::accept(DeviceId type, const Sha256& hash)
 {
     const auto lock = m_directory.lock();
     if (!lock)
@@ -93,7 +100,7 @@ Result<void> LocalStore::pin(DeviceId type, const Sha256& hash)
     auto pins = readPins();
     if (!pins)
         return pins.as_failure();
-    pins.value()[type.deviceType()] = hash;
+    pins.value()[type.deviceType()] = {hash, true};
     return writePins(pins.value());
 }
 
@@ -105,13 +112,13 @@ Result<Sha256> LocalStore::pinFirst(DeviceId type, const Sha256& hash)
     auto pins = readPins();
     if (!pins)
         return pins.as_failure();
-    const auto [held, isNew] = pins.value().try_emplace(type.deviceType(), hash);
+    const auto [held, isNew] = pins.value().try_emplace(type.deviceType(), Pin{hash, false});
     if (isNew) {
         const auto written = writePins(pins.value());
         if (!written)
             return written.as_failure();
     }
-    return held->second;
+    return held->second.hash;
 }
 
 Result<LocalStore::Pins> LocalStore::readPins() const
@@ -127,9 +134,14 @@ Result<LocalStore::Pins> LocalStore::readPins() const
         const auto end = rest.find('\n');
         const auto text = rest.substr(0, end);
         const auto type = DeviceId::fromString(text.substr(0, 10));
-        const auto hash = text.size() > 11 && text[10] == ' ' ? Sha256::fromHex(text.substr(11)) : std::nullopt;
+        const bool accepted = text.ends_with(acceptedMark);
+        const auto digits = text.substr(std::min<std::size_t>(text.size(), 11));
+        const auto hash = text.size() > 11 && text[10] == ' '
+                              ? Sha256::fromHex(digits.substr(0, digits.size() - (accepted ? acceptedMark.size() : 0)))
+                              : std::nullopt;
         // A pin that cannot be read must not count as none: another set would then be taken for the first one met.
-        if (end == std::string_view::npos || !type || *type != type->deviceType() || !hash || !pins.emplace(*type, *hash).second)
+        if (end == std::string_view::npos || !type || *type != type->deviceType() || !hash ||
+            !pins.emplace(*type, Pin{*hash, accepted}).second)
             return fail(Errc::FileUnreadable, fmt::format("{}:{}: this pin cannot be read; restore the file, or delete it to accept "
                                                           "the next set met of each device type",
                                                           (m_directory.path() / pinsName).string(), line));
@@ -141,8 +153,8 @@ Result<LocalStore::Pins> LocalStore::readPins() const
 Result<void> LocalStore::writePins(const Pins& pins) const
 {
     std::string text;
-    for (const auto& [type, hash] : pins)
-        text += fmt::format("{} {}\n", type.toString(), hash.toHex());
+    for (const auto& [type, pin] : pins)
+        text += fmt::format("{} {}{}\n", type.toString(), pin.hash.toHex(), pin.accepted ? acceptedMark : "");
     if (text.size() > mostPinBytes)
         return fail(Errc::FileUnwritable, fmt::format("{} holds as many pins as it can", (m_directory.path() / pinsName).string()));
     return m_directory.write(pinsName, text);

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace liena {
 
@@ -29,21 +30,31 @@ public:
     /// Keeps the set's bytes as they are; a set that is here already is no error.
     Result<void> save(const MessageSet& set);
 
-    /// The only hash that is accepted for this device type (an id of any index), or nothing when none was met yet.
-    Result<std::optional<Sha256>> pinFor(DeviceId type) const;
+    struct Pin {
+        Sha256 hash;
+        bool accepted = false; ///< by a person: it stands above the register
 
-    /// Replaces the pin: for a hash that a person has accepted.
-    Result<void> pin(DeviceId type, const Sha256& hash);
+        friend bool operator==(const Pin&, const Pin&) = default;
+    };
+
+    /// The only hash that is accepted for this device type (an id of any index), or nothing when none was met yet.
+    Result<std::optional<Pin>> pinFor(DeviceId type) const;
+
+    /// Replaces the pin by a hash that a person has accepted.
+    Result<void> accept(DeviceId type, const Sha256& hash);
 
     /// Pins when there is no pin yet, for the first valid set met; returns the pin that holds now, which may be another.
     Result<Sha256> pinFirst(DeviceId type, const Sha256& hash);
 
-private:
-    using Pins = std::map<DeviceId, Sha256>;
+    using Pins = std::map<DeviceId, Pin>; ///< by device type
+    Result<Pins> pins() const { return readPins(); }
 
+    /// Every set that is here, in the order of the hashes.
+    Result<std::vector<Sha256>> sets() const;
+
+private:
     explicit LocalStore(Directory directory) : m_directory(std::move(directory)) {}
 
-    Result<std::size_t> countSets() const;
     Result<Pins> readPins() const;
     Result<void> writePins(const Pins& pins) const;
 

@@ -72,4 +72,12 @@ std::shared_ptr<const MessageSet> Registry::find(const Sha256& hash) const
     return found == m_entries.end() ? nullptr : found->second.set;
 }
 
+std::vector<std::shared_ptr<const MessageSet>> Registry::all() const
+{
+    std::vector<std::shared_ptr<const MessageSet>> sets;
+    for (const auto& [type, entry] : m_entries)
+        sets.push_back(entry.set);
+    return sets;
+}
+
 } // namespace liena

@@ -25,6 +25,8 @@ public:
     std::shared_ptr<const MessageSet> find(DeviceId device) const;
     std::shared_ptr<const MessageSet> find(const Sha256& hash) const;
 
+    std::vector<std::shared_ptr<const MessageSet>> all() const;
+
     std::size_t size() const { return m_entries.size(); }
 
 private:

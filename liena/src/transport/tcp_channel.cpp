@@ -8,6 +8,9 @@
 
 #include <openssl/ssl.h>
 
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
+
 namespace liena::transport {
 
 namespace asio = boost::asio;
@@ -109,6 +112,13 @@ void TcpChannel::lose(const boost::system::error_code& error)
     close();
     if (auto* listener = std::exchange(m_listener, nullptr))
         listener->channelLost(truncated ? "the peer closed the connection" : detail, tls && !truncated);
+}
+
+std::size_t TcpChannel::unacknowledged() const
+{
+    int bytes = 0;
+    auto& socket = const_cast<asio::ip::tcp::socket&>(m_socket); // Asio's native_handle() is not const
+    return !m_closed && ::ioctl(socket.native_handle(), SIOCOUTQ, &bytes) == 0 && bytes > 0 ? static_cast<std::size_t>(bytes) : 0;
 }
 
 void TcpChannel::close()

@@ -56,6 +56,9 @@ public:
     /// At once and without a word on the wire; harmless when repeated.
     void close();
 
+    /// Bytes written that the peer's kernel has not acknowledged.
+    std::size_t unacknowledged() const;
+
     bool isClosed() const { return m_closed; }
     boost::asio::ip::tcp::endpoint remote() const { return m_remote; }
 

@@ -69,6 +69,7 @@ private slots:
     void takesExactlyTheMaximum();
     void countsMessageOverTheSharedBudget();
     void recoversFromOverBudget();
+    void messageOverBudgetStillHasItsMaximum();
     void givesTheBudgetBack();
     void abandonEndsOnlyItsMessage();
     void clearDropsEverything();
@@ -211,12 +212,10 @@ void ReassemblerTest::countsMessageOverTheSharedBudget()
     Lane first(budget);
     Lane second(budget);
     QVERIFY(is<Reassembler::Incomplete>(first.take(1, std::string(700, 'a'), true)));
-    QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(700, 'b'), true)));
+    QVERIFY(is<Reassembler::OverBudget>(second.take(1, std::string(700, 'b'), true))); // said once
     QVERIFY(budget.used() <= 1000);
     QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), true)));
     QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), false)));
-    QCOMPARE(second.reassembler.overBudget(), std::uint64_t{1});
-    QCOMPARE(first.reassembler.overBudget(), std::uint64_t{0});
     QCOMPARE(textOf(first.take(1, "z", false)), std::string(700, 'a') + "z");
     QCOMPARE(budget.used(), std::size_t{0});
 }
@@ -225,11 +224,19 @@ void ReassemblerTest::recoversFromOverBudget()
 {
     PartialBudget budget(100);
     Lane lane(budget);
-    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(200, 'a'), true)));
+    QVERIFY(is<Reassembler::OverBudget>(lane.take(1, std::string(200, 'a'), true)));
     QVERIFY(is<Reassembler::Incomplete>(lane.take(2, "fits", true)));
     QCOMPARE(textOf(lane.take(2, "!", false)), std::string("fits!"));
-    QCOMPARE(lane.reassembler.overBudget(), std::uint64_t{1});
     QCOMPARE(budget.used(), std::size_t{0});
+}
+
+void ReassemblerTest::messageOverBudgetStillHasItsMaximum()
+{
+    PartialBudget budget(100);
+    Lane lane(budget);
+    QVERIFY(is<Reassembler::OverBudget>(lane.take(1, std::string(200, 'a'), true, 300)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(100, 'a'), true, 300)));
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, "a", true, 300)));
 }
 
 void ReassemblerTest::givesTheBudgetBack()

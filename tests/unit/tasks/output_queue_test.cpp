@@ -21,6 +21,10 @@ struct Lane {
 
     explicit Lane(OutputQueue::Limits limits = {})
         : queue([this](const OutputQueue::Entry& entry, Fate fate) { reports.emplace_back(entry.message.header.message.number, fate); },
+                [](const DatagramHeader& begun) {
+                    return EncodedMessage{{{begun.message.origin, 0x0051}, begun.target, Timestamp{2}},
+                                          {static_cast<std::byte>('A'), static_cast<std::byte>(begun.message.number)}};
+                },
                 limits)
     {}
 
@@ -67,7 +71,8 @@ private slots:
     void historyIsPerTargetAndNumber();
     void messageThatHasBegunIsNotSuperseded();
     void expiredIsNotSent();
-    void messageThatHasBegunDoesNotExpire();
+    void messageThatHasBegunIsAbandonedWhenItExpires();
+    void messageThatHasBegunIsAbandonedWhenItIsDiscarded();
     void fullQueueRefuses_data();
     void fullQueueRefuses();
     void refusedMessageSupersedesNothing();
@@ -177,14 +182,31 @@ void OutputQueueTest::expiredIsNotSent()
     QVERIFY(lane.queue.empty() && lane.queue.bytes() == 0);
 }
 
-void OutputQueueTest::messageThatHasBegunDoesNotExpire()
+void OutputQueueTest::messageThatHasBegunIsAbandonedWhenItExpires()
 {
     Lane lane;
-    auto entry = Lane::entry(0x0202, Rank::Bulk, "aabb");
+    auto entry = Lane::entry(0x0202, Rank::Bulk, "aabbcc");
     entry.expires = now + 50ms;
     lane.queue.push(entry);
+    lane.push(0x0241, Rank::Bulk, "next");
     QCOMPARE(lane.next(2), std::string("aa+"));
-    QCOMPARE(lane.next(2, now + 1h), std::string("bb"));
+    QCOMPARE(lane.next(2, now + 49ms), std::string("bb+"));
+    QCOMPARE(lane.next(2, now + 50ms), std::string("A\x02"));
+    QVERIFY((lane.reports == std::vector{std::pair(std::uint16_t{0x0202}, Fate::Expired)}));
+    QCOMPARE(lane.next(9, now + 50ms), std::string("next"));
+    QVERIFY(lane.queue.empty());
+}
+
+void OutputQueueTest::messageThatHasBegunIsAbandonedWhenItIsDiscarded()
+{
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, "aabb");
+    lane.push(0x0241, Rank::Bulk, "whole");
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    lane.queue.discardApplication();
+    QCOMPARE(lane.reports.size(), std::size_t{2});
+    QCOMPARE(lane.next(2), std::string("A\x02"));
+    QCOMPARE(lane.next(), std::string("-"));
 }
 
 void OutputQueueTest::fullQueueRefuses_data()

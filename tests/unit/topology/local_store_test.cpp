@@ -126,9 +126,9 @@ void LocalStoreTest::savesTwiceWithoutHarm()
 void LocalStoreTest::survivesAnotherOpening()
 {
     QVERIFY(open().save(*makeSet(1)));
-    QVERIFY(open().pin(robotType, makeSet(1)->hash()));
+    QVERIFY(open().accept(robotType, makeSet(1)->hash()));
     QVERIFY(open().find(makeSet(1)->hash()).value());
-    QVERIFY(open().pinFor(robotType).value() == makeSet(1)->hash());
+    QVERIFY(open().pinFor(robotType).value()->hash == makeSet(1)->hash());
 }
 
 void LocalStoreTest::refusesFileWithOtherContent()
@@ -231,7 +231,7 @@ void LocalStoreTest::keepsAtMost64Sets()
     QVERIFY(one.error().what.find("64 message sets") != std::string::npos);
     QVERIFY(!store.find(makeSet(64)->hash()).value());
     QVERIFY(store.save(*makeSet(63)));
-    QVERIFY(store.pin(robotType, makeSet(63)->hash()));
+    QVERIFY(store.accept(robotType, makeSet(63)->hash()));
 }
 
 void LocalStoreTest::leavesNoPartWhenItCannotWrite()
@@ -264,23 +264,23 @@ void LocalStoreTest::pinsFirstSetMet()
     auto store = open();
     QVERIFY(store.pinFirst(robotType, makeSet(1)->hash()).value() == makeSet(1)->hash());
     QVERIFY(store.pinFirst(robotType, makeSet(2)->hash()).value() == makeSet(1)->hash());
-    QVERIFY(store.pinFor(robotType).value() == makeSet(1)->hash());
+    QVERIFY(store.pinFor(robotType).value()->hash == makeSet(1)->hash());
     QVERIFY(!store.pinFor(armType).value());
     // A pin is of the device type: every index has it.
-    QVERIFY(store.pinFor(DeviceId(robotType.value() + 6)).value() == makeSet(1)->hash());
+    QVERIFY(store.pinFor(DeviceId(robotType.value() + 6)).value()->hash == makeSet(1)->hash());
     QVERIFY(store.pinFirst(DeviceId(robotType.value() + 1), makeSet(3)->hash()).value() == makeSet(1)->hash());
 }
 
 void LocalStoreTest::replacesPinForAPerson()
 {
     auto store = open();
-    QVERIFY(store.pin(robotType, makeSet(1)->hash()));
-    QVERIFY(store.pin(armType, makeSet(3)->hash()));
-    QVERIFY(store.pin(DeviceId(robotType.value() + 2), makeSet(2)->hash()));
-    QVERIFY(store.pinFor(robotType).value() == makeSet(2)->hash());
-    QVERIFY(store.pinFor(armType).value() == makeSet(3)->hash());
+    QVERIFY(store.accept(robotType, makeSet(1)->hash()));
+    QVERIFY(store.accept(armType, makeSet(3)->hash()));
+    QVERIFY(store.accept(DeviceId(robotType.value() + 2), makeSet(2)->hash()));
+    QVERIFY(store.pinFor(robotType).value()->hash == makeSet(2)->hash());
+    QVERIFY(store.pinFor(armType).value()->hash == makeSet(3)->hash());
     QCOMPARE(bytesOf(inFolder("pins")).toStdString(),
-             "0x00008208 " + makeSet(2)->hash().toHex() + "\n0x60008208 " + makeSet(3)->hash().toHex() + "\n");
+             "0x00008208 " + makeSet(2)->hash().toHex() + " accepted\n0x60008208 " + makeSet(3)->hash().toHex() + " accepted\n");
 }
 
 void LocalStoreTest::refusesToGuessAtDamagedPins_data()
@@ -292,6 +292,7 @@ void LocalStoreTest::refusesToGuessAtDamagedPins_data()
     QTest::newRow("with an index") << QByteArray(line + "\n").replace("8208", "8209");
     QTest::newRow("twice") << line + "\n" + line + "\n";
     QTest::newRow("noise") << QByteArray("\0\0\0\0", 4);
+    QTest::newRow("with another word") << line + " trusted\n";
     QTest::newRow("upper case") << QByteArray("0x00008208 ") + QByteArray(64, 'A') + "\n";
 }
 
@@ -303,7 +304,7 @@ void LocalStoreTest::refusesToGuessAtDamagedPins()
     QVERIFY(!store.pinFor(robotType));
     QVERIFY(!store.pinFor(armType));
     QVERIFY(!store.pinFirst(armType, makeSet(1)->hash()));
-    QVERIFY(!store.pin(armType, makeSet(1)->hash()));
+    QVERIFY(!store.accept(armType, makeSet(1)->hash()));
     QCOMPARE(bytesOf(inFolder("pins")), bytes);
 }
 

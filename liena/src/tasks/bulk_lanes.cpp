@@ -1,0 +1,127 @@
+// Which stream goes on which lane.
+#include "tasks/bulk_lanes.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace liena::tasks {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto connectLimit = 1s;
+constexpr auto retryDelay = 50ms;
+constexpr TransmissionTask::Settings laneSettings{16384, 65536};
+
+} // namespace
+
+BulkLanes::BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity, Handlers handlers)
+    : m_io(io), m_peer(std::move(peer)), m_identity(std::move(identity)), m_handlers(std::move(handlers)), m_retry(io)
+{}
+
+bool BulkLanes::push(OutputQueue::Entry entry)
+{
+    const auto place = placeFor(entry.message.header.message.number, std::chrono::steady_clock::now());
+    const bool taken = m_lanes[place]->push(std::move(entry));
+    connect();
+    return taken;
+}
+
+std::size_t BulkLanes::placeFor(std::uint16_t number, Instant now)
+{
+    const auto known = m_streams.find(number);
+    const bool stays =
+        known != m_streams.end() && (now - known->second.lastUsed < idleLimit || !m_lanes[known->second.place]->isDelivered());
+    const auto place = stays ? known->second.place : choosePlace(now);
+    m_streams[number] = {place, now};
+    return place;
+}
+
+/// One that no stream uses, a new one, or the one with least before it.
+std::size_t BulkLanes::choosePlace(Instant now)
+{
+    for (std::size_t place = 0; place < m_lanes.size(); ++place)
+        if (!isInUse(place, now))
+            return place;
+    if (m_lanes.size() < most)
+        return addLane();
+    const auto least = std::min_element(m_lanes.begin(), m_lanes.end(),
+                                        [](const auto& a, const auto& b) { return a->queue().bytes() < b->queue().bytes(); });
+    return static_cast<std::size_t>(least - m_lanes.begin());
+}
+
+bool BulkLanes::isInUse(std::size_t place, Instant now) const
+{
+    return !m_lanes[place]->isDelivered() || std::any_of(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
+        return stream.second.place == place && now - stream.second.lastUsed < idleLimit;
+    });
+}
+
+std::size_t BulkLanes::addLane()
+{
+    const auto number = static_cast<std::uint8_t>(m_lanes.size() + 1);
+    const auto again = [this] { m_retry.after(retryDelay, [this] { connect(); }); };
+    OutputLane::Handlers handlers;
+    handlers.up = [] {};
+    handlers.failed = [again](const transport::ConnectionFailure&) { again(); };
+    handlers.lost = [this, number, again](const std::string& detail, bool) {
+        m_handlers.lost(number, detail);
+        again();
+    };
+    handlers.dropped = m_handlers.dropped;
+    handlers.abandoning = m_handlers.abandoning;
+    m_lanes.push_back(std::make_unique<OutputLane>(m_io, m_peer, m_identity, laneSettings, std::move(handlers)));
+    return m_lanes.size() - 1;
+}
+
+void BulkLanes::connect()
+{
+    if (!m_handlers.mayConnect())
+        return;
+    for (std::size_t i = 0; i < m_lanes.size(); ++i) {
+        auto& lane = *m_lanes[i];
+        if (!lane.isUp() && !lane.isConnecting() && !lane.queue().empty())
+            lane.connect(m_handlers.attach(static_cast<std::uint8_t>(i + 1)), connectLimit);
+    }
+}
+
+void BulkLanes::retire(std::chrono::steady_clock::time_point now)
+{
+    for (std::size_t place = 1; place < m_lanes.size(); ++place)
+        if (m_lanes[place]->isUp() && !isInUse(place, now))
+            m_lanes[place]->close(0ns);
+}
+
+void BulkLanes::discardApplication()
+{
+    for (auto& lane : m_lanes)
+        lane->queue().discardApplication();
+}
+
+void BulkLanes::close()
+{
+    m_retry.cancel();
+    for (auto& lane : m_lanes)
+        lane->close(0ns);
+    m_streams.clear();
+}
+
+std::size_t BulkLanes::connected() const
+{
+    return static_cast<std::size_t>(std::count_if(m_lanes.begin(), m_lanes.end(), [](const auto& lane) { return lane->isUp(); }));
+}
+
+std::size_t BulkLanes::queuedMessages() const
+{
+    return std::accumulate(m_lanes.begin(), m_lanes.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& lane) { return sum + lane->queue().size(); });
+}
+
+std::uint64_t BulkLanes::bytesSent() const
+{
+    return std::accumulate(m_lanes.begin(), m_lanes.end(), std::uint64_t{0},
+                           [](std::uint64_t sum, const auto& lane) { return sum + lane->bytesSent(); });
+}
+
+} // namespace liena::tasks

@@ -1,0 +1,135 @@
+// Several bulk streams of one device: lanes of their own while they are busy, order within each, and messages given up halfway.
+#include "test_system.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+using namespace liena;
+using namespace liena::test;
+using Kind = SessionEvent::Kind;
+
+namespace {
+
+constexpr auto planner = R"(<message-set xmlns="urn:liena:message-set:1" name="planner" version="1.0" class="eye" manufacturer="9" type="1"
+             device-version="1" vendor="Test" title="Two streams">
+  <message number="0x0200" name="Volume" role="report" priority="bulk" title="One stream">
+    <field name="number" type="uint32" title="Counts"/>
+    <field name="voxels" type="bytes" max-length="16000000" title="Any"/>
+  </message>
+  <message number="0x0201" name="Mesh" role="report" priority="bulk" title="The other stream">
+    <field name="number" type="uint32" title="Counts"/>
+    <field name="points" type="bytes" max-length="16000000" title="Any"/>
+  </message>
+  <message number="0x0202" name="Snapshot" role="report" priority="bulk" lifespan="2ms" title="Old at once">
+    <field name="pixels" type="bytes" max-length="16000000" title="Any"/>
+  </message>
+</message-set>
+)";
+constexpr auto viewer = R"(<message-set xmlns="urn:liena:message-set:1" name="viewer" version="1.0" class="brain" manufacturer="9" type="1"
+             device-version="1" vendor="Test" title="Shows what comes"/>
+)";
+const DeviceSpec plannerDevice{"planner", "0x20048208", "planner"};
+const DeviceSpec viewerDevice{"viewer", "0x40048208", "viewer"};
+
+struct Pair {
+    TestSystem system{{plannerDevice, viewerDevice}, {"planner viewer"}};
+    DeviceId plannerId = system.idOf("planner");
+    DeviceId viewerId = system.idOf("viewer");
+    std::unique_ptr<TestDevice> sender;
+    std::unique_ptr<TestDevice> receiver;
+
+    Pair()
+    {
+        sender = std::make_unique<TestDevice>(settingsOf("planner"));
+        receiver = std::make_unique<TestDevice>(settingsOf("viewer"));
+    }
+
+    Settings settingsOf(const std::string& name)
+    {
+        const auto folder = system.folder() / "sets";
+        QDir().mkpath(QString::fromStdString(folder.string()));
+        for (const auto& [file, text] : {std::pair("planner.xml", planner), std::pair("viewer.xml", viewer)}) {
+            QFile out(QString::fromStdString((folder / file).string()));
+            if (!out.open(QIODevice::WriteOnly) || out.write(text) < 0)
+                throw std::runtime_error("cannot write the message sets");
+        }
+        auto settings = system.settingsOf(name);
+        settings.registry = {folder};
+        return settings;
+    }
+
+    Result<void> send(const char* name, const char* field, std::uint32_t number, std::size_t size)
+    {
+        const std::vector<std::byte> bytes(size, static_cast<std::byte>(number));
+        auto message = (*sender)->report(name).value();
+        if (message.definition().indexOf("number"))
+            message.set("number", number);
+        message.set(field, std::span<const std::byte>(bytes));
+        return (*sender)->send(viewerId, std::move(message));
+    }
+
+    LinkStatus sending() { return (*sender)->links().front(); }
+    LinkStatus receiving() { return (*receiver)->links().front(); }
+    std::string story() const { return sender->story() + receiver->story(); }
+};
+
+bool isInOrder(const std::vector<Message>& messages)
+{
+    for (std::size_t i = 0; i < messages.size(); ++i)
+        if (messages[i].get<std::uint32_t>("number") != i + 1)
+            return false;
+    return true;
+}
+
+} // namespace
+
+class BulkLanesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void streamsGetLanesOfTheirOwnAndKeepTheirOrder()
+    {
+        Pair pair;
+        QVERIFY((*pair.sender)->openChannel(pair.viewerId));
+        QTRY_VERIFY2(pair.receiver->heard(Kind::Opened), pair.story().c_str());
+        QCOMPARE(pair.sending().bulkLanes, std::uint8_t{0}); // none before there is bulk
+        constexpr std::uint32_t count = 12;
+        for (std::uint32_t number = 1; number <= count; ++number) {
+            QVERIFY(pair.send("Volume", "voxels", number, 1'000'000));
+            QVERIFY(pair.send("Mesh", "points", number, 200'000));
+        }
+        QTRY_COMPARE(pair.sending().bulkLanes, std::uint8_t{2});
+        QTRY_COMPARE_WITH_TIMEOUT(pair.receiver->messages("Volume").size(), std::size_t{count}, 20000);
+        QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{count});
+        QVERIFY(isInOrder(pair.receiver->messages("Volume")));
+        QVERIFY(isInOrder(pair.receiver->messages("Mesh")));
+        // Nothing uses the second any more; the first stays for the next burst.
+        QTRY_COMPARE_WITH_TIMEOUT(pair.sending().bulkLanes, std::uint8_t{1}, 20000);
+        QCOMPARE(words(pair.sending().state), words(SessionState::Open));
+        QVERIFY2(!pair.receiver->heard(Kind::Interrupted) && !pair.receiver->heard(Kind::Lost), pair.story().c_str());
+        QVERIFY(pair.send("Mesh", "points", count + 1, 10));
+        QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{count + 1});
+        QCOMPARE(pair.receiving().messagesAbandoned, std::uint64_t{0});
+    }
+
+    void messageThatGrowsOldHalfwayIsAbandoned()
+    {
+        Pair pair;
+        QVERIFY((*pair.sender)->openChannel(pair.viewerId));
+        QTRY_VERIFY2(pair.receiver->heard(Kind::Opened), pair.story().c_str());
+        QVERIFY(pair.send("Mesh", "points", 1, 10));
+        QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{1});
+        // 16 MB take longer than 2 ms; how far it gets depends on the computer.
+        QTRY_VERIFY2_WITH_TIMEOUT((pair.send("Snapshot", "pixels", 7, 15'000'000).has_value() && pair.receiving().messagesAbandoned > 0),
+                                  pair.story().c_str(), 20000);
+        QTRY_VERIFY2(pair.sender->heard(Kind::SendFailed), pair.story().c_str());
+        QVERIFY(pair.receiver->messages("Snapshot").empty());
+        QVERIFY(pair.send("Mesh", "points", 2, 10));
+        QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{2});
+        QVERIFY2(!pair.receiver->heard(Kind::Lost), pair.story().c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(BulkLanesTest)
+#include "bulk_lanes_test.moc"
