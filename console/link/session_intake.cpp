@@ -52,6 +52,7 @@ void SessionIntake::take(const liena::SessionEvent& event)
         takeLoss(event);
         break;
     case Kind::IncidentRaised:
+    case Kind::CauseReported:
     case Kind::IncidentEnded:
     case Kind::HoldReported:
     case Kind::StandByBegan:
@@ -87,6 +88,12 @@ void SessionIntake::takeIncident(const liena::SessionEvent& event)
     case Kind::IncidentRaised:
         m_models.incidents.raise(record(incident, event.at), event.at);
         m_models.sessions.setLinkIncident(incident.a.value(), incident.b.value(), incident.id);
+        break;
+    case Kind::CauseReported:
+        m_models.incidents.raise(record(incident, event.at), event.at);
+        log(LogKind::Link, tr("%1 saw: %2")
+                               .arg(m_models.sessions.titleOf(event.peer.value()),
+                                    word(lossKind(event.peer == incident.a ? incident.causeOfA : incident.causeOfB))));
         break;
     case Kind::IncidentEnded:
         m_models.incidents.end(incident.id);
@@ -157,6 +164,8 @@ IncidentRecord SessionIntake::record(const liena::Incident& incident, Instant at
     else if (self != nullptr && self->id == value.b)
         value.peer = value.a;
     value.cause = lossKind(incident.cause);
+    value.causeOfA = lossKind(incident.causeOfA);
+    value.causeOfB = lossKind(incident.causeOfB);
     value.since = at;
     value.sinceWallMs = static_cast<qint64>(incident.since.ns / 1'000'000U);
     value.holds = holdLines(incident);

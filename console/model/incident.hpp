@@ -52,8 +52,10 @@ struct IncidentRecord {
     quint64 id = 0;
     quint32 a = 0;
     quint32 b = 0;
-    quint32 peer = 0; ///< the other end when this console is one of the pair, else 0
-    LossKind cause = LossKind::None;
+    quint32 peer = 0;                ///< the other end when this console is one of the pair, else 0
+    LossKind cause = LossKind::None; ///< as the end saw it that first said so
+    LossKind causeOfA = LossKind::None;
+    LossKind causeOfB = LossKind::None;
     Instant since;               ///< when this console learnt of it
     qint64 sinceWallMs = 0;      ///< Unix time, milliseconds, on the clock of the end that first said so
     std::vector<HoldLine> holds; ///< every device of the system, in the topology's order

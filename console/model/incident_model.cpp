@@ -45,6 +45,8 @@ void IncidentModel::raise(const IncidentRecord& incident, Instant now)
 {
     if (auto* known = find(incident.id)) {
         known->cause = incident.cause;
+        known->causeOfA = incident.causeOfA;
+        known->causeOfB = incident.causeOfB;
         known->holds = incident.holds;
         if (incident.diagnosis)
             known->diagnosis = incident.diagnosis;

@@ -110,8 +110,10 @@ void addSeen(PromptContent& content, const PromptSurroundings& around)
 QStringList evidence(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around)
 {
     QStringList lines;
-    if (incident.cause != LossKind::None)
-        lines << Text::tr("Cause seen: %1").arg(word(incident.cause));
+    if (incident.causeOfA != LossKind::None)
+        lines << Text::tr("%1 saw: %2").arg(sessions.titleOf(incident.a), word(incident.causeOfA));
+    if (incident.causeOfB != LossKind::None)
+        lines << Text::tr("%1 saw: %2").arg(sessions.titleOf(incident.b), word(incident.causeOfB));
     if (const auto& found = incident.diagnosis) {
         lines << Text::tr("Heartbeats in the last second: %1 of %2").arg(found->heartbeatsReceived).arg(found->heartbeatsExpected);
         lines << (found->lastRoundTrip ? Text::tr("Last round trip: %1 ms").arg(milliseconds(*found->lastRoundTrip), 0, 'f', 1)

@@ -64,6 +64,7 @@ std::string describe(const SessionEvent& event, const SystemTopology& topology)
     case Kind::Opened:
     case Kind::LocalStall:
     case Kind::DeadlineMissed:
+    case Kind::CauseReported:
     case Kind::HoldReported:
         return {};
     case Kind::IncidentRaised:

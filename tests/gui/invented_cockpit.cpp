@@ -243,6 +243,8 @@ void InventedCockpit::lose(quint32 peer, quint64 id, const LinkDiagnosis& diagno
     record.b = std::max(peer, cockpitId);
     record.peer = peer;
     record.cause = LossKind::HeartbeatLost;
+    record.causeOfA = LossKind::ConnectionLost;
+    record.causeOfB = LossKind::HeartbeatLost;
     record.since = now - 12s;
     record.sinceWallMs = QDateTime::currentMSecsSinceEpoch() - 12000;
     record.holds = {{cockpitId, QStringLiteral("Surgeon's cockpit"), true, 0.4},

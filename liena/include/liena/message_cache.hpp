@@ -4,6 +4,7 @@
 #include "liena/message.hpp"
 #include "liena/session_event.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -13,7 +14,7 @@ namespace liena {
 /// Holds what arrived for the application and no subscription took. All functions may be called from any thread.
 ///
 /// A message with a `history` keeps that many undelivered ones of its kind and origin, the newest; all queues together are bounded, and
-/// what had to go is told by a SessionEvent (MessagesDropped), once per cause.
+/// what had to go is counted, and told at the next drain by a SessionEvent (MessagesDropped).
 class MessageCache {
 public:
     MessageCache();
@@ -32,6 +33,9 @@ public:
 
     /// Takes everything.
     Drained drain();
+
+    /// Messages so far whose `history` ended before they were drained.
+    std::uint64_t superseded() const;
 
 private:
     friend class MessageCacheAccess;

@@ -40,9 +40,11 @@ struct Incident {
     IncidentId id = 0;
     DeviceId a; ///< the lower id of the pair
     DeviceId b;
-    LossCause cause = LossCause::None;
-    Timestamp since; ///< on the clock of the end that first said so
+    LossCause cause = LossCause::None; ///< as the end saw it that first said so
+    Timestamp since;                   ///< on the clock of the end that first said so
     std::vector<HoldReport> holds;
+    LossCause causeOfA = LossCause::None; ///< as that end saw it; None when it was not heard
+    LossCause causeOfB = LossCause::None;
 };
 
 struct SessionEvent {
@@ -57,6 +59,7 @@ struct SessionEvent {
         ReOpened,        ///< peer, incident, duration
         IncidentRaised,  ///< incident: first heard here, own or another pair's
         IncidentEnded,   ///< incident, dismissed, detail; peer: who told it
+        CauseReported,   ///< incident: now the cause is known as its other end saw it, too
         HoldReported,    ///< incident with its newest holds; hold
         StandByBegan,    ///< this device stands by: it holds at least one incident
         StandByEnded,    ///< no incident is left
@@ -100,8 +103,9 @@ struct LinkStatus {
     std::uint64_t heartbeatsMissed = 0;
     std::uint64_t messagesSent = 0;
     std::uint64_t messagesReceived = 0;
-    std::uint64_t messagesDropped = 0;   ///< for every cause, here
-    std::uint64_t messagesAbandoned = 0; ///< begun by the peer and not sent to their end
+    std::uint64_t messagesDropped = 0;    ///< for every cause, here
+    std::uint64_t messagesSuperseded = 0; ///< by newer ones of their kind, before they could leave
+    std::uint64_t messagesAbandoned = 0;  ///< begun by the peer and not sent to their end
     std::uint64_t bytesSent = 0;
     std::uint64_t bytesReceived = 0;
     std::uint32_t queuedMessages = 0; ///< accepted by send() and not yet given to the kernel

@@ -6,6 +6,21 @@
 
 namespace liena {
 
+namespace {
+
+/// The oldest went: what they said stands in links() and incidents().
+SessionEvent eventsWereLost(std::uint64_t count)
+{
+    SessionEvent event;
+    event.kind = SessionEvent::Kind::MessagesDropped;
+    event.at = std::chrono::steady_clock::now();
+    event.count = count;
+    event.detail = "events went unheard: the application does not drain its cache fast enough";
+    return event;
+}
+
+} // namespace
+
 MessageCache::MessageCache() : m_state(std::make_unique<State>()) {}
 MessageCache::~MessageCache() = default;
 
@@ -19,16 +34,32 @@ MessageCache::Drained MessageCache::drain()
 {
     std::deque<SessionEvent> events;
     std::deque<Message> messages;
+    SessionEvent lost;
+    std::uint64_t eventsLost = 0;
+    Drained drained;
     {
         const std::lock_guard lock(m_state->mutex);
         events.swap(m_state->events);
         messages.swap(m_state->messages);
+        lost = std::exchange(m_state->firstLost, {});
+        lost.count = std::exchange(m_state->messagesLost, 0);
+        eventsLost = std::exchange(m_state->eventsLost, 0);
         m_state->bytes = 0;
         m_state->notified = false;
-        m_state->overflowTold = false;
     }
-    return {{std::make_move_iterator(events.begin()), std::make_move_iterator(events.end())},
-            {std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end())}};
+    if (eventsLost > 0)
+        drained.events.push_back(eventsWereLost(eventsLost));
+    drained.events.insert(drained.events.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
+    if (lost.count > 0)
+        drained.events.push_back(std::move(lost));
+    drained.messages.assign(std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
+    return drained;
+}
+
+std::uint64_t MessageCache::superseded() const
+{
+    const std::lock_guard lock(m_state->mutex);
+    return m_state->superseded;
 }
 
 void MessageCacheAccess::put(MessageCache& cache, Message message)
@@ -45,8 +76,10 @@ void MessageCacheAccess::put(MessageCache& cache, SessionEvent event)
 {
     auto& state = *cache.m_state;
     std::unique_lock lock(state.mutex);
-    if (state.events.size() >= mostEvents)
+    if (state.events.size() >= mostEvents) {
         state.events.pop_front();
+        ++state.eventsLost;
+    }
     state.events.push_back(std::move(event));
     notify(state, lock);
 }
@@ -56,22 +89,26 @@ void MessageCacheAccess::makeRoom(MessageCache::State& state, const Message& mes
     if (const auto history = message.definition().history; history > 0) {
         const auto same = [&](const Message& other) { return other.id() == message.id(); };
         auto count = static_cast<std::size_t>(std::count_if(state.messages.begin(), state.messages.end(), same));
-        for (; count >= history; --count)
+        for (; count >= history; --count) {
             dropOldest(state, std::find_if(state.messages.begin(), state.messages.end(), same));
+            ++state.superseded;
+        }
     }
     while (!state.messages.empty() && (state.messages.size() >= mostMessages || state.bytes + message.fieldBytes().size() > mostBytes)) {
-        if (!std::exchange(state.overflowTold, true)) {
-            SessionEvent event;
-            event.kind = SessionEvent::Kind::MessagesDropped;
-            event.at = std::chrono::steady_clock::now();
-            event.peer = state.messages.front().origin();
-            event.message = state.messages.front().name();
-            event.count = 1;
-            event.detail = "the application does not drain its cache fast enough";
-            state.events.push_back(std::move(event));
-        }
+        noteLost(state, state.messages.front());
         dropOldest(state, state.messages.begin());
     }
+}
+
+void MessageCacheAccess::noteLost(MessageCache::State& state, const Message& message)
+{
+    if (++state.messagesLost > 1)
+        return;
+    state.firstLost.kind = SessionEvent::Kind::MessagesDropped;
+    state.firstLost.at = std::chrono::steady_clock::now();
+    state.firstLost.peer = message.origin();
+    state.firstLost.message = message.name();
+    state.firstLost.detail = "the application does not drain its cache fast enough";
 }
 
 void MessageCacheAccess::dropOldest(MessageCache::State& state, std::deque<Message>::iterator at)

@@ -3,6 +3,7 @@
 
 #include "liena/message_cache.hpp"
 
+#include <cstdint>
 #include <deque>
 #include <mutex>
 
@@ -14,8 +15,11 @@ struct MessageCache::State {
     std::deque<SessionEvent> events;
     std::deque<Message> messages;
     std::size_t bytes = 0;
+    std::uint64_t superseded = 0;
+    std::uint64_t messagesLost = 0; ///< for want of room
+    SessionEvent firstLost;         ///< names the first of them
+    std::uint64_t eventsLost = 0;
     bool notified = false;
-    bool overflowTold = false;
 };
 
 class MessageCacheAccess {
@@ -28,6 +32,7 @@ public:
     static void put(MessageCache& cache, SessionEvent event);
 
 private:
+    static void noteLost(MessageCache::State& state, const Message& message);
     static void makeRoom(MessageCache::State& state, const Message& message);
     static void dropOldest(MessageCache::State& state, std::deque<Message>::iterator at);
     static void notify(MessageCache::State& state, std::unique_lock<std::mutex>& lock);

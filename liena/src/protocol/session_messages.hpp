@@ -160,7 +160,8 @@ struct StandBy {
     DeviceId peerB;
     LossCause cause = LossCause::None;
     std::uint64_t sinceNs = 0;
-    void visit(auto&& v) { v(incident), v(peerA), v(peerB), v(cause), v(sinceNs); }
+    DeviceId device; ///< the end of the pair that says so: `cause` is as it saw it (ruling B20)
+    void visit(auto&& v) { v(incident), v(peerA), v(peerB), v(cause), v(sinceNs), v(device); }
     friend bool operator==(const StandBy&, const StandBy&) = default;
 };
 

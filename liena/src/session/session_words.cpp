@@ -126,6 +126,8 @@ std::string_view toString(SessionEvent::Kind kind)
         return "incident raised";
     case Kind::IncidentEnded:
         return "incident ended";
+    case Kind::CauseReported:
+        return "cause reported";
     case Kind::HoldReported:
         return "hold reported";
     case Kind::StandByBegan:

@@ -37,20 +37,25 @@ LedgerActions StandByLedger::lost(DeviceId peer, IncidentId id, LossCause cause,
 {
     LedgerActions actions;
     const auto [a, b] = std::minmax(m_self, peer);
-    if (m_incidents.contains(id))
+    const protocol::StandBy message{id, a, b, cause, since.ns, m_self};
+    if (m_incidents.contains(id)) {
         actions.push_back(PairChanged{peer, id});
-    else
-        raise(Incident{id, a, b, cause, since, {}}, std::nullopt, actions, now);
+        noteCause(message, std::nullopt, actions, now);
+    } else {
+        raise(message, std::nullopt, actions, now);
+    }
     return actions;
 }
 
-void StandByLedger::raise(const Incident& incident, std::optional<DeviceId> from, LedgerActions& actions, Now now)
+void StandByLedger::raise(const protocol::StandBy& message, std::optional<DeviceId> from, LedgerActions& actions, Now now)
 {
     const bool first = m_incidents.empty();
-    m_incidents.emplace(incident.id, incident);
+    auto& incident = m_incidents[message.incident];
+    incident = {message.incident, message.peerA, message.peerB, message.cause, Timestamp{message.sinceNs}, {}};
+    causeAt(incident, message.device) = message.cause;
     if (const auto peer = otherEnd(incident))
         actions.push_back(PairChanged{*peer, incident.id});
-    actions.push_back(Broadcast{messageOf(incident), from});
+    actions.push_back(Broadcast{message, from});
     auto raised = eventOf(SessionEvent::Kind::IncidentRaised, incident, now);
     if (from)
         raised.peer = *from;
@@ -58,10 +63,26 @@ void StandByLedger::raise(const Incident& incident, std::optional<DeviceId> from
     if (first)
         actions.push_back(Tell{eventOf(SessionEvent::Kind::StandByBegan, incident, now)});
     if (m_holding) {
-        m_incidents[incident.id].holds.push_back({m_self, true, m_holdingSince});
+        incident.holds.push_back({m_self, true, m_holdingSince});
         report(incident.id, actions);
     }
 }
+
+/// Both ends speak of one incident, and each once.
+void StandByLedger::noteCause(const protocol::StandBy& message, std::optional<DeviceId> from, LedgerActions& actions, Now now)
+{
+    auto& incident = m_incidents.at(message.incident);
+    auto& cause = causeAt(incident, message.device);
+    if (cause != LossCause::None || incident.a != message.peerA || incident.b != message.peerB)
+        return;
+    cause = message.cause;
+    actions.push_back(Broadcast{message, from});
+    auto event = eventOf(SessionEvent::Kind::CauseReported, incident, now);
+    event.peer = message.device;
+    actions.push_back(Tell{event});
+}
+
+LossCause& StandByLedger::causeAt(Incident& incident, DeviceId end) { return end == incident.a ? incident.causeOfA : incident.causeOfB; }
 
 LedgerActions StandByLedger::reopened(DeviceId peer, std::uint64_t token, IncidentId named, Now now)
 {
@@ -119,7 +140,9 @@ LedgerActions StandByLedger::greet(DeviceId peer) const
 {
     LedgerActions actions;
     for (const auto& [id, incident] : m_incidents) {
-        actions.push_back(Answer{peer, messageOf(incident)});
+        for (const auto end : {incident.a, incident.b})
+            if (const auto cause = end == incident.a ? incident.causeOfA : incident.causeOfB; cause != LossCause::None)
+                actions.push_back(Answer{peer, protocol::StandBy{id, incident.a, incident.b, cause, incident.since.ns, end}});
         for (const auto& hold : incident.holds)
             actions.push_back(Answer{peer, protocol::StandByReport{id, hold.device, hold.holding, hold.confirmed.ns}});
     }
@@ -133,17 +156,16 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandBy& messa
         actions.push_back(Answer{from, ended->by});
         return actions;
     }
-    if (m_incidents.contains(message.incident))
-        return actions;
-    if (message.incident == 0 || !(message.peerA < message.peerB)) {
-        actions.push_back(LedgerViolation{from, "StandBy with a pair or an incident that cannot be"});
-        return actions;
-    }
-    if (m_incidents.size() >= mostIncidents) {
+    if (message.incident == 0 || !(message.peerA < message.peerB) || (message.device != message.peerA && message.device != message.peerB)) {
+        actions.push_back(LedgerViolation{from, "StandBy with a pair, an end or an incident that cannot be"});
+    } else if (m_incidents.contains(message.incident)) {
+        if (message.device != m_self)
+            noteCause(message, from, actions, now);
+    } else if (m_incidents.size() >= mostIncidents) {
         actions.push_back(LedgerViolation{from, "more incidents than a system can have"});
-        return actions;
+    } else {
+        raise(message, from, actions, now);
     }
-    raise(Incident{message.incident, message.peerA, message.peerB, message.cause, Timestamp{message.sinceNs}, {}}, from, actions, now);
     return actions;
 }
 
@@ -256,11 +278,6 @@ std::optional<DeviceId> StandByLedger::otherEnd(const Incident& incident) const
     if (incident.a == m_self)
         return incident.b;
     return incident.b == m_self ? std::optional(incident.a) : std::nullopt;
-}
-
-protocol::StandBy StandByLedger::messageOf(const Incident& incident)
-{
-    return {incident.id, incident.a, incident.b, incident.cause, incident.since.ns};
 }
 
 } // namespace liena::session

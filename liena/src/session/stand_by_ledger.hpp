@@ -80,7 +80,9 @@ private:
         Instant at;
     };
 
-    void raise(const Incident& incident, std::optional<DeviceId> from, LedgerActions& actions, Now now);
+    void raise(const protocol::StandBy& message, std::optional<DeviceId> from, LedgerActions& actions, Now now);
+    void noteCause(const protocol::StandBy& message, std::optional<DeviceId> from, LedgerActions& actions, Now now);
+    static LossCause& causeAt(Incident& incident, DeviceId end);
     void end(IncidentId id, const protocol::SessionMessage& by, DeviceId teller, bool dismissed, const std::string& detail,
              LedgerActions& actions, Now now);
     void report(IncidentId id, LedgerActions& actions) const;
@@ -88,7 +90,6 @@ private:
     const Ended* findEnded(IncidentId id, Now now) const;
     bool remember(std::uint64_t token);
     std::optional<DeviceId> otherEnd(const Incident& incident) const;
-    static protocol::StandBy messageOf(const Incident& incident);
 
     static constexpr std::size_t mostIncidents = 256;
     static constexpr std::size_t mostEnded = 4096;

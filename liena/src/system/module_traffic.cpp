@@ -71,7 +71,9 @@ Result<void> DistributedModule::send(Message message)
 
 void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate)
 {
-    if (fate == tasks::OutputQueue::Fate::Superseded || entry.name.empty())
+    if (fate == tasks::OutputQueue::Fate::Superseded)
+        return m_books.superseded();
+    if (entry.name.empty())
         return;
     auto event = this->event(SessionEvent::Kind::SendFailed);
     event.message = entry.name;
@@ -110,6 +112,7 @@ LinkStatus DistributedModule::status() const
     status.messagesDropped = m_books.messagesDropped();
     status.bytesSent = m_laneZero.bytesSent() + m_bulk.bytesSent() + m_datagrams.bytesSent();
     status.bytesReceived = m_bytesReceived + m_datagrams.bytesReceived() + (m_incoming ? m_incoming->bytesReceived() : 0);
+    status.messagesSuperseded = m_books.messagesSuperseded();
     status.messagesAbandoned = m_abandoned + (m_incoming ? m_incoming->abandoned() : 0);
     for (const auto& [lane, task] : m_incomingBulk) {
         status.bytesReceived += task->bytesReceived();

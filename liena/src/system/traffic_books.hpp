@@ -44,6 +44,7 @@ public:
     }
     void late() { ++m_window.lateMessages; }
     void sent() { ++m_sent; }
+    void superseded() { ++m_superseded; }
 
     /// A session opens: what was counted before belongs to no report of it.
     void beginWindow(Instant now);
@@ -54,6 +55,7 @@ public:
     std::uint64_t messagesReceived() const { return m_received; }
     std::uint64_t messagesDropped() const { return m_dropped; }
     std::uint64_t messagesSent() const { return m_sent; }
+    std::uint64_t messagesSuperseded() const { return m_superseded; }
 
 private:
     struct Cause {
@@ -64,6 +66,7 @@ private:
     std::uint64_t m_received = 0;
     std::uint64_t m_dropped = 0;
     std::uint64_t m_sent = 0;
+    std::uint64_t m_superseded = 0;
     protocol::LinkReport m_window;
     std::vector<std::chrono::nanoseconds> m_latencies;
     std::optional<Instant> m_windowBegan;

@@ -119,6 +119,7 @@ void CacheTest::keepsTheNewestByHistory()
     QCOMPARE(drained.messages.size(), std::size_t{2});
     QCOMPARE(drained.messages[0].get<int>("count"), 5);
     QCOMPARE(drained.messages[1].get<int>("count"), 6);
+    QCOMPARE(cache.superseded(), std::uint64_t{4});
 }
 
 void CacheTest::keepsHistoriesOfOriginsApart()
@@ -151,6 +152,7 @@ void CacheTest::isBoundedAndSaysSoOnce()
         QCOMPARE(drained.events.size(), std::size_t{1});
         QVERIFY(drained.events[0].kind == SessionEvent::Kind::MessagesDropped);
         QVERIFY(drained.events[0].peer == xray && drained.events[0].message == "Log");
+        QCOMPARE(drained.events[0].count, std::uint64_t{10});
     }
 }
 
@@ -181,7 +183,11 @@ void CacheTest::eventsAreBounded()
     MessageCache cache;
     for (std::size_t i = 0; i < MessageCacheAccess::mostEvents + 10; ++i)
         MessageCacheAccess::put(cache, SessionEvent{});
-    QCOMPARE(cache.drain().events.size(), MessageCacheAccess::mostEvents);
+    const auto drained = cache.drain();
+    QCOMPARE(drained.events.size(), MessageCacheAccess::mostEvents + 1);
+    QVERIFY(drained.events[0].kind == SessionEvent::Kind::MessagesDropped); // in the place of what went
+    QCOMPARE(drained.events[0].count, std::uint64_t{10});
+    QVERIFY(cache.drain().events.empty());
 }
 
 void CacheTest::outboxWakesOncePerBurst()

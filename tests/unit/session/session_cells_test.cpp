@@ -129,7 +129,7 @@ const std::vector<Event>& messages()
          }},
         {"StandBy",
          [=](Side&) {
-             return heard(protocol::StandBy{55, robotId, cockpitId, LossCause::HeartbeatLost, 1});
+             return heard(protocol::StandBy{55, robotId, cockpitId, LossCause::HeartbeatLost, 1, cockpitId});
          }},
         {"StandByReport",
          [=](Side&) {

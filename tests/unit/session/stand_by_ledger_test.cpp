@@ -55,9 +55,10 @@ std::vector<T> answers(const LedgerActions& actions, DeviceId to)
     return found;
 }
 
+/// As the end with the higher id says it.
 protocol::StandBy standBy(IncidentId id, DeviceId a, DeviceId b, std::uint64_t since = 100)
 {
-    return {id, a, b, LossCause::HeartbeatLost, since};
+    return {id, a, b, LossCause::HeartbeatLost, since, b};
 }
 
 } // namespace
@@ -68,6 +69,8 @@ class StandByLedgerTest : public QObject {
 private slots:
     void ownLossIsToldToAll();
     void ownLossThatIsKnownAlreadyOnlyNamesThePair();
+    void causesOfBothEndsAreKeptAndHandedOnOnce();
+    void anotherPairWithTheSameIncidentChangesNothing();
     void othersIncidentIsHandedOnButNotBack();
     void sameIncidentIsHandedOnOnce();
     void incidentOfOurPairNamesTheLink();
@@ -104,7 +107,7 @@ void StandByLedgerTest::ownLossIsToldToAll()
     QVERIFY(ledger.standsBy());
     const auto sent = broadcasts<protocol::StandBy>(actions);
     QCOMPARE(sent.size(), std::size_t{1});
-    QVERIFY((sent[0].first == protocol::StandBy{7, robot, cockpit, LossCause::ConnectionLost, 100}));
+    QVERIFY((sent[0].first == protocol::StandBy{7, robot, cockpit, LossCause::ConnectionLost, 100, robot}));
     QVERIFY(!sent[0].second);
     QVERIFY((told(actions) == std::vector{Kind::IncidentRaised, Kind::StandByBegan}));
     const auto pairs = all<PairChanged>(actions);
@@ -120,9 +123,42 @@ void StandByLedgerTest::ownLossThatIsKnownAlreadyOnlyNamesThePair()
     StandByLedger ledger(robot);
     ledger.heard(arm, standBy(7, robot, cockpit), now);
     const auto actions = ledger.lost(cockpit, 7, LossCause::ConnectionLost, Timestamp{200}, now);
-    QCOMPARE(actions.size(), std::size_t{1});
     QCOMPARE(all<PairChanged>(actions).size(), std::size_t{1});
+    QVERIFY((told(actions) == std::vector{Kind::CauseReported}));
     QVERIFY(ledger.find(7)->since == Timestamp{100}); // of the end that first said so
+    QVERIFY(ledger.find(7)->cause == LossCause::HeartbeatLost);
+    QVERIFY(ledger.find(7)->causeOfA == LossCause::ConnectionLost && ledger.find(7)->causeOfB == LossCause::HeartbeatLost);
+    const auto sent = broadcasts<protocol::StandBy>(actions);
+    QVERIFY(sent.size() == 1 && (sent[0].first == protocol::StandBy{7, robot, cockpit, LossCause::ConnectionLost, 200, robot}));
+}
+
+void StandByLedgerTest::causesOfBothEndsAreKeptAndHandedOnOnce()
+{
+    StandByLedger ledger(arm);
+    ledger.heard(cockpit, standBy(7, robot, cockpit), now);
+    auto other = standBy(7, robot, cockpit, 130);
+    other.device = robot;
+    other.cause = LossCause::LocalStall;
+    const auto actions = ledger.heard(xray, other, now);
+    QVERIFY((told(actions) == std::vector{Kind::CauseReported}));
+    const auto sent = broadcasts<protocol::StandBy>(actions);
+    QVERIFY(sent.size() == 1 && sent[0].first == other && sent[0].second == xray);
+    QVERIFY(ledger.find(7)->cause == LossCause::HeartbeatLost); // of the end that first said so
+    QVERIFY(ledger.find(7)->causeOfA == LossCause::LocalStall && ledger.find(7)->causeOfB == LossCause::HeartbeatLost);
+    QVERIFY(ledger.heard(robot, other, now).empty());
+    other.cause = LossCause::ConnectionLost; // nobody changes its mind
+    QVERIFY(ledger.heard(robot, other, now).empty());
+    QCOMPARE(answers<protocol::StandBy>(ledger.greet(robot), robot).size(), std::size_t{2});
+}
+
+void StandByLedgerTest::anotherPairWithTheSameIncidentChangesNothing()
+{
+    StandByLedger ledger(arm);
+    ledger.heard(cockpit, standBy(7, robot, cockpit), now);
+    auto other = standBy(7, robot, xray, 130);
+    other.device = robot;
+    QVERIFY(ledger.heard(xray, other, now).empty());
+    QVERIFY(ledger.find(7)->causeOfA == LossCause::None);
 }
 
 void StandByLedgerTest::othersIncidentIsHandedOnButNotBack()
@@ -406,6 +442,10 @@ void StandByLedgerTest::refusesIncidentThatCannotBe()
     StandByLedger ledger(arm);
     const auto actions = ledger.heard(xray, standBy(id, DeviceId(a), DeviceId(b)), now);
     QCOMPARE(all<LedgerViolation>(actions).size(), std::size_t{1});
+    QVERIFY(!ledger.standsBy());
+    auto stranger = standBy(7, robot, cockpit);
+    stranger.device = xray; // no end of the pair
+    QCOMPARE(all<LedgerViolation>(ledger.heard(xray, stranger, now)).size(), std::size_t{1});
     QVERIFY(!ledger.standsBy());
 }
 
