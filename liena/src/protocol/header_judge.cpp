@@ -21,6 +21,13 @@ bool forbidsBroadcast(const MessageDefinition& definition)
     return definition.role == Role::Command || definition.priority == Priority::Control;
 }
 
+/// The messages about incidents, which everybody hands on.
+bool mayBeBroadcast(std::uint16_t number)
+{
+    return number == StandBy::number || number == StandByReport::number || number == IncidentDismissed::number ||
+           number == ChannelReOpened::number;
+}
+
 std::string tooLong(const MessageDefinition& definition)
 {
     return fmt::format("{} is longer than the {} bytes its definition allows", definition.name, definition.maximumSize());
@@ -45,6 +52,8 @@ HeaderJudgement judgeSession(std::uint8_t lane, const DatagramHeader& header)
         return skip("unknown session message");
     if (lane != 0 && header.message.number != Abandon::number)
         return refuse("session management on a bulk lane");
+    if (header.target.isBroadcast() && !mayBeBroadcast(header.message.number))
+        return refuse(fmt::format("session message 0x{:04x} cannot be broadcast", header.message.number));
     if (header.length > *maximum)
         return refuse(fmt::format("session message 0x{:04x} is longer than it can be", header.message.number));
     return {HeaderVerdict::Take, *maximum, {}};

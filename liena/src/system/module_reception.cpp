@@ -59,10 +59,7 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
     } else if (const auto* answer = std::get_if<protocol::MessageSetAnswer>(&*message)) {
         setHeard(*answer);
     } else if (header.target.isBroadcast()) {
-        const bool known =
-            std::holds_alternative<protocol::StandBy>(*message) || std::holds_alternative<protocol::StandByReport>(*message) ||
-            std::holds_alternative<protocol::IncidentDismissed>(*message) || std::holds_alternative<protocol::ChannelReOpened>(*message);
-        if (!known || !shares)
+        if (!shares)
             return (void)violation(fmt::format("{} cannot be broadcast now", protocol::nameOf(*message)));
         m_host.heardBroadcast(m_peer.id, *message, header.timestamp);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
