@@ -1,6 +1,7 @@
 // One peer: its session machine, its lanes, and what crosses them.
 #pragma once
 
+#include "protocol/header_judge.hpp"
 #include "session/session_machine.hpp"
 #include "system/datagram_path.hpp"
 #include "system/deadline_watch.hpp"
@@ -79,11 +80,8 @@ private:
     void violated(std::uint8_t lane, const std::string& detail) override;
     void laneLost(std::uint8_t lane, const std::string& detail) override;
 
-    tasks::Judgement judgeSession(std::uint8_t lane, const protocol::DatagramHeader& header);
-    tasks::Judgement judgeApplication(std::uint8_t lane, const protocol::DatagramHeader& header);
     tasks::Judgement violation(const std::string& detail);
-    tasks::Judgement skip(const std::string& cause, const protocol::DatagramHeader& header);
-    const MessageDefinition* definitionOf(std::uint16_t number) const;
+    protocol::Ends ends() const;
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
     void receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned);
     bool passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part);
@@ -94,11 +92,7 @@ private:
     bool isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const;
 
     // module_datagrams.cpp
-    bool isAddressedHere(const protocol::DatagramHeader& header);
-    bool fillsItsPacket(const protocol::DatagramHeader& header, std::size_t partSize);
     void packetViolation(const std::string& detail, const protocol::DatagramHeader& header);
-    void heartbeatPacket(const protocol::DatagramHeader& header, std::span<const std::byte> part);
-    void applicationPacket(const protocol::DatagramHeader& header, std::span<const std::byte> part);
     void sendHeartbeat(const protocol::Heartbeat& heartbeat);
 
     void drop(const std::string& cause, std::uint16_t number, const std::string& detail = {});

@@ -1,6 +1,8 @@
 // From Attach to the handshake.
 #include "system/fresh_connection.hpp"
 
+#include "protocol/header_judge.hpp"
+
 namespace liena::system {
 
 using namespace std::chrono_literals;
@@ -43,15 +45,11 @@ void FreshConnection::close()
 
 tasks::Judgement FreshConnection::judge(std::uint8_t /*lane*/, const protocol::DatagramHeader& header)
 {
-    const auto number = header.message.number;
-    const bool handshake = number == protocol::Handshake::number || number == protocol::DiagnosisHandshake::number;
-    const auto maximum = protocol::maximumSessionBody(number).value_or(0);
-    if (m_heard || !handshake || header.message.origin != m_peer || header.target != m_self || header.moreSegments ||
-        header.length > maximum) {
+    if (m_heard || !protocol::isHandshakeHeader(m_self, m_peer, header)) {
         m_handlers.ended();
         return {protocol::HeaderVerdict::Refuse, 0};
     }
-    return {protocol::HeaderVerdict::Take, maximum};
+    return {protocol::HeaderVerdict::Take, *protocol::maximumSessionBody(header.message.number)};
 }
 
 void FreshConnection::received(std::uint8_t /*lane*/, const protocol::DatagramHeader& header, std::span<const std::byte> part,

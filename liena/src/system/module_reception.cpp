@@ -12,18 +12,11 @@ using protocol::HeaderVerdict;
 
 namespace {
 
-bool isReserved(std::uint16_t number) { return number == 0 || number >= 0x1000; }
-
 session::LifePath pathOf(std::uint8_t lane) { return lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane; }
 
 } // namespace
 
-const MessageDefinition* DistributedModule::definitionOf(std::uint16_t number) const
-{
-    if (number >= 0x0100 && number <= 0x01FF)
-        return m_host.ownSet()->find(number);
-    return m_peerSet ? m_peerSet->find(number) : nullptr;
-}
+protocol::Ends DistributedModule::ends() const { return {m_peer.id, m_host.ownDevice().id, m_host.ownSet().get(), m_peerSet.get()}; }
 
 tasks::Judgement DistributedModule::violation(const std::string& detail)
 {
@@ -31,52 +24,16 @@ tasks::Judgement DistributedModule::violation(const std::string& detail)
     return {HeaderVerdict::Refuse, 0};
 }
 
-tasks::Judgement DistributedModule::skip(const std::string& cause, const protocol::DatagramHeader& header)
-{
-    drop(cause, header.message.number);
-    return {HeaderVerdict::Skip, 0};
-}
-
 tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::DatagramHeader& header)
 {
-    if (header.message.origin != m_peer.id)
-        return violation(fmt::format("origin {} on the connection of {}", header.message.origin.toString(), m_peer.id.toString()));
-    if (header.target != m_host.ownDevice().id && !header.target.isBroadcast())
-        return skip("target is another device", header);
-    if (isReserved(header.message.number))
-        return skip("reserved message number", header);
-    return header.message.isSessionManagement() ? judgeSession(lane, header) : judgeApplication(lane, header);
-}
-
-tasks::Judgement DistributedModule::judgeSession(std::uint8_t lane, const protocol::DatagramHeader& header)
-{
-    const auto maximum = protocol::maximumSessionBody(header.message.number);
-    if (!maximum)
-        return skip("unknown session message", header);
-    if (lane != 0 && header.message.number != protocol::Abandon::number)
-        return violation("session management on a bulk lane");
-    if (header.length > *maximum)
-        return violation(fmt::format("session message 0x{:04x} is longer than it can be", header.message.number));
-    handle(session::LifeHeard{pathOf(lane)});
-    return {HeaderVerdict::Take, *maximum};
-}
-
-tasks::Judgement DistributedModule::judgeApplication(std::uint8_t lane, const protocol::DatagramHeader& header)
-{
-    const auto* definition = definitionOf(header.message.number);
-    if (definition == nullptr)
-        return skip("unknown message number", header);
-    if ((definition->priority == Priority::Bulk) != (lane > 0))
-        return violation(fmt::format("{} on the wrong kind of lane", definition->name));
-    if (header.target.isBroadcast() && (definition->role == Role::Command || definition->priority == Priority::Control))
-        return skip("a command or control message that is broadcast", header);
-    const auto maximum = definition->maximumSize();
-    if (header.length > maximum)
-        return violation(fmt::format("{} is longer than the {} bytes its definition allows", definition->name, maximum));
-    if (definition->priority == Priority::Control && header.moreSegments)
-        return violation(fmt::format("{} is a control message in several segments", definition->name));
-    handle(session::LifeHeard{pathOf(lane)});
-    return {HeaderVerdict::Take, maximum};
+    const auto judgement = protocol::judgeOnLane(ends(), lane, header);
+    if (judgement.verdict == HeaderVerdict::Refuse)
+        return violation(judgement.why);
+    if (judgement.verdict == HeaderVerdict::Skip)
+        drop(judgement.why, header.message.number);
+    else
+        handle(session::LifeHeard{pathOf(lane)});
+    return {judgement.verdict, judgement.maximum};
 }
 
 void DistributedModule::received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part,
@@ -102,10 +59,7 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
     } else if (const auto* answer = std::get_if<protocol::MessageSetAnswer>(&*message)) {
         setHeard(*answer);
     } else if (header.target.isBroadcast()) {
-        const bool known =
-            std::holds_alternative<protocol::StandBy>(*message) || std::holds_alternative<protocol::StandByReport>(*message) ||
-            std::holds_alternative<protocol::IncidentDismissed>(*message) || std::holds_alternative<protocol::ChannelReOpened>(*message);
-        if (!known || !shares)
+        if (!shares)
             return (void)violation(fmt::format("{} cannot be broadcast now", protocol::nameOf(*message)));
         m_host.heardBroadcast(m_peer.id, *message, header.timestamp);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
@@ -138,7 +92,9 @@ void DistributedModule::setHeard(const protocol::MessageSetAnswer& answer)
 
 void DistributedModule::receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned)
 {
-    const auto* definition = definitionOf(header.message.number);
+    const auto* definition = ends().definitionOf(header.message.number);
+    if (definition == nullptr) // the peer's set changed while the body was awaited
+        return drop("unknown message number", header.message.number);
     const auto state = m_machine.state();
     const bool control = definition->priority == Priority::Control;
     m_books.received(part.size());
@@ -224,7 +180,7 @@ void DistributedModule::laneLost(std::uint8_t lane, const std::string& detail)
 void DistributedModule::drop(const std::string& cause, std::uint16_t number, const std::string& detail)
 {
     // Numbers that nothing defines share one entry: a peer must not be able to fill the books.
-    const auto* definition = definitionOf(number);
+    const auto* definition = ends().definitionOf(number);
     const auto count = m_books.dropped(cause, definition != nullptr ? number : std::uint16_t{0}, m_host.now().mono);
     if (!count)
         return;

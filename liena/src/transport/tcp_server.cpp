@@ -1,6 +1,8 @@
 // Accepting, and the short life of a connection before its Attach.
 #include "transport/tcp_server.hpp"
 
+#include "protocol/header_judge.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,7 +51,7 @@ public:
             // What follows the Attach is not for this object; refusing stops the decoder before it, and the header is judged anew later.
             if (attached)
                 return protocol::HeaderVerdict::Refuse;
-            wrong = !isAttachHeader(header);
+            wrong = !protocol::isAttachHeader(m_server.m_self, m_authenticated, header);
             return wrong ? protocol::HeaderVerdict::Refuse : protocol::HeaderVerdict::Take;
         };
         const auto take = [&](const protocol::DatagramHeader& header, std::span<const std::byte> body) {
@@ -91,13 +93,6 @@ private:
         const auto place = m_channel->remote();
         server.forget(this);
         server.m_handlers.refused(device, fmt::format("{}:{}: {}", place.address().to_string(), place.port(), detail));
-    }
-
-    bool isAttachHeader(const protocol::DatagramHeader& header) const
-    {
-        return header.message.number == protocol::Attach::number && !header.moreSegments && header.target == m_server.m_self &&
-               (!m_authenticated || header.message.origin == *m_authenticated) &&
-               header.length == protocol::maximumSessionBody(protocol::Attach::number);
     }
 
     void handOver()
