@@ -7,6 +7,7 @@
 #include "robot_device.hpp"
 #include "xray_device.hpp"
 
+#include "liena/certificates.hpp"
 #include "liena/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -61,6 +62,8 @@ void addSystemOptions(CLI::App& role, Options& options)
     role.add_option("--certificate", settings.certificate, "This device's certificate, PEM; needed when the topology says tls");
     role.add_option("--key", settings.key, "The certificate's key, PEM");
     role.add_option("--authority", settings.authority, "The site's authority, PEM");
+    role.add_option("--revocations", settings.revocations,
+                    "The site's revocation list, PEM; default: beside the authority's file, with the ending .crl");
     role.add_option("--store", settings.store, "Folder for message sets learnt from peers; default ~/.local/state/liena/sets");
     role.add_flag("--allow-insecure-network", settings.allowInsecureNetwork,
                   "With security mode none: listen on other than loopback addresses, without any protection");
@@ -176,6 +179,7 @@ sigset_t blockSignals()
 int main(int argc, char** argv)
 {
     const sigset_t ends = blockSignals();
+    keepKeysOutOfCoreDumps();
     Options options;
     CLI::App program("The patient-side reference devices of LiENa: simulated, and behaving as the real ones would", "liena-device");
     program.set_version_flag("--version", std::string("liena-device ") + versionText);

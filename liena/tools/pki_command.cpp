@@ -1,5 +1,6 @@
-// The three things a site does with certificates: init, issue, show.
+// What a site does with certificates: init, issue, show; revoking is in revoke_command.cpp.
 #include "pki_command.hpp"
+#include "revoke_command.hpp"
 
 #include "liena/certificates.hpp"
 #include "liena/log.hpp"
@@ -106,9 +107,15 @@ int issue(const IssueOptions& options)
     if (const auto free = requireFree(options.folder, devices.value(), options.replace); !free)
         return refuse(free.error().what);
     for (const auto& device : devices.value()) {
+        const auto former = options.replace ? authority.value().issuedSerial(options.folder + "/" + device.name + ".crt")
+                                            : Result<std::string>(fail(Errc::FileUnreadable, ""));
         if (const auto issued = authority.value().issue(device.id, device.name, hoursOf(options.days), options.replace); !issued)
             return refuse(issued.error().what);
         fmt::print("{0}/{1}.crt {0}/{1}.key  {2} {1}\n", options.folder, device.name, device.id.toString());
+        if (former)
+            fmt::print("  the certificate it replaces stays good until its end; if its key may be in other hands:\n"
+                       "  liena pki revoke --dir {} --serial {}\n",
+                       options.folder, former.value());
     }
     return 0;
 }
@@ -143,10 +150,22 @@ std::string roleOf(const CertificateInfo& info)
     return info.devices.empty() ? "none: no session can be opened with it" : "several: no session can be opened with it";
 }
 
-/// Whether the file holds a certificate that is in date.
+bool showList(const std::string& file, const RevocationListInfo& list)
+{
+    const bool inDate = std::chrono::system_clock::now() < list.ends;
+    fmt::print("{}\n  revocation list of  {}\n  number              {}\n  valid               {} to {}{}\n", file,
+               printable(list.issuer, 200), list.number, dayOf(list.made), dayOf(list.ends), inDate ? "" : " (ENDED)");
+    for (const auto& one : list.revoked)
+        fmt::print("  revoked             {} on {} ({})\n", one.serial, dayOf(one.since), toString(one.reason));
+    return inDate;
+}
+
+/// Whether the file holds a certificate or a revocation list that is in date.
 bool show(const std::string& file)
 {
     const auto described = describeCertificate(file);
+    if (const auto list = described ? Result<RevocationListInfo>(fail(Errc::CertificateInvalid, "")) : describeRevocations(file))
+        return showList(file, list.value());
     if (!described) {
         refuse(described.error().what);
         return false;
@@ -190,7 +209,9 @@ void addIssue(CLI::App& pki, int& exitCode)
     auto* id = command->add_option("--id", options->id, "The device's id, as 0x40018208");
     device->needs(id)->excludes(topology);
     id->needs(device)->excludes(topology);
-    command->add_option("--days", options->days, "How long they are valid")->check(CLI::Range(1, mostDays))->capture_default_str();
+    command->add_option("--days", options->days, "How long they are valid; in its last day no session opens with a certificate")
+        ->check(CLI::Range(2, mostDays))
+        ->capture_default_str();
     command->add_flag("--replace", options->replace, "Issue anew what exists already");
     command->callback([options, &exitCode] {
         if (options->topology.empty() && options->device.empty())
@@ -202,7 +223,7 @@ void addIssue(CLI::App& pki, int& exitCode)
 void addShow(CLI::App& pki, int& exitCode)
 {
     const auto files = std::make_shared<std::vector<std::string>>();
-    auto* command = pki.add_subcommand("show", "Say what certificates say; status 1 if one is out of date or none");
+    auto* command = pki.add_subcommand("show", "Say what certificates and revocation lists say; status 1 if one is out of date or none");
     command->add_option("files", *files, "PEM files")->required();
     command->callback([files, &exitCode] { exitCode = showAll(*files); });
 }
@@ -213,8 +234,16 @@ void addPkiCommand(CLI::App& app, int& exitCode)
 {
     auto* pki = app.add_subcommand("pki", "Certificates of a site and its devices");
     pki->require_subcommand(1);
+    pki->footer("A site makes its authority once, issues a certificate per device, and revokes the one whose key is lost:\n"
+                "  liena pki init --dir pki --site \"Hospital, lab 2\"\n"
+                "  liena pki issue --dir pki --topology topologies/cerebrovascular.xml\n"
+                "  liena pki revoke --dir pki xray --reason key-compromise\n"
+                "  liena pki show pki/*.crt pki/ca.crl\n\n"
+                "Each device gets its own .crt and .key (mode 0600, its own user's), and ca.crt and ca.crl. ca.key stays where\n"
+                "certificates are issued. No session opens with a certificate in its last 24 hours.");
     addInit(*pki, exitCode);
     addIssue(*pki, exitCode);
+    addRevokeCommand(*pki, exitCode);
     addShow(*pki, exitCode);
 }
 

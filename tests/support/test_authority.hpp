@@ -34,6 +34,7 @@ public:
     /// Issues on the first call for a name; throws when that fails, since no test can go on then.
     IdentityFiles identityOf(DeviceId device, const std::string& name);
 
+    const CertificateAuthority& authority() const { return *m_authority; }
     std::filesystem::path folder() const { return m_folder.path().toStdString(); }
     std::filesystem::path certificate() const { return folder() / "ca.crt"; }
     std::filesystem::path key() const { return folder() / "ca.key"; }

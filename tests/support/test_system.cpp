@@ -98,6 +98,21 @@ DeviceId TestSystem::idOf(const std::string& name) const
 
 IdentityFiles TestSystem::identityOf(const std::string& name) { return m_authority.identityOf(idOf(name), name); }
 
+void TestSystem::issueFor(const std::string& name, std::chrono::hours validity)
+{
+    if (const auto issued = m_authority.authority().issue(idOf(name), name, validity); !issued)
+        throw std::runtime_error(issued.error().what);
+}
+
+void TestSystem::revoke(const std::vector<std::string>& names)
+{
+    std::vector<std::string> serials;
+    for (const auto& name : names)
+        serials.push_back(m_authority.authority().issuedSerial(identityOf(name).certificate).value());
+    if (const auto made = m_authority.authority().revoke(serials, RevocationReason::Unspecified, std::chrono::hours(48)); !made)
+        throw std::runtime_error(made.error().what);
+}
+
 TestDevice::TestDevice(Settings settings, const Setup& setup)
 {
     auto created = DistributedSystem::create(std::move(settings));

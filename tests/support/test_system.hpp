@@ -65,6 +65,13 @@ public:
     DeviceId idOf(const std::string& name) const;
     IdentityFiles identityOf(const std::string& name);
 
+    /// Issues a device's certificate with another end than usual; before anything else asks for it.
+    void issueFor(const std::string& name, std::chrono::hours validity);
+
+    /// Adds the devices' certificates to the site's list, which every device reads.
+    void revoke(const std::vector<std::string>& names);
+    std::filesystem::path revocations() const { return m_authority.folder() / "ca.crl"; }
+
 private:
     QTemporaryDir m_folder;
     std::vector<DeviceSpec> m_devices;

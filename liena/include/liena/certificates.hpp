@@ -6,11 +6,17 @@
 #include "liena/timestamp.hpp"
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace liena {
+
+/// No session begins, and none is re-opened, with a certificate of either end that has not more than this left: a certificate does not end
+/// in the middle of a procedure.
+inline constexpr std::chrono::hours leastRemaining{24};
 
 struct CertificateInfo {
     std::string subject;
@@ -24,7 +30,26 @@ struct CertificateInfo {
     bool isAuthority = false;
 };
 
-/// A folder with `ca.crt`, `ca.key` (mode 0600) and per device `<name>.crt`, `<name>.key`.
+enum class RevocationReason : std::uint8_t { Unspecified, KeyCompromise, Superseded, OutOfService };
+
+/// `key-compromise`, as on the command line.
+std::string_view toString(RevocationReason reason);
+
+struct RevokedCertificate {
+    std::string serial; ///< hex
+    std::chrono::system_clock::time_point since;
+    RevocationReason reason = RevocationReason::Unspecified;
+};
+
+struct RevocationListInfo {
+    std::string issuer;
+    std::string number; ///< hex; every new list of an authority has a higher one
+    std::chrono::system_clock::time_point made;
+    std::chrono::system_clock::time_point ends; ///< from then on no new session relies on it
+    std::vector<RevokedCertificate> revoked;
+};
+
+/// A folder with `ca.crt`, `ca.key` (mode 0600), per device `<name>.crt`, `<name>.key`, and once something was revoked `ca.crl`.
 class CertificateAuthority {
 public:
     /// Makes a new authority (ECDSA P-256) in `folder`, which must not hold one yet.
@@ -36,6 +61,13 @@ public:
     /// at all; existing ones are refused unless `replace`.
     Result<void> issue(DeviceId device, const std::string& name, std::chrono::hours validity, bool replace = false) const;
 
+    /// Adds serial numbers to the list `ca.crl` and signs it anew; none only renews it. A damaged list is an error: one that was begun anew
+    /// would forget who was revoked. Devices learn of it when the file is copied to them.
+    Result<RevocationListInfo> revoke(const std::vector<std::string>& serials, RevocationReason reason, std::chrono::hours validity) const;
+
+    /// The serial number of a device's certificate that this authority issued; an error for any other certificate.
+    Result<std::string> issuedSerial(const std::filesystem::path& certificate) const;
+
     const std::filesystem::path& folder() const { return m_folder; }
 
 private:
@@ -46,8 +78,18 @@ private:
 /// What a PEM file says.
 Result<CertificateInfo> describeCertificate(const std::filesystem::path& file);
 
-/// Whether a device could open sessions with these files now: readable, matching, in date, signed by the authority, naming just `device`.
+/// What a revocation list says; nobody asks here who signed it.
+Result<RevocationListInfo> describeRevocations(const std::filesystem::path& file);
+
+/// Where a device looks for the list unless it is told another place: beside the authority's certificate, `ca.crl` for `ca.crt`.
+std::filesystem::path revocationsBeside(const std::filesystem::path& authority);
+
+/// Whether a device could open sessions with these files now: readable, matching, in date with more than leastRemaining left, signed by the
+/// authority, not revoked, naming just `device`. `revocations` empty: revocationsBeside() the authority.
 Result<void> checkIdentity(const std::filesystem::path& certificate, const std::filesystem::path& key,
-                           const std::filesystem::path& authority, DeviceId device);
+                           const std::filesystem::path& authority, DeviceId device, const std::filesystem::path& revocations = {});
+
+/// Lets a crash of this process leave no keys behind: no core file, and none of its memory in one that another program writes. For main().
+void keepKeysOutOfCoreDumps();
 
 } // namespace liena

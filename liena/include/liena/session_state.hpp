@@ -32,6 +32,7 @@ enum class RejectReason : std::uint8_t {
     ShuttingDown = 10,
     AlreadyOpen = 11,
     MessageSetChanged = 12,
+    NotAdmitted = 13, ///< the device begins no session now; the detail says why
 };
 
 /// Why a session was lost.

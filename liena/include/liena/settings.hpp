@@ -24,6 +24,10 @@ struct Settings {
     std::filesystem::path key;
     std::filesystem::path authority;
 
+    /// The site's revocation list, PEM. Empty: the file `.crl` beside the authority's (`ca.crl` for `ca.crt`); none there means that nobody
+    /// is revoked. It is read again whenever it changes.
+    std::filesystem::path revocations;
+
     std::string software = "liena"; ///< name and version of the program, shown to peers; at most 64 bytes
 
     /// Mode `none` listens on loopback addresses only, unless this says that an open network is meant.

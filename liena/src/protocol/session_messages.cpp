@@ -12,7 +12,7 @@ namespace liena::protocol {
 
 namespace {
 
-bool isDeclared(RejectReason reason) { return reason >= RejectReason::UnknownPeer && reason <= RejectReason::MessageSetChanged; }
+bool isDeclared(RejectReason reason) { return reason >= RejectReason::UnknownPeer && reason <= RejectReason::NotAdmitted; }
 bool isDeclared(SessionState state) { return state >= SessionState::Opening && state <= SessionState::Closing; }
 bool isDeclared(LossCause cause) { return cause >= LossCause::HeartbeatLost && cause <= LossCause::LocalStall; }
 

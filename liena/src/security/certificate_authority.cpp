@@ -2,6 +2,7 @@
 #include "liena/certificates.hpp"
 
 #include "liena/log.hpp"
+#include "security/authority_files.hpp"
 #include "security/certificate_fields.hpp"
 #include "security/issuing.hpp"
 #include "security/pem.hpp"
@@ -22,32 +23,6 @@ namespace {
 
 constexpr auto longestValidity = std::chrono::hours(24) * 36500;
 constexpr std::size_t longestName = 64; // of a certificate's organisation and common name
-
-struct AuthorityFiles {
-    CertificatePtr certificate;
-    KeyPtr key;
-};
-
-auto certificateIn(const std::filesystem::path& folder, const std::string& name) { return folder / (name + ".crt"); }
-auto keyIn(const std::filesystem::path& folder, const std::string& name) { return folder / (name + ".key"); }
-
-Result<AuthorityFiles> loadAuthority(const std::filesystem::path& folder)
-{
-    const auto certificateFile = certificateIn(folder, "ca");
-    const auto keyFile = keyIn(folder, "ca");
-    auto certificates = readCertificates(certificateFile);
-    if (!certificates)
-        return certificates.as_failure();
-    auto key = readKey(keyFile);
-    if (!key)
-        return key.as_failure();
-    X509* const certificate = certificates.value().front().get();
-    if (auto matching = requireMatch(certificate, key.value().get(), certificateFile, keyFile); !matching)
-        return matching.as_failure();
-    if (X509_check_ca(certificate) != 1)
-        return fail(Errc::CertificateInvalid, fmt::format("{} is not an authority's certificate", certificateFile.string()));
-    return AuthorityFiles{std::move(certificates.value().front()), std::move(key.value())};
-}
 
 /// Key before certificate: whoever finds the certificate finds its key.
 Result<void> writePair(const std::filesystem::path& folder, const std::string& name, X509* certificate, EVP_PKEY* key, bool replace)

@@ -3,8 +3,8 @@
 
 #include "security/certificate_fields.hpp"
 #include "security/device_uri.hpp"
-#include "security/identity.hpp"
 #include "security/pem.hpp"
+#include "security/tls_identity.hpp"
 
 #include <openssl/crypto.h>
 
@@ -65,12 +65,14 @@ Result<CertificateInfo> describeCertificate(const std::filesystem::path& file)
 }
 
 Result<void> checkIdentity(const std::filesystem::path& certificate, const std::filesystem::path& key,
-                           const std::filesystem::path& authority, DeviceId device)
+                           const std::filesystem::path& authority, DeviceId device, const std::filesystem::path& revocations)
 {
-    const auto identity = loadIdentity(certificate, key, authority, device);
+    TlsIdentity::Site site;
+    site.revocations = revocations;
+    const auto identity = TlsIdentity::load(certificate, key, authority, device, std::move(site));
     if (!identity)
         return identity.as_failure();
-    return ok();
+    return identity.value()->trust().admitSession();
 }
 
 } // namespace liena

@@ -6,9 +6,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace liena::security {
 
 namespace {
+
+using Time = std::chrono::system_clock::time_point;
 
 Result<StorePtr> trustIn(const std::vector<CertificatePtr>& authorities, const std::filesystem::path& file)
 {
@@ -22,7 +26,8 @@ Result<StorePtr> trustIn(const std::vector<CertificatePtr>& authorities, const s
     return store;
 }
 
-Result<void> verify(const Identity& identity, X509_STORE* store, const char* purpose, const std::filesystem::path& file)
+/// The earliest end of the chain that was found.
+Result<Time> verify(const Identity& identity, X509_STORE* store, const char* purpose, const std::filesystem::path& file, Time now)
 {
     const ChainPtr others(sk_X509_new_null());
     for (std::size_t i = 1; i < identity.certificates.size(); ++i)
@@ -32,8 +37,14 @@ Result<void> verify(const Identity& identity, X509_STORE* store, const char* pur
     X509_STORE_CTX_set_default(context.get(), purpose);
     X509_VERIFY_PARAM_set_auth_level(X509_STORE_CTX_get0_param(context.get()), securityLevel);
     X509_VERIFY_PARAM_set_depth(X509_STORE_CTX_get0_param(context.get()), longestChain);
-    if (X509_verify_cert(context.get()) == 1)
-        return ok();
+    X509_STORE_CTX_set_time(context.get(), 0, std::chrono::system_clock::to_time_t(now));
+    if (X509_verify_cert(context.get()) == 1) {
+        auto end = Time::max();
+        const auto* links = X509_STORE_CTX_get0_chain(context.get());
+        for (int i = 0; i < sk_X509_num(links); ++i)
+            end = std::min(end, timeOf(X509_get0_notAfter(sk_X509_value(links, i))));
+        return end;
+    }
     const auto reason = explainVerification(X509_STORE_CTX_get_error(context.get()));
     takeOpensslReason();
     const auto validity = fmt::format("valid {} to {}", dateText(timeOf(X509_get0_notBefore(identity.certificates.front().get()))),
@@ -55,7 +66,7 @@ Result<void> requireDevice(X509* certificate, DeviceId device, const std::filesy
 } // namespace
 
 Result<Identity> loadIdentity(const std::filesystem::path& certificate, const std::filesystem::path& key,
-                              const std::filesystem::path& authority, DeviceId device)
+                              const std::filesystem::path& authority, DeviceId device, Time now)
 {
     auto certificates = readCertificates(certificate);
     if (!certificates)
@@ -66,7 +77,7 @@ Result<Identity> loadIdentity(const std::filesystem::path& certificate, const st
     auto authorities = readCertificates(authority);
     if (!authorities)
         return authorities.as_failure();
-    Identity identity{std::move(certificates.value()), std::move(secret.value()), std::move(authorities.value())};
+    Identity identity{std::move(certificates.value()), std::move(secret.value()), std::move(authorities.value()), Time::max()};
 
     X509* const own = identity.certificates.front().get();
     if (auto matching = requireMatch(own, identity.key.get(), certificate, key); !matching)
@@ -76,9 +87,12 @@ Result<Identity> loadIdentity(const std::filesystem::path& certificate, const st
     const auto store = trustIn(identity.authorities, authority);
     if (!store)
         return store.as_failure();
-    for (const char* purpose : {"ssl_server", "ssl_client"})
-        if (auto verified = verify(identity, store.value().get(), purpose, certificate); !verified)
-            return verified.as_failure();
+    for (const char* purpose : {"ssl_server", "ssl_client"}) {
+        const auto end = verify(identity, store.value().get(), purpose, certificate, now);
+        if (!end)
+            return end.as_failure();
+        identity.end = std::min(identity.end, end.value());
+    }
     return identity;
 }
 
@@ -89,6 +103,8 @@ std::string explainVerification(long verifyResult)
         return "the certificate or its authority has expired; issue a new one, or set the clock";
     case X509_V_ERR_CERT_NOT_YET_VALID:
         return "the certificate or its authority is not valid yet; compare the clocks of both devices";
+    case X509_V_ERR_CERT_REVOKED:
+        return "the certificate was revoked by the site's authority; if that was not meant, issue the device a new one";
     case X509_V_ERR_DEPTH_ZERO_SELF_SIGNED_CERT:
     case X509_V_ERR_SELF_SIGNED_CERT_IN_CHAIN:
     case X509_V_ERR_UNABLE_TO_GET_ISSUER_CERT:

@@ -5,6 +5,7 @@
 #include "liena/error.hpp"
 #include "security/openssl_types.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,11 +16,13 @@ struct Identity {
     std::vector<CertificatePtr> certificates; ///< the device's own first, then intermediate ones
     KeyPtr key;
     std::vector<CertificatePtr> authorities;
+    std::chrono::system_clock::time_point end; ///< the earliest of the own certificate and of those it hangs on
 };
 
-/// Everything that can be known to be wrong before the first connection is refused here.
+/// Everything that can be known to be wrong before the first connection is refused here, as of `now`.
 Result<Identity> loadIdentity(const std::filesystem::path& certificate, const std::filesystem::path& key,
-                              const std::filesystem::path& authority, DeviceId device);
+                              const std::filesystem::path& authority, DeviceId device,
+                              std::chrono::system_clock::time_point now = std::chrono::system_clock::now());
 
 /// What a failed verification of a certificate chain means, in words for a person.
 std::string explainVerification(long verifyResult);

@@ -33,6 +33,8 @@ const char* wordsFor(int reason)
         return "the peer's answer is not one to our offer, such as another application protocol (ALPN) than liena/1";
     case SSL_R_TLSV1_ALERT_UNKNOWN_CA:
         return "the peer does not know the authority of our certificate; all devices need certificates of one site's authority";
+    case SSL_R_SSLV3_ALERT_CERTIFICATE_REVOKED:
+        return "the peer's revocation list names our certificate: it was revoked; issue a new one for this device";
     case SSL_R_SSLV3_ALERT_CERTIFICATE_EXPIRED:
         return "the peer finds our certificate expired or not valid yet; issue a new one, or compare the clocks";
     case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:

@@ -3,6 +3,7 @@
 
 #include "security/certificate_fields.hpp"
 #include "security/identity.hpp"
+#include "security/peer_trust.hpp"
 
 #include <openssl/tls1.h>
 
@@ -69,10 +70,11 @@ bool useIdentity(SSL_CTX* context, const Identity& identity)
     return true;
 }
 
-Result<ContextPtr> makeContext(const SSL_METHOD* method, const Identity& identity, const std::filesystem::path& certificate)
+Result<ContextPtr> makeContext(const SSL_METHOD* method, const Identity& identity, const std::shared_ptr<PeerTrust>& trust,
+                               const std::filesystem::path& certificate)
 {
     ContextPtr context(SSL_CTX_new(method));
-    if (!context || !limitProtocol(context.get()) || !useIdentity(context.get(), identity))
+    if (!context || !limitProtocol(context.get()) || !useIdentity(context.get(), identity) || !PeerTrust::install(trust, context.get()))
         return fail(Errc::CertificateInvalid, fmt::format("{} cannot be used for TLS: {}", certificate.string(), takeOpensslReason()));
     return context;
 }
@@ -89,20 +91,30 @@ bool negotiatedLiena(SSL* connection)
 
 } // namespace
 
-TlsIdentity::TlsIdentity(DeviceId self, ContextPtr server, ContextPtr client)
-    : m_self(self), m_server(std::move(server)), m_client(std::move(client))
+TlsIdentity::TlsIdentity(DeviceId self, std::shared_ptr<PeerTrust> trust, ContextPtr server, ContextPtr client)
+    : m_self(self), m_trust(std::move(trust)), m_server(std::move(server)), m_client(std::move(client))
 {}
 
 Result<std::shared_ptr<TlsIdentity>> TlsIdentity::load(const std::filesystem::path& certificate, const std::filesystem::path& key,
-                                                       const std::filesystem::path& authority, DeviceId self)
+                                                       const std::filesystem::path& authority, DeviceId self, Site site)
 {
-    const auto identity = loadIdentity(certificate, key, authority, self);
+    const auto identity = loadIdentity(certificate, key, authority, self, site.clock());
     if (!identity)
         return identity.as_failure();
-    auto server = makeContext(TLS_server_method(), identity.value(), certificate);
+    const auto list = site.revocations.empty() ? revocationsBeside(authority) : site.revocations;
+    auto revocations = Revocations::load(list, identity.value().authorities, site.clock(), site.log);
+    if (!revocations)
+        return revocations.as_failure();
+    if (!site.revocations.empty() && !revocations.value().hasList())
+        return fail(Errc::FileUnreadable, fmt::format("the revocation list {} is not there; a list that is named must be", list.string()));
+    if (revocations.value().revokes(identity.value().certificates.front().get()))
+        return fail(Errc::CertificateInvalid, fmt::format("{} was revoked by the site's authority (list {}); issue this device a new one",
+                                                          certificate.string(), list.string()));
+    auto trust = std::make_shared<PeerTrust>(identity.value(), certificate, std::move(revocations.value()), site.clock);
+    auto server = makeContext(TLS_server_method(), identity.value(), trust, certificate);
     if (!server)
         return server.as_failure();
-    auto client = makeContext(TLS_client_method(), identity.value(), certificate);
+    auto client = makeContext(TLS_client_method(), identity.value(), trust, certificate);
     if (!client)
         return client.as_failure();
     SSL_CTX_set_client_hello_cb(server.value().get(), requireOffer, nullptr);
@@ -110,7 +122,7 @@ Result<std::shared_ptr<TlsIdentity>> TlsIdentity::load(const std::filesystem::pa
     // Unlike its neighbours this function returns 0 for success.
     if (SSL_CTX_set_alpn_protos(client.value().get(), offeredProtocols.data(), offeredProtocols.size()) != 0)
         return fail(Errc::CertificateInvalid, fmt::format("OpenSSL refuses ALPN {}: {}", applicationProtocol, takeOpensslReason()));
-    return std::shared_ptr<TlsIdentity>(new TlsIdentity(self, std::move(server.value()), std::move(client.value())));
+    return std::shared_ptr<TlsIdentity>(new TlsIdentity(self, std::move(trust), std::move(server.value()), std::move(client.value())));
 }
 
 Result<DeviceId> peerDevice(SSL* connection)

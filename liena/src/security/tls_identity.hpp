@@ -4,10 +4,13 @@
 #include "liena/device_id.hpp"
 #include "liena/error.hpp"
 #include "security/openssl_types.hpp"
+#include "security/peer_trust.hpp"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace liena::security {
 
@@ -15,11 +18,27 @@ namespace liena::security {
 /// them alive, so this may go before they do.
 class TlsIdentity {
 public:
-    /// Checks the three files as checkIdentity() does.
+    /// What a site decides besides the device's own three files.
+    struct Site {
+        std::filesystem::path revocations{}; ///< empty: revocationsBeside() the authority
+        WallClock clock = std::chrono::system_clock::now;
+        LogSink log = [](LogLevel, std::string_view) {};
+    };
+
+    /// Everything that can be known to be wrong with the files is an error. A certificate that is too near its end for new sessions is not:
+    /// trust().admitSession() says that.
     static Result<std::shared_ptr<TlsIdentity>> load(const std::filesystem::path& certificate, const std::filesystem::path& key,
-                                                     const std::filesystem::path& authority, DeviceId self);
+                                                     const std::filesystem::path& authority, DeviceId self, Site site);
+    static Result<std::shared_ptr<TlsIdentity>> load(const std::filesystem::path& certificate, const std::filesystem::path& key,
+                                                     const std::filesystem::path& authority, DeviceId self)
+    {
+        return load(certificate, key, authority, self, Site());
+    }
 
     DeviceId self() const { return m_self; }
+
+    /// Whom this device believes; the contexts ask it in every handshake.
+    PeerTrust& trust() { return *m_trust; }
 
     /// For accepted connections: a peer without a certificate or without ALPN `liena/1` does not get through the handshake.
     SSL_CTX* serverContext() const { return m_server.get(); }
@@ -28,9 +47,10 @@ public:
     SSL_CTX* clientContext() const { return m_client.get(); }
 
 private:
-    TlsIdentity(DeviceId self, ContextPtr server, ContextPtr client);
+    TlsIdentity(DeviceId self, std::shared_ptr<PeerTrust> trust, ContextPtr server, ContextPtr client);
 
     DeviceId m_self;
+    std::shared_ptr<PeerTrust> m_trust; ///< shared with the contexts, which may outlive this
     ContextPtr m_server;
     ContextPtr m_client;
 };

@@ -106,6 +106,19 @@ Result<void> StagedFile::publish(bool replace)
     return ok();
 }
 
+Result<void> requireSecret(const std::filesystem::path& file, mode_t mode, uid_t owner, uid_t user)
+{
+    if ((mode & 077U) != 0)
+        return fail(Errc::FileUnreadable, fmt::format("{} is open to other users (mode {:04o}) and is not used; run: chmod 600 {}",
+                                                      file.string(), mode & 07777U, file.string()));
+    if (owner != user)
+        return fail(Errc::FileUnreadable,
+                    fmt::format("{} belongs to user {} and this program runs as user {}, so it is not used; run it as "
+                                "that user, or as root: chown {} {} && chmod 600 {}",
+                                file.string(), owner, user, user, file.string(), file.string()));
+    return ok();
+}
+
 Result<std::string> readFile(const std::filesystem::path& file, Secrecy secrecy)
 {
     // O_NONBLOCK: a pipe of that name must not hold us up.
@@ -115,9 +128,9 @@ Result<std::string> readFile(const std::filesystem::path& file, Secrecy secrecy)
         return unreadable(file, std::strerror(errno));
     if (!S_ISREG(status.st_mode))
         return unreadable(file, "it is not a regular file");
-    if (secrecy == Secrecy::Secret && (status.st_mode & 077U) != 0)
-        return fail(Errc::FileUnreadable, fmt::format("{} is open to other users (mode {:04o}) and is not used; run: chmod 600 {}",
-                                                      file.string(), status.st_mode & 07777U, file.string()));
+    if (secrecy == Secrecy::Secret)
+        if (auto secret = requireSecret(file, status.st_mode, status.st_uid, ::geteuid()); !secret)
+            return secret.as_failure();
     if (static_cast<std::size_t>(status.st_size) > longestFile)
         return unreadable(file, "it is longer than 1 MiB");
     std::string content(static_cast<std::size_t>(status.st_size), '\0');

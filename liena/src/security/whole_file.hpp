@@ -31,7 +31,10 @@ private:
     std::filesystem::path m_temporary; ///< empty once published
 };
 
-/// A regular file of at most 1 MiB. A secret one is refused when its group or others may read or write it.
+/// Refuses a secret file that its group or others may use, or that belongs to another user than `user`; names it and the cure.
+Result<void> requireSecret(const std::filesystem::path& file, mode_t mode, uid_t owner, uid_t user);
+
+/// A regular file of at most 1 MiB. A secret one has to pass requireSecret() for the user of this process.
 enum class Secrecy : bool { Open, Secret };
 Result<std::string> readFile(const std::filesystem::path& file, Secrecy secrecy = Secrecy::Open);
 

@@ -93,6 +93,8 @@ std::optional<std::pair<RejectReason, std::string>> SessionMachine::objection(co
         return std::pair(RejectReason::TopologyMismatch, "this device holds topology " + m_settings.topology.toHex().substr(0, 6) +
                                                              ", the peer " + input.handshake.topology.toHex().substr(0, 6) +
                                                              ": give both the same file");
+    if (!input.notAdmitted.empty())
+        return std::pair(RejectReason::NotAdmitted, input.notAdmitted);
     if (input.standing == SetStanding::Changed)
         return std::pair(RejectReason::MessageSetChanged,
                          "the message set shown is not the one known here for this type of device; a person must accept it");

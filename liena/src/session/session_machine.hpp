@@ -56,6 +56,7 @@ struct HandshakeHeard {
     bool diagnosis = false;
     std::uint64_t previous = 0;
     SetStanding standing = SetStanding::Held;
+    std::string notAdmitted{}; ///< why this device begins no session with the peer now; empty when it does
 };
 struct CommitHeard {
     protocol::HandshakeCommit commit;

@@ -56,6 +56,8 @@ std::string_view toString(RejectReason reason)
         return "already open";
     case RejectReason::MessageSetChanged:
         return "message set changed";
+    case RejectReason::NotAdmitted:
+        return "not admitted";
     }
     return "unknown";
 }
@@ -178,6 +180,8 @@ std::string_view explain(RejectReason reason)
     case RejectReason::MessageSetChanged:
         return "The device shows another message set than the one accepted for its type: a person has to read the changes and accept it "
                "(liena sets accept).";
+    case RejectReason::NotAdmitted:
+        return "One of the two devices begins no session until that is mended: see the detail, or its log.";
     }
     return "";
 }

@@ -36,7 +36,8 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
                       handle(session::OutgoingLost{identity ? ProbeResult::TlsFailure : ProbeResult::NotProbed, detail});
                   },
                   [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); },
-                  [this](const protocol::DatagramHeader& begun) { return abandon(begun); }}),
+                  [this](const protocol::DatagramHeader& begun) { return abandon(begun); },
+                  [this](transport::TcpChannel& channel) { return admit(channel); }}),
       m_bulk(host.io(), m_peer, host.identity(),
              {[this](std::uint8_t lane) {
                   return encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), lane}, m_peer.id);
@@ -60,6 +61,8 @@ Result<void> DistributedModule::open()
     default:
         return fail(Errc::Busy, fmt::format("the session with {} is {} already", m_peer.name, toString(m_machine.state())));
     }
+    if (auto admitted = m_host.admitSession(false); !admitted)
+        return notAdmitted(std::move(admitted));
     handle(session::OpenRequested{m_host.freshToken()});
     return ok();
 }
@@ -69,8 +72,24 @@ Result<void> DistributedModule::reopen()
     if (m_machine.state() != SessionState::StandBy)
         return fail(Errc::NoIncident,
                     fmt::format("the session with {} is {}, there is nothing to re-open", m_peer.name, toString(m_machine.state())));
+    if (auto admitted = m_host.admitSession(true); !admitted)
+        return notAdmitted(std::move(admitted));
     handle(session::ReopenRequested{m_host.freshToken()});
     return ok();
+}
+
+Result<void> DistributedModule::notAdmitted(Result<void> why)
+{
+    openFailed({RejectReason::NotAdmitted, ProbeResult::NotProbed, why.error().what});
+    return why;
+}
+
+/// Certificates are asked when a session begins; one that is only interrupted heals with what it began with.
+Result<void> DistributedModule::admit(transport::TcpChannel& channel) const
+{
+    const bool begins = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    const auto identity = m_host.identity();
+    return begins && identity ? channel.admitSession(*identity) : ok();
 }
 
 Result<void> DistributedModule::close(std::string_view reason)

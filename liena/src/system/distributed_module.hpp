@@ -113,7 +113,7 @@ private:
     void opened(const session::SessionOpened& opened);
     void lost(const session::SessionLost& lost);
     void openFailed(const session::OpenFailed& failed);
-    void handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message);
+    void handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message, const Result<void>& certificates);
     void admitFresh(transport::AttachedConnection connection);
     void admitBulk(transport::AttachedConnection connection);
     void endFresh(session::ConnectionNumber number);
@@ -122,6 +122,8 @@ private:
     void settle(const tasks::ReceptionTask& ended);
     void bury(std::shared_ptr<void> ended);
     void startProbe(std::optional<session::SessionLost> lost);
+    Result<void> notAdmitted(Result<void> why);
+    Result<void> admit(transport::TcpChannel& channel) const;
     bool flowAllowed(const MessageDefinition& definition, DeviceId from) const;
     Result<void> checkSendable(const Message& message) const;
     SessionEvent event(SessionEvent::Kind kind) const;

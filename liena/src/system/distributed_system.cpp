@@ -25,8 +25,13 @@ bool isLoopback(const std::string& host)
 Result<std::shared_ptr<security::TlsIdentity>> loadIdentity(const Settings& settings, const SystemTopology& topology,
                                                             const TopologyDevice& own)
 {
-    if (topology.security() == SecurityMode::Tls)
-        return security::TlsIdentity::load(settings.certificate, settings.key, settings.authority, own.id);
+    if (topology.security() == SecurityMode::Tls) {
+        auto loaded = security::TlsIdentity::load(settings.certificate, settings.key, settings.authority, own.id,
+                                                  {settings.revocations, std::chrono::system_clock::now, settings.log});
+        if (const auto usable = loaded ? loaded.value()->trust().admitSession() : ok(); !usable)
+            settings.log(LogLevel::Error, usable.error().what);
+        return loaded;
+    }
     settings.log(LogLevel::Warning, "NO SECURITY: the topology says mode none; whoever reaches this port can command this device");
     if (!isLoopback(own.host) && !settings.allowInsecureNetwork)
         return fail(Errc::Forbidden,

@@ -279,6 +279,8 @@ session::SetHeard DistributedSystem::State::learn(DeviceId peer, const Sha256& s
     return {SetStanding::Held, {}};
 }
 
+Result<void> DistributedSystem::State::admitSession(bool /*reopening*/) { return tlsIdentity ? tlsIdentity->trust().admitSession() : ok(); }
+
 void DistributedSystem::State::sessionOpened(DeviceId peer, const session::SessionOpened& opened)
 {
     if (opened.reopened)

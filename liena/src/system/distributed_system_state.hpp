@@ -69,6 +69,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     session::SetStanding standingOf(DeviceId peer, const Sha256& set) override;
     std::shared_ptr<const MessageSet> setOf(DeviceId peer, const Sha256& set) override;
     session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) override;
+    Result<void> admitSession(bool reopening) override;
     bool standsBy() const override { return ledger.standsBy(); }
     void sessionOpened(DeviceId peer, const session::SessionOpened& opened) override;
     void sessionHealed(DeviceId peer) override { perform(ledger.greet(peer)); }

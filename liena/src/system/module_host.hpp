@@ -44,6 +44,9 @@ public:
     /// Checks and keeps a set that a peer has sent.
     virtual session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) = 0;
 
+    /// Whether this device may begin a session now, or re-open one; an error says why not.
+    virtual Result<void> admitSession(bool reopening) = 0;
+
     virtual bool standsBy() const = 0;
     virtual void sessionOpened(DeviceId peer, const session::SessionOpened& opened) = 0;
     virtual void sessionHealed(DeviceId peer) = 0;

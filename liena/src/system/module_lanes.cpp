@@ -129,10 +129,14 @@ void DistributedModule::admitFresh(transport::AttachedConnection connection)
     if (m_fresh.size() >= mostFresh)
         endFresh(m_fresh.begin()->first);
     const auto number = ++m_nextConnection;
+    const auto identity = m_host.identity();
+    auto certificates = identity ? connection.channel->admitSession(*identity) : ok();
     auto fresh = std::make_unique<FreshConnection>(
         m_host.io(), std::move(connection), m_host.ownDevice().id, m_host.budget(),
         FreshConnection::Handlers{[this] { m_host.turned(); },
-                                  [this, number](const protocol::SessionMessage& message) { handshakeHeard(number, message); },
+                                  [this, number, certificates = std::move(certificates)](const protocol::SessionMessage& message) {
+                                      handshakeHeard(number, message, certificates);
+                                  },
                                   [this, number] { endFresh(number); }});
     auto* raw = fresh.get();
     m_fresh.emplace(number, std::move(fresh));
@@ -149,7 +153,8 @@ void DistributedModule::endFresh(session::ConnectionNumber number)
     m_fresh.erase(fresh);
 }
 
-void DistributedModule::handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message)
+void DistributedModule::handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message,
+                                       const Result<void>& certificates)
 {
     session::HandshakeHeard input;
     input.connection = number;
@@ -161,6 +166,9 @@ void DistributedModule::handshakeHeard(session::ConnectionNumber number, const p
         input.diagnosis = true;
         input.previous = diagnosis.previous;
     }
+    const auto admitted = certificates ? m_host.admitSession(input.diagnosis) : certificates;
+    if (!admitted)
+        input.notAdmitted = admitted.error().what;
     input.standing = m_host.standingOf(m_peer.id, input.handshake.set);
     if (input.standing == session::SetStanding::Held)
         m_peerSet = m_host.setOf(m_peer.id, input.handshake.set);

@@ -31,10 +31,14 @@ void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanosecon
     cancelAttempt();
     m_client = std::make_unique<transport::TcpClient>(m_io, m_peer, m_identity, limit, [this](transport::TcpClient::Outcome outcome) {
         bury(std::move(m_client));
-        if (auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome))
-            established(std::move(*channel));
-        else
-            m_handlers.failed(std::get<transport::ConnectionFailure>(outcome));
+        auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome);
+        if (channel == nullptr)
+            return m_handlers.failed(std::get<transport::ConnectionFailure>(outcome));
+        if (const auto admitted = m_handlers.admit ? m_handlers.admit(**channel) : ok(); !admitted) {
+            (*channel)->close();
+            return m_handlers.failed({ProbeResult::TlsFailure, admitted.error().what});
+        }
+        established(std::move(*channel));
     });
 }
 

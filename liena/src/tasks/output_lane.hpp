@@ -21,6 +21,8 @@ public:
         std::function<void(const std::string& detail, bool identity)> lost;
         OutputQueue::Report dropped;
         OutputQueue::Abandoning abandoning;
+        /// Asked when a connection is made, before anything is said on it; an error ends it. May be null.
+        std::function<Result<void>(transport::TcpChannel&)> admit;
     };
 
     OutputLane(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity,

@@ -60,6 +60,11 @@ Result<security::DatagramKey> TcpChannel::datagramKey(std::uint64_t token) const
     return security::exportDatagramKey(m_tls->native_handle(), token);
 }
 
+Result<void> TcpChannel::admitSession(security::TlsIdentity& identity)
+{
+    return m_tls ? identity.trust().admitSession(m_tls->native_handle()) : ok();
+}
+
 void TcpChannel::read(std::span<std::byte> buffer)
 {
     auto handler = [self = shared_from_this()](const boost::system::error_code& error, std::size_t count) {

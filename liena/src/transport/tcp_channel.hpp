@@ -17,6 +17,10 @@
 #include <span>
 #include <string>
 
+namespace liena::security {
+class TlsIdentity;
+}
+
 namespace liena::transport {
 
 /// Network thread only. Shared, because an operation in flight and its owner end independently; after close() no callback comes any more.
@@ -44,6 +48,9 @@ public:
 
     /// The key of the datagram path that belongs to this connection; an error in the clear.
     Result<security::DatagramKey> datagramKey(std::uint64_t token) const;
+
+    /// Whether the certificates of both ends allow a new session over this connection; always in the clear.
+    Result<void> admitSession(security::TlsIdentity& identity);
 
     void setListener(Listener* listener) { m_listener = listener; }
 

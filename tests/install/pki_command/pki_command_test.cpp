@@ -47,6 +47,9 @@ private slots:
     void refusesDeviceCalledAsTheAuthority();
     void showsWhatCertificatesSay();
     void tellsByItsStatusThatAFileIsNoCertificate();
+    void revokesByNameAndBySerial();
+    void saysHowToRevokeWhatItReplaces();
+    void makesAnEmptyListToBeginWith();
     void refusesWrongUse_data();
     void refusesWrongUse();
 
@@ -134,6 +137,49 @@ void PkiCommandTest::tellsByItsStatusThatAFileIsNoCertificate()
     QVERIFY(!shown.output.contains(QStringLiteral("PRIVATE")));
 }
 
+void PkiCommandTest::revokesByNameAndBySerial()
+{
+    QCOMPARE(pki(issue({QStringLiteral("--topology"), topology})).status, 0);
+    const QStringList revoke{QStringLiteral("revoke"), QStringLiteral("--dir"), m_folder->filePath(QStringLiteral("pki"))};
+    const auto first = pki(revoke + QStringList{QStringLiteral("xray"), QStringLiteral("--reason"), QStringLiteral("key-compromise")});
+    QCOMPARE(first.errors, QString());
+    QCOMPARE(first.status, 0);
+    const auto serial = QString::fromStdString(describeCertificate(file("arm.crt").toStdString()).value().serial);
+    QCOMPARE(pki(revoke + QStringList{QStringLiteral("--serial"), serial.toLower()}).status, 0);
+    const auto shown = pki({QStringLiteral("show"), file("ca.crl")});
+    QCOMPARE(shown.status, 0);
+    QVERIFY(shown.output.contains(serial) && shown.output.contains(QStringLiteral("(key-compromise)")));
+    const auto usable = [&](const char* name, std::uint32_t id) {
+        return checkIdentity(file(name).toStdString() + ".crt", file(name).toStdString() + ".key", file("ca.crt").toStdString(),
+                             DeviceId(id));
+    };
+    QVERIFY(!usable("xray", 0x20010208U) && !usable("arm", 0x60008208U));
+    QVERIFY(usable("robot", 0x00008208U) && usable("cockpit", 0x40018208U));
+    const auto unknown = pki(revoke + QStringList{QStringLiteral("robot"), QStringLiteral("scalpel")});
+    QCOMPARE(unknown.status, 1);
+    QVERIFY(unknown.errors.contains(QStringLiteral("scalpel.crt")));
+    QVERIFY(usable("robot", 0x00008208U)); // all or none
+}
+
+void PkiCommandTest::saysHowToRevokeWhatItReplaces()
+{
+    QCOMPARE(pki(issue({QStringLiteral("--topology"), topology})).status, 0);
+    const auto serial = QString::fromStdString(describeCertificate(file("xray.crt").toStdString()).value().serial);
+    const auto replaced = pki(issue({QStringLiteral("--device"), QStringLiteral("xray"), QStringLiteral("--id"),
+                                     QStringLiteral("0x20010208"), QStringLiteral("--replace")}));
+    QCOMPARE(replaced.status, 0);
+    QVERIFY2(replaced.output.contains(QStringLiteral("--serial ") + serial), qPrintable(replaced.output));
+}
+
+void PkiCommandTest::makesAnEmptyListToBeginWith()
+{
+    const QStringList renew{QStringLiteral("revoke"), QStringLiteral("--dir"), m_folder->filePath(QStringLiteral("pki")),
+                            QStringLiteral("--renew")};
+    QCOMPARE(pki(renew).status, 0);
+    const auto again = pki(renew);
+    QVERIFY2(again.output.contains(QStringLiteral("number 02, 0 revoked")), qPrintable(again.output));
+}
+
 void PkiCommandTest::refusesWrongUse_data()
 {
     QTest::addColumn<QStringList>("arguments");
@@ -146,6 +192,11 @@ void PkiCommandTest::refusesWrongUse_data()
     row("init");
     row("show");
     row("sign");
+    row("issue --dir x --topology t.xml --days 1");
+    row("revoke --dir x");
+    row("revoke xray");
+    row("revoke --dir x xray --reason boredom");
+    row("revoke --dir x xray --days 1");
 }
 
 void PkiCommandTest::refusesWrongUse()

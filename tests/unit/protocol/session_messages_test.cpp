@@ -139,7 +139,7 @@ void SessionMessagesTest::refusesMalformedBodies_data()
     QTest::newRow("want_set neither 0 nor 1") << 0x0003 << patched(0x0003, 40, "02");
     QTest::newRow("want_set of a re-opening") << 0x0031 << patched(0x0031, 40, "ff");
     QTest::newRow("holding neither 0 nor 1") << 0x0041 << patched(0x0041, 12, "80");
-    QTest::newRow("no such reason") << 0x0007 << patched(0x0007, 8, "0d");
+    QTest::newRow("no such reason") << 0x0007 << patched(0x0007, 8, "0e");
     QTest::newRow("reason 0") << 0x0007 << patched(0x0007, 8, "00");
     QTest::newRow("no such state") << 0x0010 << patched(0x0010, 33, "08");
     QTest::newRow("state 0") << 0x0010 << patched(0x0010, 33, "00");

@@ -100,7 +100,7 @@ void CertificateAuthorityTest::writesDeviceThatIsClientAndServer()
     QCOMPARE(info.value().fingerprint.size(), std::size_t(64));
     const auto now = std::chrono::system_clock::now();
     QVERIFY(info.value().notBefore < now - std::chrono::minutes(4) && info.value().notBefore > now - std::chrono::minutes(10));
-    QVERIFY(info.value().notAfter > now + std::chrono::hours(23) && info.value().notAfter <= now + oneDay);
+    QVERIFY(info.value().notAfter > now + std::chrono::hours(47) && info.value().notAfter <= now + 2 * oneDay);
     const auto forged = loadForged(files.certificate, files.key);
     QCOMPARE(X509_get_key_usage(forged.certificate.get()), static_cast<std::uint32_t>(KU_DIGITAL_SIGNATURE));
     QCOMPARE(X509_get_extended_key_usage(forged.certificate.get()), static_cast<std::uint32_t>(XKU_SSL_SERVER | XKU_SSL_CLIENT));
@@ -125,7 +125,7 @@ void CertificateAuthorityTest::leavesNoTemporaryFiles()
 {
     TestAuthority site;
     site.identityOf(robot, "robot");
-    QVERIFY(CertificateAuthority::open(site.folder()).value().issue(robot, "robot", oneDay, true));
+    QVERIFY(CertificateAuthority::open(site.folder()).value().issue(robot, "robot", 2 * oneDay, true));
     QCOMPARE(filesIn(site.folder()), (std::vector<std::string>{"ca.crt", "ca.key", "robot.crt", "robot.key"}));
 }
 
@@ -160,7 +160,7 @@ void CertificateAuthorityTest::refusesSecondIssueUnlessReplaced()
     QVERIFY(!again);
     QVERIFY(again.error().what.find("robot.crt exists already") != std::string::npos);
     QCOMPARE(content(files.certificate), before);
-    QVERIFY(authority.issue(robot, "robot", oneDay, true));
+    QVERIFY(authority.issue(robot, "robot", 2 * oneDay, true));
     QVERIFY(content(files.certificate) != before);
     QVERIFY(checkIdentity(files.certificate, files.key, files.authority, robot));
 }

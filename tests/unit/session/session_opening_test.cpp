@@ -19,6 +19,7 @@ private slots:
     void givesItsOwnSetOnce();
     void refusesHandshakesItCannotAnswer_data();
     void refusesHandshakesItCannotAnswer();
+    void beginsNoSessionThatIsNotAdmitted();
     void lowerIdLeadsWhenBothOpen();
     void higherIdYieldsWhenBothOpen();
     void leadHoldsForReopeningsToo();
@@ -144,6 +145,17 @@ void SessionOpeningTest::refusesHandshakesItCannotAnswer()
         QCOMPARE(QString::fromStdString(wordsOf(side.handle(commit))),
                  QStringLiteral("Rejected CloseLanes ") + reason.replace(QStringLiteral("Refuse"), QStringLiteral("Failed")));
     }
+}
+
+void SessionOpeningTest::beginsNoSessionThatIsNotAdmitted()
+{
+    Side side;
+    auto handshake = side.handshake(100);
+    handshake.notAdmitted = "a certificate ends";
+    const auto actions = side.handle(handshake);
+    QCOMPARE(wordsOf(actions), std::string("Refuse:NotAdmitted"));
+    QCOMPARE(find<Refuse>(actions)->detail, std::string("a certificate ends"));
+    QVERIFY(side.machine.state() == SessionState::Closed);
 }
 
 void SessionOpeningTest::lowerIdLeadsWhenBothOpen()

@@ -26,7 +26,7 @@ inline std::string nameOf(RejectReason reason)
 {
     static constexpr const char* names[] = {
         "None", "UnknownPeer",       "NoLink",  "TopologyMismatch", "ProtocolVersion", "MessageSetInvalid", "StandBy",
-        "Busy", "ProtocolViolation", "Timeout", "ShuttingDown",     "AlreadyOpen",     "MessageSetChanged"};
+        "Busy", "ProtocolViolation", "Timeout", "ShuttingDown",     "AlreadyOpen",     "MessageSetChanged", "NotAdmitted"};
     return names[static_cast<std::size_t>(reason)];
 }
 
