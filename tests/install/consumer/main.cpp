@@ -11,14 +11,14 @@ int main(int argc, char** argv)
     if (argc != 3)
         return 2;
     const auto topology = liena::SystemTopology::load(argv[1]);
-    const auto authority = liena::CertificateAuthority::create(argv[2], "Consumer", std::chrono::hours(48));
+    const auto authority = liena::CertificateAuthority::create(argv[2], "Consumer", std::chrono::hours(72));
     if (!topology || !authority) {
         std::fprintf(stderr, "%s\n", (topology ? authority.error() : topology.error()).what.c_str());
         return 1;
     }
     const std::filesystem::path folder(argv[2]);
     for (const auto& device : topology.value().devices()) {
-        const auto issued = authority.value().issue(device.id, device.name, std::chrono::hours(24));
+        const auto issued = authority.value().issue(device.id, device.name, std::chrono::hours(48));
         const auto usable =
             liena::checkIdentity(folder / (device.name + ".crt"), folder / (device.name + ".key"), folder / "ca.crt", device.id);
         if (!issued || !usable)
