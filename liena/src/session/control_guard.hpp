@@ -60,6 +60,9 @@ public:
     ControlFault judge(const protocol::DatagramHeader& header, const protocol::SafetyRecord& record, std::span<const std::byte> fields,
                        Nanoseconds maxAge, Instant now);
 
+    /// A control message that is too short for its record.
+    void noteWithoutRecord(Instant now) { count(ControlFault::Crc, now); }
+
     /// More than ten faults in one second: the peer or the way to it can no longer be trusted.
     bool isExceeded(Instant now) const;
 

@@ -206,6 +206,9 @@ public:
     bool isIncomingUp() const { return m_incomingUp; }
     bool isOutgoingUp() const { return m_outgoingUp; }
 
+    /// The peer's set was asked for and did not arrive yet.
+    bool awaitsSet() const { return isDialogue() && m_setOutstanding; }
+
     ControlGuard& guard() { return m_guard; }
     const ControlGuard& guard() const { return m_guard; }
     ControlStamper& stamper() { return m_stamper; }

@@ -53,6 +53,9 @@ public:
     void setIncident(IncidentId incident);
     void setIncidentCount(std::size_t count);
 
+    /// A set of the peer is in the store, or why not; `token` is that of the attempt in which it was sent.
+    void setLearnt(std::uint64_t token, const Sha256& set, const session::SetHeard& heard);
+
     /// What the peer told breaks the protocol.
     void endForViolation(const std::string& detail) { violation(detail); }
 
@@ -63,6 +66,7 @@ public:
     void housekeeping();
 
     SessionState state() const { return m_machine.state(); }
+    std::uint64_t token() const { return m_machine.token(); }
     const TopologyDevice& peer() const { return m_peer; }
     const LinkTiming& timing() const { return m_link.timing; }
     std::shared_ptr<const MessageSet> peerSet() const { return m_peerSet; }

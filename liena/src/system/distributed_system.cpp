@@ -64,17 +64,19 @@ Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings se
     if (!identity)
         return identity.as_failure();
     const auto folder = settings.store.empty() ? defaultSetStore() : settings.store;
-    std::optional<LocalStore> store;
+    State::Stores stores;
     if (!folder.empty()) {
         std::error_code ignored; // the store itself says what it cannot open
         std::filesystem::create_directories(folder.parent_path(), ignored);
-        auto opened = LocalStore::open(folder);
-        if (!opened)
-            return opened.as_failure();
-        store.emplace(std::move(opened.value()));
+        for (auto* store : {&stores.reading, &stores.writing}) {
+            auto opened = LocalStore::open(folder);
+            if (!opened)
+                return opened.as_failure();
+            store->emplace(std::move(opened.value()));
+        }
     }
     auto state = std::make_unique<State>(std::move(settings), std::move(topology.value()), std::move(own.value()),
-                                         std::move(registry.value()), std::move(store), std::move(identity.value()));
+                                         std::move(registry.value()), std::move(stores), std::move(identity.value()));
     if (auto listening = state->listen(); !listening)
         return listening.as_failure();
     return std::unique_ptr<DistributedSystem>(new DistributedSystem(std::move(state)));

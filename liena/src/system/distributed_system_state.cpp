@@ -21,16 +21,17 @@ constexpr auto closingLimit = 1s;
 
 } // namespace
 
-DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, std::optional<LocalStore> learnt,
+DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, Stores stores,
                                 std::shared_ptr<security::TlsIdentity> tls)
     : settings(std::move(given)),
       topology(std::move(read)),
       ownTopologyDevice(std::move(own)),
       registry(std::move(sets)),
-      store(std::move(learnt)),
+      store(std::move(stores.reading)),
       tlsIdentity(std::move(tls)),
       ownMessageSet(registry.find(ownTopologyDevice.id)),
       outbox([this] { asio::post(context, [this] { drainOutbox(); }); }),
+      setKeeper(context, std::move(stores.writing)),
       ledger(ownTopologyDevice.id),
       udpSocket(
           context, [this](std::span<std::byte> packet) { packetHeard(packet); }, settings.log),
@@ -101,6 +102,7 @@ void DistributedSystem::State::stop()
         asio::post(context, [this] { closeAll(); });
         thread.join();
     }
+    setKeeper.finish();
     periodics.clear();
     for (auto& [peer, one] : modules)
         one->abort();
@@ -255,28 +257,14 @@ std::shared_ptr<const MessageSet> DistributedSystem::State::setOf(DeviceId peer,
     return known;
 }
 
-session::SetHeard DistributedSystem::State::learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml)
+void DistributedSystem::State::learn(DeviceId peer, const Sha256& set, std::vector<std::byte> xml)
 {
-    using session::SetStanding;
-    const std::string_view text(reinterpret_cast<const char*>(xml.data()), xml.size());
-    if (Sha256::of(xml) != set)
-        return {SetStanding::Invalid, "the message set's bytes do not have the hash that was announced"};
-    auto parsed = MessageSet::parse(text, "message set of " + peer.toString());
-    if (!parsed)
-        return {SetStanding::Invalid, printable(parsed.error().what, 400)};
-    if (parsed.value()->deviceType() != peer.deviceType())
-        return {SetStanding::Invalid,
-                fmt::format("the message set is that of {}, the device is {}", parsed.value()->deviceType().toString(), peer.toString())};
-    if (!store)
-        return {SetStanding::Invalid, "there is no local store to keep the message set in"};
-    if (auto saved = store->save(*parsed.value()); !saved)
-        return {SetStanding::Invalid, saved.error().what};
-    const auto pinned = store->pinFirst(peer.deviceType(), set);
-    if (!pinned)
-        return {SetStanding::Invalid, pinned.error().what};
-    if (pinned.value() != set)
-        return {SetStanding::Changed, "another message set was accepted for this type of device"};
-    return {SetStanding::Held, {}};
+    // The module may be gone, or in another attempt, when the disk is done.
+    const auto token = module(peer)->token();
+    setKeeper.learn(peer, set, std::move(xml), [this, peer, set, token](const session::SetHeard& heard) {
+        if (auto* one = module(peer))
+            one->setLearnt(token, set, heard);
+    });
 }
 
 Result<void> DistributedSystem::State::admitSession(bool /*reopening*/) { return tlsIdentity ? tlsIdentity->trust().admitSession() : ok(); }

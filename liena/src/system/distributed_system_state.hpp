@@ -9,6 +9,7 @@
 #include "session/stand_by_ledger.hpp"
 #include "system/distributed_module.hpp"
 #include "system/module_host.hpp"
+#include "system/set_keeper.hpp"
 #include "topology/local_store.hpp"
 #include "topology/registry.hpp"
 #include "transport/tcp_server.hpp"
@@ -29,7 +30,12 @@
 namespace liena {
 
 struct DistributedSystem::State final : public system::ModuleHost {
-    State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, std::optional<LocalStore> learnt,
+    /// The same folder twice, since each is for one thread.
+    struct Stores {
+        std::optional<LocalStore> reading;
+        std::optional<LocalStore> writing;
+    };
+    State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, Stores stores,
           std::shared_ptr<security::TlsIdentity> tls);
     ~State() override;
 
@@ -68,7 +74,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void turned() override;
     session::SetStanding standingOf(DeviceId peer, const Sha256& set) override;
     std::shared_ptr<const MessageSet> setOf(DeviceId peer, const Sha256& set) override;
-    session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) override;
+    void learn(DeviceId peer, const Sha256& set, std::vector<std::byte> xml) override;
     Result<void> admitSession(bool reopening) override;
     bool standsBy() const override { return ledger.standsBy(); }
     void sessionOpened(DeviceId peer, const session::SessionOpened& opened) override;
@@ -100,6 +106,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{context.get_executor()};
     protocol::PartialBudget partialBudget;
     TimestampSource stamps;
+    system::SetKeeper setKeeper;
     session::StandByLedger ledger;
     session::StallWatch stallWatch;
     std::map<std::string, std::vector<MessageHandler>, std::less<>> messageHandlers;

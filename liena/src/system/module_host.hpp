@@ -12,8 +12,10 @@
 
 #include <boost/asio/io_context.hpp>
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace liena::system {
 
@@ -41,8 +43,8 @@ public:
     /// The set with that hash as the set of `peer`: held, unknown, or not to be accepted.
     virtual session::SetStanding standingOf(DeviceId peer, const Sha256& set) = 0;
     virtual std::shared_ptr<const MessageSet> setOf(DeviceId peer, const Sha256& set) = 0;
-    /// Checks and keeps a set that a peer has sent.
-    virtual session::SetHeard learn(DeviceId peer, const Sha256& set, std::span<const std::byte> xml) = 0;
+    /// Checks and keeps a set that a peer has sent; its module hears setLearnt() later.
+    virtual void learn(DeviceId peer, const Sha256& set, std::vector<std::byte> xml) = 0;
 
     /// Whether this device may begin a session now, or re-open one; an error says why not.
     virtual Result<void> admitSession(bool reopening) = 0;

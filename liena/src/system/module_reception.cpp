@@ -81,13 +81,23 @@ void DistributedModule::commitHeard(const protocol::HandshakeCommit& commit, boo
 
 void DistributedModule::setHeard(const protocol::MessageSetAnswer& answer)
 {
-    const auto state = m_machine.state();
-    if (state != SessionState::Opening && state != SessionState::Reopening)
-        return (void)violation("a message set outside an opening");
-    const auto heard = m_host.learn(m_peer.id, answer.set, answer.xml);
+    if (!m_machine.awaitsSet())
+        return (void)violation("a message set that nobody asked for");
+    m_incoming->pause(); // what follows the set may depend on it
+    m_host.learn(m_peer.id, answer.set, answer.xml);
+}
+
+void DistributedModule::setLearnt(std::uint64_t token, const Sha256& set, const session::SetHeard& heard)
+{
+    m_host.turned();
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    if (!dialogue || token != m_machine.token())
+        return;
     if (heard.standing == session::SetStanding::Held)
-        m_peerSet = m_host.setOf(m_peer.id, answer.set);
+        m_peerSet = m_host.setOf(m_peer.id, set);
     handle(heard);
+    if (m_incoming)
+        m_incoming->start();
 }
 
 void DistributedModule::receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned)
@@ -117,20 +127,21 @@ void DistributedModule::receivedApplication(const protocol::DatagramHeader& head
 bool DistributedModule::passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header,
                                     std::span<const std::byte> part)
 {
-    if (part.size() < protocol::safetyRecordSize) {
-        drop("no safety record", header.message.number);
-        return false;
-    }
-    const auto record = protocol::decodeSafetyRecord(part.first<protocol::safetyRecordSize>());
+    auto& guard = m_machine.guard();
     const auto now = m_host.now().mono;
-    const auto fault = m_machine.guard().judge(header, record, part.subspan(protocol::safetyRecordSize),
-                                               definition.maxAge.value_or(m_link.timing.lost), now);
+    const bool hasRecord = part.size() >= protocol::safetyRecordSize;
+    auto fault = session::ControlFault::Crc;
+    if (hasRecord)
+        fault = guard.judge(header, protocol::decodeSafetyRecord(part.first<protocol::safetyRecordSize>()),
+                            part.subspan(protocol::safetyRecordSize), definition.maxAge.value_or(m_link.timing.lost), now);
+    else
+        guard.noteWithoutRecord(now);
     if (fault == session::ControlFault::None)
         return true;
-    drop(std::string(session::toString(fault)), header.message.number);
-    if (m_machine.guard().isExceeded(now))
-        handle(session::ViolationFound{
-            fmt::format("more than ten control messages refused in one second, the last: {}", session::toString(fault))});
+    const auto why = hasRecord ? std::string(session::toString(fault)) : std::string("no safety record");
+    drop(why, header.message.number);
+    if (guard.isExceeded(now))
+        handle(session::ViolationFound{fmt::format("more than ten control messages refused in one second, the last: {}", why)});
     return false;
 }
 
