@@ -72,9 +72,9 @@ Written writtenOf(const DatagramHeader& header)
 bool takeHeaders(Written& fields, const std::vector<DatagramHeader>& headers)
 {
     for (const auto& header : headers)
-        for (const auto& [name, value] : writtenOf(header)) {
-            const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == name; });
-            if (found == fields.end() || !found->second.starts_with(value))
+        for (const auto& meant : writtenOf(header)) {
+            const auto found = std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.first == meant.first; });
+            if (found == fields.end() || !found->second.starts_with(meant.second))
                 return false;
             fields.erase(found);
         }
