@@ -2,6 +2,7 @@
 #include "test_system.hpp"
 
 #include <QHostAddress>
+#include <QNetworkProxy>
 #include <QTest>
 #include <QUdpSocket>
 
@@ -74,6 +75,7 @@ private Q_SLOTS:
         QTRY_VERIFY(linkTo(robot, cockpitId).packetsHeardByPeer > 0);
         const auto beats = linkTo(robot, cockpitId).heartbeatsReceived;
         QUdpSocket stranger;
+        stranger.setProxy(QNetworkProxy::NoProxy);
         for (int length = 0; length < 2000; ++length) {
             const QByteArray packet(length, static_cast<char>(length));
             stranger.writeDatagram(packet, QHostAddress::LocalHost, system.portOf("robot"));
@@ -87,6 +89,7 @@ private Q_SLOTS:
     {
         TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
         QUdpSocket other;
+        other.setProxy(QNetworkProxy::NoProxy);
         QVERIFY(other.bind(QHostAddress::LocalHost, system.portOf("robot"), QAbstractSocket::DontShareAddress));
         const auto made = DistributedSystem::create(system.settingsOf("robot"));
         QVERIFY(!made);
