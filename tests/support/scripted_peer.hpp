@@ -83,6 +83,8 @@ public:
     std::unique_ptr<TlsLink> connection() const { return TlsLink::connect(m_client.get(), m_role.devicePort); }
     /// A connection that is attached to the session in hand as this lane.
     std::unique_ptr<TlsLink> lane(std::uint8_t lane);
+    /// Leaves it open as long as the peer lives.
+    TlsLink* keep(std::unique_ptr<TlsLink> link) { return m_kept.emplace_back(std::move(link)).get(); }
 
     // On lane 0 of the session in hand.
     bool send(const wire::Bytes& bytes);
@@ -133,6 +135,7 @@ private:
     mutable std::condition_variable m_changed;
     std::unique_ptr<TlsLink> m_lane0;
     std::vector<std::unique_ptr<Incoming>> m_incoming;
+    std::vector<std::unique_ptr<TlsLink>> m_kept;
     std::deque<Heard> m_heard;
     std::deque<wire::Bytes> m_sentPackets;
     std::deque<std::chrono::steady_clock::time_point> m_packetTimes;
