@@ -92,10 +92,8 @@ void ScriptedPeer::read(Incoming& incoming)
     const bool alive = incoming.link->receive(incoming.stream);
     for (const auto& datagram : takeDatagrams(incoming.stream))
         judge(incoming, datagram);
-    if (!alive) {
-        m_strangers += incoming.token == 0 ? 1 : 0;
+    if (!alive)
         incoming.link.reset();
-    }
 }
 
 void ScriptedPeer::judge(Incoming& incoming, const Datagram& datagram)
@@ -269,10 +267,7 @@ void ScriptedPeer::open(bool again)
         m_again = again;
         m_incoming.clear();
         const auto token = freshToken();
-        const auto topology = hashOf(m_role.topology);
-        const auto set = hashOf(m_role.set);
-        begin(token, std::move(lane0),
-              again ? said(number::diagnosisHandshake, diagnosisHandshake(token, topology, set, m_previous)) : handshake(token));
+        begin(token, std::move(lane0), again ? diagnosisHandshake(token, m_previous) : handshake(token));
     }
     awaitOpen();
 }

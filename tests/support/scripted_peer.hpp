@@ -78,13 +78,21 @@ public:
     wire::Bytes said(std::uint16_t number, const wire::Bytes& body) { return wire::datagram(header(number), body); }
     wire::Bytes attach(std::uint64_t token, std::uint8_t lane = 0) { return said(wire::number::attach, wire::attach(token, lane)); }
     wire::Bytes handshake(std::uint64_t token);
+    wire::Bytes diagnosisHandshake(std::uint64_t token, std::uint64_t previous);
 
     /// A new connection to the device, on which nothing was said. Ask its failure().
     std::unique_ptr<TlsLink> connection() const { return TlsLink::connect(m_client.get(), m_role.devicePort); }
+    /// A new connection, on which `first` was said.
+    std::unique_ptr<TlsLink> saying(const wire::Bytes& first) const;
     /// A connection that is attached to the session in hand as this lane.
     std::unique_ptr<TlsLink> lane(std::uint8_t lane);
     /// Leaves it open as long as the peer lives.
     TlsLink* keep(std::unique_ptr<TlsLink> link) { return m_kept.emplace_back(std::move(link)).get(); }
+
+    /// Our lane 0 is made anew with the same token, as after a broken connection.
+    void replaceLaneZero();
+    /// Says something on the connection that the device made to us.
+    bool talkBack(const wire::Bytes& bytes);
 
     // On lane 0 of the session in hand.
     bool send(const wire::Bytes& bytes);
@@ -103,8 +111,7 @@ public:
 
     /// What the device said, of one number.
     std::vector<Heard> heard(std::uint16_t number) const;
-    std::size_t packetsHeard() const;                          ///< genuine ones of the session in hand
-    std::size_t strangersHeard() const { return m_strangers; } ///< connections that never said a word we understand
+    std::size_t packetsHeard() const; ///< genuine ones of the session in hand
 
 private:
     struct Incoming {
@@ -154,7 +161,6 @@ private:
     bool m_again = false;
     bool m_laneClosed = false;
     std::atomic<std::uint64_t> m_lastStamp{0};
-    std::atomic<std::size_t> m_strangers{0};
     std::atomic<bool> m_stop{false};
     std::thread m_thread;
 };

@@ -35,11 +35,39 @@ Bytes ScriptedPeer::handshake(std::uint64_t token)
     return said(number::handshake, wire::handshake(token, hashOf(m_role.topology), hashOf(m_role.set)));
 }
 
-std::unique_ptr<TlsLink> ScriptedPeer::lane(std::uint8_t lane)
+Bytes ScriptedPeer::diagnosisHandshake(std::uint64_t token, std::uint64_t previous)
+{
+    return said(number::diagnosisHandshake, wire::diagnosisHandshake(token, hashOf(m_role.topology), hashOf(m_role.set), previous));
+}
+
+std::unique_ptr<TlsLink> ScriptedPeer::saying(const Bytes& first) const
 {
     auto made = connection();
-    made->send(attach(token(), lane));
+    made->send(first);
     return made;
+}
+
+std::unique_ptr<TlsLink> ScriptedPeer::lane(std::uint8_t lane) { return saying(attach(token(), lane)); }
+
+void ScriptedPeer::replaceLaneZero()
+{
+    auto before = lane(0);
+    {
+        const std::lock_guard lock(m_mutex);
+        std::swap(before, m_lane0);
+        m_laneClosed = false;
+        m_sealKey = m_lane0->datagramKey(m_token);
+    }
+    before->closes(); // the old one serves until the new one stands
+}
+
+bool ScriptedPeer::talkBack(const Bytes& bytes)
+{
+    const std::lock_guard lock(m_mutex);
+    for (const auto& incoming : m_incoming)
+        if (incoming->token == m_token && incoming->lane == 0)
+            return incoming->link->send(bytes);
+    return false;
 }
 
 bool ScriptedPeer::send(const Bytes& bytes)

@@ -1,8 +1,6 @@
 // Sets the stage of the hostile-peer tests and looks whether the honest session noticed anything.
 #include "hostile_stage.hpp"
 
-#include <QTest>
-
 #include <unistd.h>
 
 #include <fstream>
@@ -62,7 +60,7 @@ HostileStage::HostileStage(const Options& options)
       cockpit(system.settingsOf("cockpit"))
 {
     if (!cockpit->openChannel(robotId) ||
-        !QTest::qWaitFor([this] { return robot.heard(Kind::Opened, cockpitId) && cockpit.heard(Kind::Opened, robotId); }, 20000))
+        !eventually([this] { return robot.heard(Kind::Opened, cockpitId) && cockpit.heard(Kind::Opened, robotId); }))
         throw std::runtime_error("the honest session did not open: " + story());
 }
 
@@ -99,7 +97,8 @@ bool HostileStage::honestSessionUntouched()
         const auto link = device->links();
         const auto missed = [&](const LinkStatus& status) { return status.peer == other && status.heartbeatsMissed > 0; };
         return std::all_of(changes.begin(), changes.end(), opened) && device.state(other) == SessionState::Open &&
-               std::none_of(link.begin(), link.end(), missed) && device.events(Kind::LocalStall).empty();
+               std::none_of(link.begin(), link.end(), missed) && !device.heard(Kind::LocalStall) &&
+               !device.heard(Kind::MessagesDropped, other);
     };
     return calm(robot, cockpitId) && calm(cockpit, robotId);
 }
@@ -107,7 +106,7 @@ bool HostileStage::honestSessionUntouched()
 bool HostileStage::honestSessionLives()
 {
     const auto before = linkOf(cockpitId).heartbeatsReceived;
-    return QTest::qWaitFor([&] { return linkOf(cockpitId).heartbeatsReceived > before + 2; }, 20000) && honestSessionUntouched();
+    return eventually([&] { return linkOf(cockpitId).heartbeatsReceived > before + 2; }) && honestSessionUntouched();
 }
 
 std::size_t HostileStage::dropped() { return linkOf(xrayId).messagesDropped; }
@@ -135,7 +134,7 @@ void HostileStage::openPeer()
     const auto kind = again ? Kind::ReOpened : Kind::Opened;
     const auto before = robot.events(kind, xrayId).size();
     peer.open(again);
-    if (!QTest::qWaitFor([&] { return robot.events(kind, xrayId).size() > before; }, 20000))
+    if (!eventually([&] { return robot.events(kind, xrayId).size() > before; }))
         throw std::runtime_error("the scripted session did not open: " + story());
 }
 

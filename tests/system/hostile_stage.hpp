@@ -4,6 +4,8 @@
 #include "support/scripted_peer.hpp"
 #include "test_system.hpp"
 
+#include <QTest>
+
 namespace liena::test {
 
 /// The fields of MotionCommand as resources/devices/vascular-robot.xml defines them.
@@ -14,6 +16,13 @@ PeerRole roleOf(TestSystem& system, const std::string& name, const std::string& 
 
 /// Memory of this process that is resident now, in bytes.
 std::size_t residentBytes();
+
+/// Within a time that only a broken program needs.
+template <typename Holds>
+bool eventually(Holds holds)
+{
+    return QTest::qWaitFor(holds, 20000);
+}
 
 class HostileStage {
 public:

@@ -168,7 +168,7 @@ void expectViolation(const Attack& attack)
     HostileStage stage;
     stage.openPeer();
     attack.act(stage);
-    QTRY_VERIFY2(stage.robot.heard(Kind::Lost, stage.xrayId), stage.story().c_str());
+    QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Lost, stage.xrayId); }), stage.story().c_str());
     const auto lost = stage.robot.events(Kind::Lost, stage.xrayId)[0];
     QCOMPARE(words(lost.diagnosis.cause), words(LossCause::ProtocolViolation));
     QVERIFY2(lost.diagnosis.detail.find(attack.told) != std::string::npos, lost.diagnosis.detail.c_str());
@@ -207,10 +207,10 @@ private Q_SLOTS:
         for (const auto& attack : drops()) {
             const auto before = stage.dropped();
             attack.act(stage);
-            QTRY_COMPARE_GE(stage.dropped(), before + 1);
+            QVERIFY2(eventually([&] { return stage.dropped() > before; }), attack.name);
             QVERIFY2(stage.toldOf(attack.told), (attack.name + ("\n" + stage.story())).c_str());
             QVERIFY(stage.peer.command(motion, motionFields(1, ++good, 1)));
-            QTRY_VERIFY2(stage.motions().size() == good, (attack.name + ("\n" + stage.story())).c_str());
+            QVERIFY2(eventually([&] { return stage.motions().size() == good; }), (attack.name + ("\n" + stage.story())).c_str());
             QCOMPARE(stage.motions().back().get<std::uint32_t>("sequence"), good);
         }
         QCOMPARE(words(stage.robot.state(stage.xrayId)), words(SessionState::Open));

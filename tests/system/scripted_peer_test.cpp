@@ -26,14 +26,14 @@ private Q_SLOTS:
     {
         HostileStage stage;
         stage.peer.open();
-        QTRY_VERIFY2(stage.robot.heard(Kind::Opened, stage.xrayId), stage.robot.story().c_str());
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Opened, stage.xrayId); }), stage.robot.story().c_str());
         QVERIFY(stage.peer.command(0x0101, motionFields(7, 1, 2.5F)));
-        QTRY_VERIFY2(!stage.motions().empty(), stage.robot.story().c_str());
+        QVERIFY2(eventually([&] { return !stage.motions().empty(); }), stage.robot.story().c_str());
         QCOMPARE(stage.motions()[0].get<float>("guidewire_velocity"), 2.5F);
-        QTRY_VERIFY(stage.peer.packetsHeard() > 0);
-        QTRY_VERIFY(stage.linkOf(stage.xrayId).packetsHeard > 0);
+        QVERIFY(eventually([&] { return stage.peer.packetsHeard() > 0; }));
+        QVERIFY(eventually([&] { return stage.linkOf(stage.xrayId).packetsHeard > 0; }));
         stage.peer.close();
-        QTRY_VERIFY2(stage.robot.heard(Kind::Closed, stage.xrayId), stage.robot.story().c_str());
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Closed, stage.xrayId); }), stage.robot.story().c_str());
         QVERIFY(stage.robot->incidents().empty());
         QVERIFY2(stage.robot.events(Kind::MessagesDropped).empty(), stage.robot.story().c_str());
         QVERIFY2(stage.honestSessionUntouched(), stage.story().c_str());
@@ -45,7 +45,7 @@ private Q_SLOTS:
         stage.peer.open();
         const auto guard = stage.peer.guard(0x0101);
         stage.peer.sendPacket(stage.peer.packet(stage.peer.control(0x0101, motionFields(7, 9, 1.5F), guard)));
-        QTRY_VERIFY2(!stage.motions().empty(), stage.robot.story().c_str());
+        QVERIFY2(eventually([&] { return !stage.motions().empty(); }), stage.robot.story().c_str());
         QCOMPARE(stage.motions()[0].get<std::uint32_t>("sequence"), 9U);
     }
 
@@ -54,9 +54,9 @@ private Q_SLOTS:
         HostileStage stage;
         QVERIFY(stage.robot->openChannel(stage.xrayId));
         stage.peer.awaitOpen();
-        QTRY_VERIFY2(stage.robot.heard(Kind::Opened, stage.xrayId), stage.robot.story().c_str());
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Opened, stage.xrayId); }), stage.robot.story().c_str());
         QVERIFY(stage.peer.command(0x0101, motionFields(7, 1, 2.5F)));
-        QTRY_VERIFY2(!stage.motions().empty(), stage.robot.story().c_str());
+        QVERIFY2(eventually([&] { return !stage.motions().empty(); }), stage.robot.story().c_str());
     }
 
     void reOpensAfterALoss()
@@ -64,10 +64,10 @@ private Q_SLOTS:
         HostileStage stage;
         stage.peer.open();
         QVERIFY(stage.peer.say(number::channelOpened, wire::tokenOnly(stage.peer.token()))); // not when the session is open
-        QTRY_VERIFY2(stage.robot.heard(Kind::Lost, stage.xrayId), stage.story().c_str());
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Lost, stage.xrayId); }), stage.story().c_str());
         stage.peer.open(true);
-        QTRY_VERIFY2(stage.robot.heard(Kind::ReOpened, stage.xrayId), stage.story().c_str());
-        QTRY_VERIFY(stage.robot->incidents().empty());
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::ReOpened, stage.xrayId); }), stage.story().c_str());
+        QVERIFY(eventually([&] { return stage.robot->incidents().empty(); }));
         QVERIFY2(stage.honestSessionUntouched(), stage.story().c_str());
     }
 };
