@@ -64,6 +64,7 @@ public:
     std::uint16_t portOf(const std::string& name) const;
     DeviceId idOf(const std::string& name) const;
     IdentityFiles identityOf(const std::string& name);
+    TestAuthority& authority() { return m_authority; }
 
     /// Issues a device's certificate with another end than usual; before anything else asks for it.
     void issueFor(const std::string& name, std::chrono::hours validity);

@@ -52,6 +52,8 @@ public:
     std::size_t size() const { return m_incidents.size(); }
     std::vector<Incident> incidents() const;
     const Incident* find(IncidentId id) const;
+    /// Held, or ended not long ago: no session may have that name.
+    bool knows(IncidentId id, Now now) const { return m_incidents.contains(id) || findEnded(id, now) != nullptr; }
 
     /// Our session with a peer was lost.
     LedgerActions lost(DeviceId peer, IncidentId id, LossCause cause, Timestamp since, Now now);

@@ -32,6 +32,8 @@ public:
     /// The session is over; its keys are forgotten.
     void end();
 
+    /// False before the peer's lane 0 stands: its packets cannot be judged yet.
+    bool hears() const { return m_hears && (!m_sealed || m_receiving); }
     bool isSealed() const { return m_sealed; }
 
     /// Seals and sends one whole message; false when it did not leave.

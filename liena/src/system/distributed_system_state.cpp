@@ -147,6 +147,12 @@ system::DistributedModule* DistributedSystem::State::module(DeviceId peer)
 
 std::uint64_t DistributedSystem::State::freshToken() { return security::randomToken(); }
 
+bool DistributedSystem::State::isTokenUsed(DeviceId asking, std::uint64_t token) const
+{
+    return ledger.knows(token, now()) || std::any_of(modules.begin(), modules.end(),
+                                                     [&](const auto& entry) { return entry.first != asking && entry.second->owns(token); });
+}
+
 void DistributedSystem::State::turned()
 {
     const auto gap = stallWatch.turn(std::chrono::steady_clock::now());

@@ -71,6 +71,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     Timestamp stamp() override { return stamps.next(Timestamp::now()); }
     session::Now now() const override { return {std::chrono::steady_clock::now(), Timestamp::now()}; }
     std::uint64_t freshToken() override;
+    bool isTokenUsed(DeviceId asking, std::uint64_t token) const override;
     void turned() override;
     session::SetStanding standingOf(DeviceId peer, const Sha256& set) override;
     std::shared_ptr<const MessageSet> setOf(DeviceId peer, const Sha256& set) override;

@@ -36,6 +36,8 @@ public:
     virtual Timestamp stamp() = 0;
     virtual session::Now now() const = 0;
     virtual std::uint64_t freshToken() = 0;
+    /// Another peer's session has it, or it names an incident.
+    virtual bool isTokenUsed(DeviceId asking, std::uint64_t token) const = 0;
 
     /// The network thread turned; judged before anything is acted on.
     virtual void turned() = 0;

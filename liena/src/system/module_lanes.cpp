@@ -166,6 +166,11 @@ void DistributedModule::handshakeHeard(session::ConnectionNumber number, const p
         input.diagnosis = true;
         input.previous = diagnosis.previous;
     }
+    // Packets and incidents are told apart by their tokens, and those are no secret: a peer could take another session's.
+    if (m_host.isTokenUsed(m_peer.id, input.handshake.token)) {
+        drop("a handshake whose token is in use, or was", protocol::Handshake::number);
+        return endFresh(number);
+    }
     const auto admitted = certificates ? m_host.admitSession(input.diagnosis) : certificates;
     if (!admitted)
         input.notAdmitted = admitted.error().what;
