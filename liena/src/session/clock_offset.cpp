@@ -5,12 +5,6 @@
 
 namespace liena::session {
 
-namespace {
-
-Nanoseconds difference(Timestamp later, Timestamp earlier) { return Nanoseconds(static_cast<std::int64_t>(later.ns - earlier.ns)); }
-
-} // namespace
-
 void ClockOffset::add(Timestamp t1, Timestamp t2, Timestamp t3, Timestamp t4)
 {
     const auto delay = difference(t4, t1) - difference(t3, t2);

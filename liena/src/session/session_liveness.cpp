@@ -62,7 +62,7 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
     m_monitor.heartbeat(m_now.mono, heartbeat.sequence, heartbeat.state);
     if (heartbeat.echoSequence != 0 && heartbeat.echoSequence != m_newest.echoSequence)
         m_clock.add({heartbeat.echoSentNs}, {heartbeat.echoReceivedNs}, {heartbeat.sentNs}, m_now.wall);
-    const auto transit = Nanoseconds(static_cast<std::int64_t>(m_now.wall.ns - heartbeat.sentNs));
+    const auto transit = difference(m_now.wall, {heartbeat.sentNs});
     if (m_lastTransit)
         m_jitter += (std::chrono::abs(transit - *m_lastTransit) - m_jitter) / 16;
     m_lastTransit = transit;

@@ -151,7 +151,7 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
     const auto now = m_host.now();
     std::optional<std::chrono::nanoseconds> latency;
     if (const auto offset = m_machine.clock().offset())
-        latency = std::chrono::nanoseconds(static_cast<std::int64_t>(now.wall.ns - header.timestamp.ns)) + *offset;
+        latency = session::difference(now.wall, header.timestamp) + *offset;
     if (definition.lifespan && latency && *latency > *definition.lifespan + m_machine.clock().uncertainty()) {
         m_books.late();
         return drop("older than its lifespan", header.message.number);

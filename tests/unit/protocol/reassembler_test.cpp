@@ -68,6 +68,7 @@ private slots:
     void refusesMoreThanTheDefinitionAllows();
     void takesExactlyTheMaximum();
     void countsMessageOverTheSharedBudget();
+    void boundsWhatItPassesOver();
     void recoversFromOverBudget();
     void messageOverBudgetStillHasItsMaximum();
     void givesTheBudgetBack();
@@ -218,6 +219,17 @@ void ReassemblerTest::countsMessageOverTheSharedBudget()
     QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), false)));
     QCOMPARE(textOf(first.take(1, "z", false)), std::string(700, 'a') + "z");
     QCOMPARE(budget.used(), std::size_t{0});
+}
+
+/// A message that does not fit the budget must not go on for ever.
+void ReassemblerTest::boundsWhatItPassesOver()
+{
+    PartialBudget budget(100);
+    Lane lane(budget);
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(200, 'a'), true, 300)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(100, 'a'), true, 300)));
+    QCOMPARE(budget.used(), std::size_t{0});
+    QVERIFY(is<Reassembler::Violation>(lane.take(1, "a", true, 300)));
 }
 
 void ReassemblerTest::recoversFromOverBudget()

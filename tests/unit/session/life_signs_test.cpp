@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <array>
+
 using namespace liena;
 using namespace liena::session;
 using namespace std::chrono_literals;
@@ -49,6 +51,7 @@ private slots:
     void forgetsSamplesBeyondTheWindow();
     void takesClocksOnEitherSide();
     void leavesOutSamplesOfASteppedClock();
+    void bearsAnyTimeThatAPeerSays();
     void tellsTheNewestDelay();
     void beginsAnewAfterReset();
     void countsPacketsOfEightHeartbeats();
@@ -206,6 +209,21 @@ void LifeSignsTest::leavesOutSamplesOfASteppedClock()
     QVERIFY(clock.offset() == 500ns);
     clock.add({base}, {base + 1000}, {base + 2000}, {base + 3'600'000'000'000}); // forward: never the least delay
     QVERIFY(clock.offset() == 500ns);
+}
+
+/// A peer may say any time: the sums stay defined, and its clock and ours are still told apart.
+void LifeSignsTest::bearsAnyTimeThatAPeerSays()
+{
+    constexpr std::array<std::uint64_t, 6> times{0, 1, base, std::uint64_t{1} << 63U, (std::uint64_t{1} << 63U) + base, ~std::uint64_t{0}};
+    for (const auto t1 : times)
+        for (const auto t2 : times)
+            for (const auto t3 : times) {
+                ClockOffset clock;
+                for (int i = 0; i < 8; ++i)
+                    clock.add({t1}, {t2}, {t3}, {base});
+                QVERIFY(clock.uncertainty() >= 0ns);
+                QVERIFY(!clock.offset() || std::chrono::abs(*clock.offset()) <= std::chrono::years(74));
+            }
 }
 
 void LifeSignsTest::tellsTheNewestDelay()
