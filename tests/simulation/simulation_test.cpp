@@ -1,0 +1,122 @@
+// Fixed seeds under the sanitizers, the same trace each time and with each compiler, and clocks that must not matter.
+#include "runs.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace liena;
+using namespace liena::simulation;
+using namespace std::chrono_literals;
+
+class SimulationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void opensOverChunkedBytesAndHealsAfterACut();
+    void seedsHold_data();
+    void seedsHold();
+    void sameSeedSameTrace();
+    void traceIsThatOfEveryCompiler_data();
+    void traceIsThatOfEveryCompiler();
+    void wallClockStepsChangeNoSession();
+    void minimisingKeepsWhatBreaks();
+};
+
+namespace {
+
+QString wordsOf(const Outcome& outcome)
+{
+    QString words;
+    for (const auto& violation : outcome.violations)
+        words += QString::fromStdString(violation.invariant + ": " + violation.what + "\n");
+    return words;
+}
+
+Scenario pairWith(std::vector<Fault> faults)
+{
+    auto scenario = Scenario::quiet(3, 2ms, 0, true, true);
+    scenario.chaos = 3s;
+    scenario.faults = std::move(faults);
+    return scenario;
+}
+
+} // namespace
+
+void SimulationTest::opensOverChunkedBytesAndHealsAfterACut()
+{
+    const auto outcome = runScenario(pairWith({{1500ms, FaultKind::Cut, 0, 1, 0, 200ms}}));
+    QCOMPARE(wordsOf(outcome), QString());
+    QCOMPARE(outcome.interruptions, std::uint64_t{2});
+    QCOMPARE(outcome.standBys, std::uint64_t{0});
+    QVERIFY(outcome.longestDetection >= 110ms);
+    QVERIFY(outcome.longestDetection <= 110ms + 1ms);
+    QVERIFY(outcome.commandsDelivered > 500);
+}
+
+void SimulationTest::seedsHold_data()
+{
+    QTest::addColumn<quint64>("seed");
+    for (quint64 seed = 1; seed <= 6; ++seed)
+        QTest::addRow("seed %llu", static_cast<unsigned long long>(seed)) << seed;
+}
+
+void SimulationTest::seedsHold()
+{
+    QFETCH(quint64, seed);
+    QCOMPARE(wordsOf(runScenario(Scenario::chaotic(seed))), QString());
+}
+
+void SimulationTest::sameSeedSameTrace()
+{
+    const auto once = runScenario(Scenario::chaotic(2));
+    const auto again = runScenario(Scenario::chaotic(2));
+    QVERIFY(once.observations > 100);
+    QCOMPARE(again.hash, once.hash);
+    QVERIFY(runScenario(Scenario::chaotic(3)).hash != once.hash);
+}
+
+void SimulationTest::wallClockStepsChangeNoSession()
+{
+    const auto course = [](std::uint32_t step) {
+        auto scenario = pairWith({{1200ms, FaultKind::Cut, 0, 1, 0, 150ms}, {2200ms, FaultKind::Cut, 0, 1, 0, 700ms}});
+        if (step != 6)
+            scenario.faults.push_back({600ms, FaultKind::ClockStep, 0, 0, step, 0ns});
+        return runScenario(scenario).course;
+    };
+    for (std::uint32_t step = 0; step < 6; ++step)
+        QCOMPARE(course(step), course(6));
+}
+
+void SimulationTest::minimisingKeepsWhatBreaks()
+{
+    Outcome outcome;
+    Scenario scenario;
+    for (std::uint64_t seed = 1; outcome.violations.empty(); ++seed) {
+        scenario = Scenario::chaotic(seed);
+        scenario.mutant = Mutant::AutoResume;
+        outcome = runScenario(scenario);
+    }
+    const auto invariant = outcome.violations.front().invariant;
+    const auto least = minimised(scenario, invariant, 60);
+    QVERIFY(least.faults.size() < scenario.faults.size());
+    const auto left = runScenario(least);
+    QVERIFY(std::any_of(left.violations.begin(), left.violations.end(), [&](const Violation& v) { return v.invariant == invariant; }));
+}
+
+void SimulationTest::traceIsThatOfEveryCompiler_data()
+{
+    QTest::addColumn<quint64>("seed");
+    QTest::addColumn<quint64>("hash");
+    QTest::newRow("seed 1") << quint64{1} << quint64{0};
+}
+
+void SimulationTest::traceIsThatOfEveryCompiler()
+{
+    QFETCH(quint64, seed);
+    QFETCH(quint64, hash);
+    QCOMPARE(runScenario(Scenario::chaotic(seed)).hash, hash);
+}
+
+QTEST_APPLESS_MAIN(SimulationTest)
+#include "simulation_test.moc"

@@ -1,0 +1,226 @@
+// Setting a world up, running it, and judging how it ends.
+#include "world.hpp"
+
+#include "applications.hpp"
+#include "message_sets.hpp"
+
+#include <algorithm>
+
+namespace liena::simulation {
+
+using namespace std::chrono_literals;
+
+World::World(const Scenario& scenario, Onlooker onlooker)
+    : m_scenario(scenario),
+      m_onlooker(std::move(onlooker)),
+      m_tokens(scenario.seed, "tokens"),
+      m_faultRandom(scenario.seed, "fault details"),
+      m_workload(scenario.seed, "workload"),
+      m_lieRandom(scenario.seed, "lies"),
+      m_network(m_time, *this, SeededRandom(scenario.seed, "network"), scenario.devices.size()),
+      m_hosts(scenario.devices.size()),
+      m_model(rules()),
+      m_began(m_time.now())
+{
+    setUp();
+}
+
+World::~World()
+{
+    for (auto& host : m_hosts)
+        host.waiting.clear();
+}
+
+Rules World::rules() const
+{
+    Rules rules;
+    rules.links.insert(m_scenario.links.begin(), m_scenario.links.end());
+    for (HostIndex host = 0; host < m_scenario.devices.size(); ++host)
+        rules.ids[host] = m_scenario.devices[host].id.value();
+    return rules;
+}
+
+void World::setUp()
+{
+    for (HostIndex a = 0; a < m_hosts.size(); ++a)
+        for (HostIndex b = 0; b < m_hosts.size(); ++b) {
+            auto& path = m_network.path(a, b);
+            path.delay = m_scenario.delay;
+            path.jitter = m_scenario.jitter;
+            path.loss = m_scenario.loss;
+        }
+    std::vector<DeviceId> ids;
+    for (const auto& plan : m_scenario.devices)
+        ids.push_back(plan.id);
+    m_liar = std::make_unique<Liar>(ids);
+    if (m_scenario.liar)
+        observe(Lies{*m_scenario.liar});
+    for (HostIndex host = 0; host < m_hosts.size(); ++host) {
+        const auto& plan = m_scenario.devices[host];
+        m_hosts[host].clock = DeviceClock(plan.drift, plan.wall);
+        m_hosts[host].person = std::make_unique<Person>(plan, m_workload.fork());
+        if (plan.knowsSets)
+            for (const auto& other : m_scenario.devices)
+                m_hosts[host].disk.sets.insert(messageSetOf(other.kind)->hash());
+        boot(host);
+    }
+}
+
+DeviceSettings World::settingsFor(HostIndex host) const
+{
+    DeviceSettings settings;
+    settings.host = host;
+    settings.id = m_scenario.devices[host].id;
+    settings.set = messageSetOf(m_scenario.devices[host].kind);
+    for (HostIndex other = 0; other < m_scenario.devices.size(); ++other)
+        if (m_scenario.linked(host, other))
+            settings.neighbours.push_back({other, LinkTiming()});
+    settings.datagrams = m_scenario.datagrams;
+    settings.mutant = m_scenario.mutant;
+    return settings;
+}
+
+void World::whenRunning(HostIndex host, VirtualTime::Event event)
+{
+    auto& target = m_hosts[host];
+    if (!target.device)
+        return;
+    if (target.pauses > 0)
+        target.waiting.push_back(std::move(event));
+    else
+        event();
+}
+
+Reception World::reception(HostIndex host) const
+{
+    const auto& target = m_hosts[host];
+    if (target.downs > 0)
+        return Reception::Silent;
+    return target.device && target.refusals == 0 ? Reception::Listens : Reception::Refuses;
+}
+
+void World::accepted(HostIndex host, HostIndex from, ConnectionNumber connection) { m_hosts[host].device->accepted(from, connection); }
+
+void World::datagramArrived(HostIndex host, HostIndex from, std::span<const std::byte> bytes)
+{
+    m_hosts[host].device->datagramArrived(from, bytes);
+}
+
+HostIndex World::hostOf(DeviceId id) const
+{
+    for (HostIndex host = 0; host < m_scenario.devices.size(); ++host)
+        if (m_scenario.devices[host].id == id)
+            return host;
+    return 0xFF;
+}
+
+std::shared_ptr<const MessageSet> World::setOf(HostIndex host) const { return messageSetOf(m_scenario.devices[host].kind); }
+
+void World::observe(const Observation& observation)
+{
+    m_hash.add(m_time.now(), observation);
+    m_model.note(m_time.now(), observation);
+    measure(observation);
+    if (m_onlooker)
+        m_onlooker(m_time.now(), observation);
+}
+
+void World::measure(const Observation& observation)
+{
+    if (const auto* entered = std::get_if<Entered>(&observation)) {
+        m_course.add(m_time.now(), observation);
+        m_outcome.coverage.transition(entered->from, entered->to);
+        if (carriesMessages(entered->from) && entered->to == SessionState::Reconnecting) {
+            ++m_outcome.interruptions;
+            if (m_hosts[entered->device].pauses == 0)
+                m_outcome.longestDetection = std::max(m_outcome.longestDetection, entered->silence);
+        }
+        if (entered->to == SessionState::StandBy) {
+            ++m_outcome.standBys;
+            m_firstStandBy.try_emplace(entered->token, m_time.now());
+        }
+    } else if (const auto* requested = std::get_if<Requested>(&observation)) {
+        m_oldTokens.push_back(requested->token);
+    } else if (const auto* raised = std::get_if<Raised>(&observation)) {
+        const auto first = m_firstStandBy.find(raised->incident);
+        if (first != m_firstStandBy.end())
+            m_outcome.longestKnowing = std::max(m_outcome.longestKnowing, Nanoseconds(m_time.now() - first->second));
+    } else if (const auto* delivered = std::get_if<Delivered>(&observation)) {
+        m_outcome.commandsJudged += delivered->control ? 1 : 0;
+    } else if (const auto* dropped = std::get_if<Dropped>(&observation)) {
+        m_outcome.commandsJudged += dropped->name.number >= 0x0100 && dropped->name.number <= 0x01FF ? 1 : 0;
+    }
+}
+
+Outcome World::run()
+{
+    for (const auto& fault : m_scenario.faults)
+        m_time.at(m_began + fault.at, [this, &fault] {
+            if (!m_peace)
+                apply(fault);
+        });
+    const auto chaosEnds = m_began + m_scenario.chaos;
+    while (m_time.step(chaosEnds)) {
+    }
+    heal();
+    const auto limit = chaosEnds + healLimit;
+    bool whole = false;
+    for (auto look = chaosEnds + 5ms; look <= limit && !whole; look += 5ms) {
+        while (m_time.step(look)) {
+        }
+        whole = isWhole();
+        m_outcome.longestHeal = look - chaosEnds;
+    }
+    // A moment more, so that every end has heard the other's epoch.
+    const auto calm = m_time.now() + 100ms + 4 * (m_scenario.delay + m_scenario.jitter);
+    while (m_time.step(calm)) {
+    }
+    settle();
+    return outcome();
+}
+
+Outcome World::runQuiet(Nanoseconds length)
+{
+    heal();
+    const auto end = m_began + length;
+    while (m_time.step(end)) {
+    }
+    return outcome();
+}
+
+bool World::isWhole()
+{
+    for (const auto& [a, b] : m_scenario.links) {
+        const auto& one = m_hosts[a].device->module(b)->machine();
+        const auto& other = m_hosts[b].device->module(a)->machine();
+        if (!carriesMessages(one.state()) || !carriesMessages(other.state()) || one.token() != other.token())
+            return false;
+    }
+    return std::all_of(m_hosts.begin(), m_hosts.end(), [](const Host& host) { return !host.device->standsBy(); });
+}
+
+void World::settle()
+{
+    for (HostIndex host = 0; host < m_hosts.size(); ++host)
+        for (auto& [peer, module] : m_hosts[host].device->modules()) {
+            const auto& machine = module->machine();
+            const auto state = machine.state() == SessionState::Suspect && m_scenario.loss > 0 ? SessionState::Open : machine.state();
+            observe(Settled{host, peer, state, machine.token(), machine.guard().epoch(), machine.stamper().targetEpoch(),
+                            m_hosts[host].device->ledger().size()});
+        }
+}
+
+Outcome World::outcome()
+{
+    m_outcome.violations = m_model.violations();
+    m_outcome.hash = m_hash.value();
+    m_outcome.course = m_course.value();
+    m_outcome.observations = m_hash.count();
+    m_outcome.events = m_time.ran();
+    m_outcome.packetsLost = m_network.packetsLost();
+    m_outcome.commandsDelivered = m_model.controlDelivered();
+    m_outcome.simulated = m_time.now() - m_began;
+    return m_outcome;
+}
+
+} // namespace liena::simulation
