@@ -48,13 +48,10 @@ void CockpitPart::onPicture(const Message& message)
 
 bool CockpitPart::obey(const std::string& verb, std::istringstream& rest)
 {
-    std::string name;
-    rest >> name;
-    if (verb == "arm")
-        return arm(name);
     if (verb == "lift")
         m_permit = m_asked = 0;
-    return verb == "lift";
+    std::string name;
+    return verb == "lift" || (verb == "arm" && rest >> name && arm(name));
 }
 
 bool CockpitPart::arm(const std::string& name)

@@ -9,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <sstream>
@@ -51,16 +52,25 @@ std::string nameOf(const DistributedSystem& system, DeviceId id)
     return device == nullptr ? id.toString() : device->name;
 }
 
+/// The library's word as one word of a line.
+template <typename T>
+std::string wordOf(T value)
+{
+    std::string text(toString(value));
+    std::replace(text.begin(), text.end(), ' ', '-');
+    return text;
+}
+
 /// `state PEER FROM TO`, and `event KIND PEER …` for all others.
 void tellEvent(const DistributedSystem& system, const SessionEvent& event)
 {
     const auto peer = nameOf(system, event.peer);
     if (event.kind == Kind::StateChanged)
-        return tell(event.at, {"state", peer, toString(event.from), toString(event.to)});
+        return tell(event.at, {"state", peer, wordOf(event.from), wordOf(event.to)});
     const auto cause = event.kind == Kind::Lost || event.kind == Kind::Diagnosed ? event.diagnosis.cause : event.incident.cause;
     const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(event.duration).count();
     tell(event.at,
-         {"event", toString(event.kind), peer, microseconds, toString(cause), toString(event.reason), event.incident.id,
+         {"event", wordOf(event.kind), peer, microseconds, wordOf(cause), wordOf(event.reason), event.incident.id,
           nameOf(system, event.incident.a) + "-" + nameOf(system, event.incident.b), event.count, event.message + "|" + event.detail});
 }
 
@@ -109,7 +119,7 @@ void obey(DistributedSystem& system, DevicePart& part, const std::string& line)
         return tell({"not-understood", line});
     tell({"person", verb, name});
     if (const auto done = obeyAboutSession(system, verb, peer->id); !done)
-        tell({"refused", toString(done.error().code), done.error().what});
+        tell({"refused", wordOf(done.error().code), done.error().what});
 }
 
 /// A gap in a 2 ms timer is this process's own standing still, whatever the reason.

@@ -14,7 +14,7 @@ constexpr Milliseconds drain{30};
 
 std::pair<std::string, std::string> pairOf(const std::string& a, const std::string& b) { return a < b ? std::pair{a, b} : std::pair{b, a}; }
 
-bool isOpen(const std::string& state) { return state == "Open" || state == "Suspect"; }
+bool isOpen(const std::string& state) { return state == "open" || state == "suspect"; }
 
 } // namespace
 
@@ -98,9 +98,9 @@ void Judge::judgeState(const RigDevice& device, const Record& record, Pass& pass
     robot.sessions[peer] = to;
     if (!isOpen(to) && peer == "cockpit")
         robot.armed = false;
-    if (from == "StandBy" && isOpen(to))
+    if (from == "stand-by" && isOpen(to))
         pass.find(pass.tally.unbidden, device, record, "a session left stand-by by itself");
-    if (isOpen(to) && (from == "Opening" || from == "Reopening") && ++m_opened[{device.name, peer}] > m_asked[pairOf(device.name, peer)])
+    if (isOpen(to) && (from == "opening" || from == "re-opening") && ++m_opened[{device.name, peer}] > m_asked[pairOf(device.name, peer)])
         pass.find(pass.tally.unbidden, device, record, "a session opened that no person asked for");
 }
 
@@ -129,7 +129,7 @@ void Judge::judgeRobot(Robot& robot, const RigDevice& device, const Record& reco
 {
     const auto& kind = record.kind();
     const auto& what = record.word(1);
-    const bool ends = kind == "event" && (what == "Interrupted" || what == "StandByBegan" || what == "LocalStall");
+    const bool ends = kind == "event" && (what == "interrupted" || what == "stand-by-began" || what == "local-stall");
     if (ends || (kind == "robot" && what == "Hold"))
         robot.armed = false;
     if (kind == "robot" && what == "Armed") {

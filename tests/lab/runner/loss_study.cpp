@@ -31,15 +31,15 @@ Counts count(Rig& rig)
         for (const auto& record : device->records) {
             if (record.kind() == "state")
                 ++seen[device->name + " " + record.word(1)][record.word(3)];
-            counts.stalls += record.kind() == "event" && record.word(1) == "LocalStall";
+            counts.stalls += record.kind() == "event" && record.word(1) == "local-stall";
         }
     for (const auto& link : rig.plan().links) {
         const auto [a, b] = endsOf(link);
         auto& here = seen[a + " " + b];
         auto& there = seen[b + " " + a];
-        counts.suspect += std::max(here["Suspect"], there["Suspect"]);
-        counts.interrupted += std::max(here["Reconnecting"], there["Reconnecting"]);
-        counts.standBy += std::max(here["StandBy"], there["StandBy"]);
+        counts.suspect += std::max(here["suspect"], there["suspect"]);
+        counts.interrupted += std::max(here["interrupted"], there["interrupted"]);
+        counts.standBy += std::max(here["stand-by"], there["stand-by"]);
     }
     return counts;
 }

@@ -15,7 +15,7 @@ std::pair<std::string, std::string> endsOf(const std::string& link)
 bool isOpen(Rig& rig, const std::string& link)
 {
     const auto [a, b] = endsOf(link);
-    return rig[a].stateOf(b) == "Open" && rig[b].stateOf(a) == "Open";
+    return rig[a].stateOf(b) == "open" && rig[b].stateOf(a) == "open";
 }
 
 void openEveryLink(Rig& rig)
@@ -27,8 +27,8 @@ void openEveryLink(Rig& rig)
         for (const auto& link : links) {
             const auto [a, b] = endsOf(link);
             const auto& state = rig[a].stateOf(b);
-            if (state == "StandBy" || state == "Closed")
-                rig.say(a, (state == "StandBy" ? "reopen " : "open ") + b);
+            if (state == "stand-by" || state == "closed")
+                rig.say(a, (state == "stand-by" ? "reopen " : "open ") + b);
         }
         (void)rig.until(allOpen, Milliseconds(2000));
     }

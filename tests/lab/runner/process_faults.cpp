@@ -28,7 +28,7 @@ void killCockpit(Scene& scene)
     scene.rig().settle(Milliseconds(200));
     scene.rig().start("cockpit");
     // A cockpit that was started anew knows nothing; its person opens, is told of the stand-by, and re-opens.
-    scene.await([&] { return scene.robot().stateOf("cockpit") == "StandBy" || scene.robot().stateOf("cockpit") == "Closed"; },
+    scene.await([&] { return scene.robot().stateOf("cockpit") == "stand-by" || scene.robot().stateOf("cockpit") == "closed"; },
                 Milliseconds(3000), "the robot did not notice that the cockpit died");
     scene.recover();
 }
@@ -68,7 +68,7 @@ void openBoth(Scene& scene)
 {
     scene.engage();
     scene.rig().say("cockpit", "close robot");
-    scene.await([&] { return scene.cockpit().stateOf("robot") == "Closed" && scene.robot().stateOf("cockpit") == "Closed"; },
+    scene.await([&] { return scene.cockpit().stateOf("robot") == "closed" && scene.robot().stateOf("cockpit") == "closed"; },
                 Milliseconds(3000), "the session did not close");
     scene.rig().settle(Milliseconds(scene.draw(150, 300)));
     const auto pressed = nowNs();

@@ -36,13 +36,13 @@ void workThrough(Scene& scene, const std::string& order, Milliseconds time)
         ++stops;
         const auto wanted = std::min(left, Milliseconds(1500));
         (void)scene.rig().until([&] { return scene.cockpit().heard["robot"] == "Ready" && scene.cockpit().isOpenTo("robot"); }, wanted);
-        if (scene.cockpit().stateOf("robot") == "StandBy")
+        if (scene.cockpit().stateOf("robot") == "stand-by")
             break;
         scene.rig().say("cockpit", "arm robot");
         (void)scene.rig().until([&] { return scene.robot().moving; }, wanted);
     }
     scene.heal();
-    const auto interruptions = count(scene.cockpit(), "state", "robot", "Reconnecting");
+    const auto interruptions = count(scene.cockpit(), "state", "robot", "interrupted");
     scene.recover();
     scene.note("drive stops " + std::to_string(stops) + " in " + std::to_string(time.count() / 1000) + " s, interruptions " +
                std::to_string(interruptions));

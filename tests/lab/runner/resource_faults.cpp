@@ -41,7 +41,7 @@ void fullDisk(Scene& scene)
 {
     auto& rig = scene.rig();
     rig.say("cockpit", "quit");
-    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "Closed"; }, Milliseconds(4000),
+    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
                 "the cockpit did not end in order");
     Rig::Start small;
     small.smallDisk = true;
@@ -51,7 +51,7 @@ void fullDisk(Scene& scene)
     fillDisk(store);
     scene.begin(nowNs());
     rig.say("cockpit", "open robot");
-    const auto failed = [](const Record& record) { return record.kind() == "event" && record.word(1) == "OpenFailed"; };
+    const auto failed = [](const Record& record) { return record.kind() == "event" && record.word(1) == "open-failed"; };
     (void)rig.until([&] { return scene.cockpit().isOpenTo("robot") || scene.cockpit().first(0, failed) != nullptr; }, Milliseconds(4000));
     scene.note(scene.cockpit().isOpenTo("robot") ? "opened without storing" : "refused to open");
     if (!incompleteFiles(store).empty())
@@ -64,7 +64,7 @@ void fullDisk(Scene& scene)
     if (!scene.robot().moving)
         scene.fails("a full disk stopped a session that was open");
     rig.say("cockpit", "quit");
-    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "Closed"; }, Milliseconds(4000),
+    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
                 "the cockpit did not end in order");
     rig.start("cockpit");
     scene.engage();
@@ -126,7 +126,7 @@ void slowConsumer(Scene& scene)
     auto& rig = scene.rig();
     const auto restart = [&](const Rig::Start& how) {
         rig.say("cockpit", "quit");
-        scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "Closed"; }, Milliseconds(4000),
+        scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
                     "the cockpit did not end in order");
         rig.start("cockpit", how);
     };

@@ -24,12 +24,12 @@ std::string programPath(const std::string& name) { return (std::filesystem::read
 bool RigDevice::isOpenTo(const std::string& peer) const
 {
     const auto& state = stateOf(peer);
-    return state == "Open" || state == "Suspect";
+    return state == "open" || state == "suspect";
 }
 
 const std::string& RigDevice::stateOf(const std::string& peer) const
 {
-    static const std::string closed = "Closed";
+    static const std::string closed = "closed";
     const auto found = states.find(peer);
     return found == states.end() ? closed : found->second;
 }

@@ -14,7 +14,7 @@ constexpr int patience = 8;
 
 double millisecondsSince(std::int64_t from, std::int64_t to) { return static_cast<double>(to - from) / 1e6; }
 
-bool isLoss(const std::string& state) { return state == "Reconnecting" || state == "StandBy" || state == "Closed"; }
+bool isLoss(const std::string& state) { return state == "interrupted" || state == "stand-by" || state == "closed"; }
 
 } // namespace
 
@@ -29,9 +29,9 @@ void Scene::await(const std::function<bool()>& condition, Milliseconds limit, co
 // Both ends are where they stay until somebody acts.
 bool Scene::settled(const std::string& peer)
 {
-    const auto rests = [](const std::string& state) { return state == "Open" || state == "StandBy" || state == "Closed"; };
+    const auto rests = [](const std::string& state) { return state == "open" || state == "stand-by" || state == "closed"; };
     return rests(cockpit().stateOf(peer)) && rests(m_rig[peer].stateOf("cockpit")) &&
-           (cockpit().stateOf(peer) == "Open") == (m_rig[peer].stateOf("cockpit") == "Open");
+           (cockpit().stateOf(peer) == "open") == (m_rig[peer].stateOf("cockpit") == "open");
 }
 
 void Scene::reopen(const std::string& peer)
@@ -40,11 +40,11 @@ void Scene::reopen(const std::string& peer)
     RigDevice& other = m_rig[peer];
     for (int press = 0; press < patience; ++press) {
         const auto& state = cockpit().stateOf(peer);
-        if (state == "StandBy" || state == "Closed")
-            m_rig.say("cockpit", (state == "StandBy" ? "reopen " : "open ") + peer);
+        if (state == "stand-by" || state == "closed")
+            m_rig.say("cockpit", (state == "stand-by" ? "reopen " : "open ") + peer);
         const auto from = nowNs();
-        const auto failed = [&](const Record& record) { return record.kind() == "event" && record.word(1) == "OpenFailed"; };
-        const auto open = [&] { return cockpit().stateOf(peer) == "Open" && other.stateOf("cockpit") == "Open"; };
+        const auto failed = [&](const Record& record) { return record.kind() == "event" && record.word(1) == "open-failed"; };
+        const auto open = [&] { return cockpit().stateOf(peer) == "open" && other.stateOf("cockpit") == "open"; };
         (void)m_rig.until([&] { return open() || cockpit().first(from, failed) != nullptr; }, openLimit);
         if (open()) {
             if (press > 0)
@@ -55,7 +55,7 @@ void Scene::reopen(const std::string& peer)
     }
     const auto isOpen = [](const RigDevice& device, const std::string& to) {
         return [&device, to](const Record& record) {
-            return record.kind() == "state" && record.word(1) == to && record.word(3) == "Open" && device.stateOf(to) == "Open";
+            return record.kind() == "state" && record.word(1) == to && record.word(3) == "open" && device.stateOf(to) == "open";
         };
     };
     const auto* here = cockpit().first(pressed, isOpen(cockpit(), peer));
@@ -75,7 +75,7 @@ void Scene::openAll()
             continue;
         await([&] { return settled(peer); }, openLimit,
               "the ends of cockpit-" + peer + " did not settle: " + cockpit().stateOf(peer) + ", " + m_rig[peer].stateOf("cockpit"));
-        if (cockpit().stateOf(peer) != "Open")
+        if (cockpit().stateOf(peer) != "open")
             reopen(peer);
     }
 }
@@ -131,11 +131,11 @@ void Scene::read()
             return record.kind() == "state" && record.word(1) == "robot" && record.word(3) == state;
         }) != nullptr;
     };
-    m_outcome.seen = wentTo("StandBy") || wentTo("Closed") ? "stand-by"
-                     : wentTo("Reconnecting")              ? "interrupted"
-                     : wentTo("Suspect")                   ? "suspect"
-                                                           : "unnoticed";
-    const auto* lost = cockpit().first(*m_begin, [](const Record& record) { return record.kind() == "event" && record.word(1) == "Lost"; });
+    m_outcome.seen = wentTo("stand-by") || wentTo("closed") ? "stand-by"
+                     : wentTo("interrupted")                ? "interrupted"
+                     : wentTo("suspect")                    ? "suspect"
+                                                            : "unnoticed";
+    const auto* lost = cockpit().first(*m_begin, [](const Record& record) { return record.kind() == "event" && record.word(1) == "lost"; });
     if (lost != nullptr)
         note(lost->word(4));
 }

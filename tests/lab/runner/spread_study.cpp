@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t devices = 8;
 constexpr Milliseconds cutTime{1200};
 
-bool beganStandBy(const Record& record) { return record.kind() == "event" && record.word(1) == "StandByBegan"; }
+bool beganStandBy(const Record& record) { return record.kind() == "event" && record.word(1) == "stand-by-began"; }
 
 struct Spread {
     Sample fromFirst; ///< ms from the first device that knew to the last
