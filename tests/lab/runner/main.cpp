@@ -1,0 +1,142 @@
+// lab: breaks what lies between and under real devices, and holds what they then do against what must hold.
+#include "runner/campaign.hpp"
+#include "runner/studies.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+
+namespace liena::lab {
+
+std::vector<Fault> allFaults()
+{
+    std::vector<Fault> all;
+    for (auto&& faults : {linkFaults(), qualityFaults(), processFaults(), resourceFaults()})
+        all.insert(all.end(), faults.begin(), faults.end());
+    return all;
+}
+
+namespace {
+
+struct Options {
+    CampaignOptions campaign;
+    std::vector<std::string> faults;
+    std::string json;
+    StudyOptions study;
+    bool list = false;
+    bool spread = false;
+    bool loss = false;
+    bool memory = false;
+    bool soak = false;
+
+    bool all() const { return faults.empty() && !spread && !loss && !memory && !soak; }
+};
+
+int listFaults()
+{
+    for (const auto& fault : allFaults())
+        std::printf("%-15s %-4s %s\n", fault.name.c_str(), fault.row.c_str(), fault.sentence.c_str());
+    return 0;
+}
+
+std::vector<Fault> chosenFaults(const Options& options)
+{
+    auto faults = allFaults();
+    if (!options.faults.empty())
+        std::erase_if(faults, [&](const Fault& fault) {
+            return std::find(options.faults.begin(), options.faults.end(), fault.name) == options.faults.end();
+        });
+    // Those of one system behind each other, in the order of the table else.
+    std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) { return a.cast < b.cast; });
+    return faults;
+}
+
+bool runFaults(const Options& options)
+{
+    Campaign campaign(options.campaign);
+    std::vector<Row> rows;
+    printHead();
+    for (const auto& fault : chosenFaults(options)) {
+        rows.push_back(campaign.run(fault));
+        printRow(rows.back());
+    }
+    if (!options.json.empty())
+        std::ofstream(options.json) << toJson(rows);
+    return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.holds(); });
+}
+
+bool runAll(const Options& options)
+{
+    bool holds = true;
+    if (options.all() || !options.faults.empty())
+        holds &= runFaults(options);
+    if (options.all() || options.spread)
+        holds &= studySpread(options.study);
+    if (options.all() || options.loss)
+        holds &= studyLoss(options.study);
+    if (options.all() || options.memory)
+        holds &= studyMemory(options.study);
+    if (options.soak)
+        holds &= soak(options.study);
+    return holds;
+}
+
+void addOptions(CLI::App& app, Options& options)
+{
+    app.add_option("--fault", options.faults, "only these; see --list");
+    app.add_option("--repetitions", options.campaign.repetitions, "of each fault")->check(CLI::Range(1, 100'000));
+    app.add_option("--seed", options.campaign.seed, "of every random decision");
+    app.add_option("--json", options.json, "write the rows to this file as well");
+    app.add_flag("--spread", options.spread, "how soon every live device of eight knows of a stand-by");
+    app.add_flag("--loss", options.loss, "false alarms under loss");
+    app.add_option("--loss-seconds", options.study.lossSeconds, "at each rate of loss")->check(CLI::Range(1, 86'400));
+    app.add_flag("--memory", options.memory, "memory per idle session");
+    app.add_flag("--soak", options.soak, "a random fault every half minute");
+    app.add_option("--hours", options.study.soakHours, "of the soak")->check(CLI::Range(0.01, 1000.0));
+    app.add_option("--interval", options.study.soakInterval, "seconds from fault to fault of the soak")->check(CLI::Range(5, 3600));
+    app.add_flag("--list", options.list, "say what the faults are");
+    app.add_flag("--keep", options.campaign.keep, "keep the folders with topology, certificates and logs");
+}
+
+int run(const Options& options)
+{
+    if (options.list)
+        return listFaults();
+    if (::geteuid() != 0) {
+        std::fputs("lab: this must be run as root: it makes network namespaces and TAP devices of its own\n", stderr);
+        return 2;
+    }
+    const bool holds = runAll(options);
+    std::printf("lab: %s\n", holds ? "everything that must hold held" : "BROKEN: see the lines above");
+    return holds ? 0 : 1;
+}
+
+} // namespace
+
+} // namespace liena::lab
+
+int main(int argc, char** argv)
+{
+    CLI::App app("Breaks what lies between and under LiENa's devices, and prints what they do.");
+    liena::lab::Options options;
+    std::signal(SIGPIPE, SIG_IGN); // a device that has died says so by the end of its output
+    try {
+        liena::lab::addOptions(app, options);
+        app.parse(argc, argv);
+        options.campaign.repetitionsAsked = app.count("--repetitions") > 0;
+        options.study.repetitions = options.campaign.repetitions;
+        options.study.seed = options.campaign.seed;
+        options.study.keep = options.campaign.keep;
+        return liena::lab::run(options);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error);
+    } catch (const std::exception& failure) {
+        std::fprintf(stderr, "lab: %s\n", failure.what());
+        return 1;
+    }
+}

@@ -1,0 +1,19 @@
+// A system of several devices in which persons open every link.
+#pragma once
+
+#include "runner/rig.hpp"
+
+#include <string>
+#include <utility>
+
+namespace liena::lab {
+
+/// The ends of a link as the topology writes it.
+std::pair<std::string, std::string> endsOf(const std::string& link);
+
+bool isOpen(Rig& rig, const std::string& link);
+
+/// The person at the first end of each link opens or re-opens until all are open; throws std::runtime_error when they do not.
+void openEveryLink(Rig& rig);
+
+} // namespace liena::lab

@@ -1,0 +1,175 @@
+// Faults of what a program gets from its computer: sockets, clocks, disks, descriptors, memory for what is read slowly.
+#include "runner/faults.hpp"
+
+#include "runner/process_facts.hpp"
+
+#include <cstdio>
+
+namespace liena::lab {
+
+namespace {
+
+/// The kernel gives up the cockpit's connections, as after a forged or a firewall's RST.
+void resetSockets(Scene& scene)
+{
+    scene.engage();
+    const auto before = nowNs();
+    scene.rig().networks().run(scene.cockpit().port, {"ss", "-K", "state", "established"});
+    scene.begin(before);
+    scene.rig().settle(Milliseconds(900));
+    scene.recover();
+    scene.must({"interrupted"});
+}
+
+std::function<void(Scene&)> clockStep(const std::string& device, long milliseconds)
+{
+    return [=](Scene& scene) {
+        scene.engage();
+        scene.begin(nowNs());
+        scene.rig().say(device, "clock " + std::to_string(milliseconds));
+        scene.rig().settle(Milliseconds(2500));
+        scene.read();
+        scene.must({"unnoticed", "suspect"});
+        scene.rig().say(device, "clock " + std::to_string(-milliseconds));
+        scene.rig().settle(Milliseconds(2500));
+        scene.recover();
+    };
+}
+
+/// The cockpit must learn the robot's message set, and its disk is full.
+void fullDisk(Scene& scene)
+{
+    auto& rig = scene.rig();
+    rig.say("cockpit", "quit");
+    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
+                "the cockpit did not end in order");
+    Rig::Start small;
+    small.smallDisk = true;
+    small.registry = rig.files().registryWithout({"vascular-robot"});
+    rig.start("cockpit", small);
+    const auto store = diskOf(scene.cockpit().process->id(), rig.files().storeOf("cockpit"));
+    fillDisk(store);
+    scene.begin(nowNs());
+    rig.say("cockpit", "open robot");
+    const auto failed = [](const Record& record) { return record.kind() == "event" && record.word(1) == "open-failed"; };
+    (void)rig.until([&] { return scene.cockpit().isOpenTo("robot") || scene.cockpit().first(0, failed) != nullptr; }, Milliseconds(4000));
+    scene.note(scene.cockpit().isOpenTo("robot") ? "opened without storing" : "refused to open");
+    if (!incompleteFiles(store).empty())
+        scene.fails("a half-written file is left in the store: " + incompleteFiles(store));
+    emptyDisk(store);
+    scene.engage();
+    scene.outcome().seen = "unnoticed";
+    fillDisk(store);
+    rig.settle(Milliseconds(500));
+    if (!scene.robot().moving)
+        scene.fails("a full disk stopped a session that was open");
+    rig.say("cockpit", "quit");
+    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
+                "the cockpit did not end in order");
+    rig.start("cockpit");
+    scene.engage();
+}
+
+/// No descriptor is left when the connections break.
+void outOfDescriptors(Scene& scene)
+{
+    scene.engage();
+    const auto id = scene.robot().process->id();
+    limitDescriptors(id, countDescriptors(id));
+    const auto from = nowNs();
+    scene.rig().settle(Milliseconds(500));
+    if (!scene.robot().moving)
+        scene.fails("the limit alone stopped an open session");
+    scene.rig().networks().run(scene.cockpit().port, {"ss", "-K", "state", "established"});
+    scene.begin(nowNs());
+    const double busyBefore = processorSeconds(id);
+    scene.rig().settle(Milliseconds(1500));
+    const double busy = (processorSeconds(id) - busyBefore) / (static_cast<double>(nowNs() - from) / 1e9 - 0.5);
+    char text[48];
+    std::snprintf(text, sizeof text, "robot busy %.0f %%", busy * 100);
+    scene.note(text);
+    limitDescriptors(id, 1024);
+    scene.recover();
+}
+
+std::function<void(Scene&)> smallBuffers()
+{
+    return [](Scene& scene) {
+        const std::string tiny = "4096 4096 4096";
+        const std::string usual = "4096 16384 4194304";
+        for (std::size_t port = 0; port < 3; ++port)
+            scene.rig().networks().writeSetting(port, "ipv4/tcp_wmem", tiny);
+        scene.engage();
+        scene.rig().networks().run(0, {"ss", "-K", "state", "established"}); // the sizes are those of new connections
+        scene.rig().settle(Milliseconds(1000));
+        scene.engage();
+        scene.begin(nowNs());
+        scene.rig().say("xray", "pictures 300000 100");
+        const auto first = scene.cockpit().pictures;
+        scene.rig().settle(Milliseconds(3000));
+        scene.note(std::to_string((scene.cockpit().pictures - first) / 3) + " pictures/s");
+        if (scene.cockpit().pictures == first)
+            scene.fails("no picture passed the small buffers");
+        scene.rig().say("xray", "pictures 0 100");
+        for (std::size_t port = 0; port < 3; ++port)
+            scene.rig().networks().writeSetting(port, "ipv4/tcp_wmem", usual);
+        scene.read();
+        scene.rig().networks().run(0, {"ss", "-K", "state", "established"});
+        scene.rig().settle(Milliseconds(1000));
+        scene.engage();
+    };
+}
+
+/// A cockpit whose application takes nothing out of its cache.
+void slowConsumer(Scene& scene)
+{
+    auto& rig = scene.rig();
+    const auto restart = [&](const Rig::Start& how) {
+        rig.say("cockpit", "quit");
+        scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
+                    "the cockpit did not end in order");
+        rig.start("cockpit", how);
+    };
+    Rig::Start hoards;
+    hoards.flags = {"--hoard-pictures"};
+    restart(hoards);
+    scene.engage();
+    scene.begin(nowNs());
+    rig.say("xray", "pictures 500000 33");
+    rig.settle(Milliseconds(1000));
+    const auto early = residentKiB(scene.cockpit().process->id());
+    rig.settle(Milliseconds(3000));
+    const auto late = residentKiB(scene.cockpit().process->id());
+    rig.say("xray", "pictures 0 33");
+    char text[80];
+    std::snprintf(text, sizeof text, "cockpit grew %+lld KiB in 3 s, largest gap of commands %.0f ms",
+                  static_cast<long long>(late) - static_cast<long long>(early), scene.largestGap(0));
+    scene.note(text);
+    if (late > early + 32 * 1024)
+        scene.fails("pictures that nobody takes pile up");
+    scene.read();
+    restart(Rig::Start());
+    scene.engage();
+}
+
+} // namespace
+
+std::vector<Fault> resourceFaults()
+{
+    constexpr long hour = 3'600'000;
+    return {
+        {"reset", "F18", "the kernel aborts all connections of the cockpit (ss -K)", Cast::Pair, resetSockets},
+        {"clock-forward", "F19", "the cockpit's wall clock steps an hour forward, and back after 2.5 s", Cast::Pair,
+         clockStep("cockpit", hour), 2},
+        {"clock-back", "F19", "the robot's wall clock steps an hour back, and forward after 2.5 s", Cast::Pair, clockStep("robot", -hour),
+         2},
+        {"disk-full", "F20", "the cockpit's disk is full when it must learn a message set, and later", Cast::Pair, fullDisk, 2},
+        {"descriptors", "F21", "the robot has no descriptor left when its connections break", Cast::Pair, outOfDescriptors, 2},
+        {"small-buffers", "F22", "send buffers of 4 KiB while pictures of 300 kB flow: most writes are partial", Cast::WithPictures,
+         smallBuffers(), 2},
+        {"slow-consumer", "F23", "the cockpit's application takes no picture out of its cache, 30 of 500 kB a second", Cast::WithPictures,
+         slowConsumer, 2},
+    };
+}
+
+} // namespace liena::lab
