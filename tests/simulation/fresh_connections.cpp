@@ -90,6 +90,7 @@ void SimulatedCouriers::send(std::unique_ptr<SimulatedFresh> refused, const prot
     handlers.failed = [this, place](const ConnectFailure&) { end(place->get()); };
     handlers.lost = [this, place](const std::string&) { end(place->get()); };
     handlers.dropped = [](const tasks::OutputQueue::Entry&, tasks::OutputQueue::Fate) {};
+    handlers.abandoning = [](const protocol::DatagramHeader&) { return protocol::EncodedMessage(); }; // it carries no segments
     handlers.leaving = [](std::vector<std::byte>&, std::size_t) {};
     *place = std::make_shared<Trip>(m_program, m_peer, std::move(handlers));
     (*place)->refused = std::move(refused);

@@ -36,7 +36,7 @@ protocol::SessionMessage drawMessage(SeededRandom& random, DeviceId a, DeviceId 
     const auto token = random.next();
     switch (random.below(9)) {
     case 0:
-        return protocol::StandBy{token, std::min(a, b), std::max(a, b), LossCause::HeartbeatLost, token >> 2U};
+        return protocol::StandBy{token, std::min(a, b), std::max(a, b), LossCause::HeartbeatLost, token >> 2U, a};
     case 1:
         return protocol::StandByReport{token, a, true, token};
     case 2:

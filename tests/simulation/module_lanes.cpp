@@ -22,6 +22,9 @@ SimulatedLane::Handlers SimulatedModule::laneZeroHandlers()
     handlers.failed = [this](const ConnectFailure& failure) { handle(session::OutgoingFailed{failure.probe, failure.detail}); };
     handlers.lost = [this](const std::string& detail) { handle(session::OutgoingLost{ProbeResult::NotProbed, detail}); };
     handlers.dropped = [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { unsent(entry, fate); };
+    handlers.abandoning = [this](const protocol::DatagramHeader& begun) {
+        return encode(protocol::Abandon{begun.message.number, begun.timestamp.ns}, m_device.surroundings().idOf(m_peer));
+    };
     handlers.leaving = [this](std::vector<std::byte>& bytes, std::size_t begin) { leaving(bytes, begin); };
     return handlers;
 }

@@ -57,7 +57,7 @@ Judgement SimulatedModule::judgeSession(std::uint8_t lane, const protocol::Datag
         return violation("session management on a bulk lane");
     if (header.length > *maximum)
         return violation("a session message is longer than it can be");
-    handle(session::LifeHeard{lane == 0});
+    handle(session::LifeHeard{lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane});
     return {HeaderVerdict::Take, *maximum};
 }
 
@@ -76,7 +76,7 @@ Judgement SimulatedModule::judgeApplication(std::uint8_t lane, const protocol::D
         return violation("a message is longer than its definition allows");
     if (definition->priority == Priority::Control && header.moreSegments)
         return violation("a control message in several segments");
-    handle(session::LifeHeard{lane == 0});
+    handle(session::LifeHeard{lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane});
     return {HeaderVerdict::Take, maximum};
 }
 
@@ -141,7 +141,7 @@ void SimulatedModule::datagramArrived(std::span<const std::byte> packet)
         return drop("what does not belong on the datagram path", header);
     if (definition != nullptr && header.length > definition->maximumSize())
         return (void)violation("a message is longer than its definition allows");
-    handle(session::LifeHeard{false});
+    handle(session::LifeHeard{session::LifePath::Packet});
     if (!heartbeat)
         return receivedApplication(header, part);
     const auto message = protocol::decodeSessionMessage(header.message.number, part);

@@ -91,7 +91,10 @@ SimulatedLane::SimulatedLane(Program& program, HostIndex peer, Settings settings
 
 SimulatedLane::~SimulatedLane() { cancelAttempt(); }
 
-std::unique_ptr<tasks::OutputQueue> SimulatedLane::makeQueue() const { return std::make_unique<tasks::OutputQueue>(m_handlers.dropped); }
+std::unique_ptr<tasks::OutputQueue> SimulatedLane::makeQueue() const
+{
+    return std::make_unique<tasks::OutputQueue>(m_handlers.dropped, m_handlers.abandoning);
+}
 
 void SimulatedLane::connect(const protocol::EncodedMessage& attach, Nanoseconds limit)
 {

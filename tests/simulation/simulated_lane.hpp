@@ -26,6 +26,7 @@ public:
         std::function<void(const ConnectFailure&)> failed;
         std::function<void(const std::string& detail)> lost;
         tasks::OutputQueue::Report dropped;
+        tasks::OutputQueue::Abandoning abandoning;
         /// Every datagram before it becomes bytes; it may be changed, and others may be put behind it.
         std::function<void(std::vector<std::byte>& bytes, std::size_t begin)> leaving;
     };

@@ -68,7 +68,6 @@ private slots:
     void refusesMoreThanTheDefinitionAllows();
     void takesExactlyTheMaximum();
     void countsMessageOverTheSharedBudget();
-    void boundsWhatItPassesOver();
     void recoversFromOverBudget();
     void messageOverBudgetStillHasItsMaximum();
     void givesTheBudgetBack();
@@ -222,16 +221,6 @@ void ReassemblerTest::countsMessageOverTheSharedBudget()
 }
 
 /// A message that does not fit the budget must not go on for ever.
-void ReassemblerTest::boundsWhatItPassesOver()
-{
-    PartialBudget budget(100);
-    Lane lane(budget);
-    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(200, 'a'), true, 300)));
-    QVERIFY(is<Reassembler::Incomplete>(lane.take(1, std::string(100, 'a'), true, 300)));
-    QCOMPARE(budget.used(), std::size_t{0});
-    QVERIFY(is<Reassembler::Violation>(lane.take(1, "a", true, 300)));
-}
-
 void ReassemblerTest::recoversFromOverBudget()
 {
     PartialBudget budget(100);
