@@ -138,7 +138,7 @@ void ScriptedPeer::answer(const Datagram& datagram)
         if (!habits.answers)
             break;
         if (body.u64(); datagram.body.size() > 40 && datagram.body[40] != 0)
-            saying(number::messageSet, messageSet(hashOf(m_role.set), m_role.set));
+            sendSet();
         if (m_again)
             saying(number::channelReOpened, reOpened(m_token, m_previous, m_role.id, m_role.device));
         else
@@ -146,7 +146,7 @@ void ScriptedPeer::answer(const Datagram& datagram)
         m_state = state::open;
         break;
     case number::messageSetRequest:
-        saying(number::messageSet, messageSet(hashOf(m_role.set), m_role.set));
+        sendSet();
         break;
     case number::channelOpened:
         m_state = state::open;
@@ -181,6 +181,20 @@ void ScriptedPeer::answer(const Datagram& datagram)
         break;
     default:
         break;
+    }
+}
+
+/// In segments of 8 192 bytes.
+void ScriptedPeer::sendSet()
+{
+    const auto body = messageSet(hashOf(m_role.set), m_role.sentSet.empty() ? m_role.set : m_role.sentSet);
+    auto head = header(number::messageSet);
+    for (std::size_t at = 0; at < body.size(); at += 8192) {
+        const auto end = std::min(body.size(), at + 8192);
+        head.more = end < body.size();
+        const Bytes part(body.begin() + static_cast<std::ptrdiff_t>(at), body.begin() + static_cast<std::ptrdiff_t>(end));
+        if (!m_lane0->send(datagram(head, part)))
+            return;
     }
 }
 
@@ -232,7 +246,8 @@ void ScriptedPeer::beat()
                                            .state = m_state,
                                            .incidents = 0,
                                            .epoch = m_epoch}));
-    m_lane0->send(datagram);
+    if (habits.laneZero)
+        m_lane0->send(datagram);
     if (habits.datagrams)
         sendPacket(sealNext(datagram));
 }
@@ -257,29 +272,64 @@ void ScriptedPeer::begin(std::uint64_t token, std::unique_ptr<TlsLink> lane0, co
     m_lane0->send(first);
 }
 
-void ScriptedPeer::open(bool again)
+void ScriptedPeer::begin(bool again)
 {
     auto lane0 = connection();
     if (!lane0->failure().empty())
         throw std::runtime_error("the scripted peer cannot connect: " + lane0->failure());
-    {
-        const std::lock_guard lock(m_mutex);
-        m_again = again;
-        m_incoming.clear();
-        const auto token = freshToken();
-        begin(token, std::move(lane0), again ? diagnosisHandshake(token, m_previous) : handshake(token));
-    }
-    awaitOpen();
+    const std::lock_guard lock(m_mutex);
+    m_again = again;
+    m_incoming.clear();
+    const auto token = freshToken();
+    begin(token, std::move(lane0), again ? diagnosisHandshake(token, m_previous) : handshake(token));
+}
+
+std::optional<std::uint8_t> ScriptedPeer::refusalOfConnecting()
+{
+    const auto trial = connection();
+    return trial->failure().empty() ? refusalOfOpening() : std::uint8_t{0};
+}
+
+std::optional<std::uint8_t> ScriptedPeer::refusalOfOpening(bool again)
+{
+    begin(again);
+    const auto reason = [this] {
+        const auto refusals = heard(number::rejected);
+        return !refusals.empty() && refusals.back().token == token() ? refusals.back().datagram.body.at(8) : std::uint8_t{0};
+    };
+    if (!waits([&] { return (isOpen() && deviceState() == state::open) || reason() != 0 || laneClosed(); }))
+        throw std::runtime_error("the device neither opens nor refuses");
+    if (isOpen() && reason() == 0)
+        return std::nullopt;
+    (void)waits([this] { return laneClosed(); }); // the reason may come behind the end of our lane
+    return reason();
+}
+
+void ScriptedPeer::open(bool again)
+{
+    if (const auto refused = refusalOfOpening(again))
+        throw std::runtime_error("the scripted peer could not open: reason " + std::to_string(*refused));
 }
 
 void ScriptedPeer::awaitOpen()
 {
-    if (waits([this] { return isOpen() && deviceState() == state::open; }))
-        return;
-    const auto refusals = heard(number::rejected);
-    const auto& words = refusals.empty() ? Bytes() : refusals.back().datagram.body;
-    throw std::runtime_error("the scripted peer could not open: " +
-                             (words.size() > 11 ? std::string(words.begin() + 11, words.end()) : ""));
+    if (!waits([this] { return isOpen() && deviceState() == state::open; }))
+        throw std::runtime_error("the device did not open a session with the scripted peer");
+}
+
+void ScriptedPeer::show(const TlsFace& face)
+{
+    const std::lock_guard lock(m_mutex);
+    m_role.face = face;
+    m_client = clientContext(face);
+    m_server = serverContext(face);
+}
+
+void ScriptedPeer::showSet(const std::string& announced, const std::string& sent)
+{
+    const std::lock_guard lock(m_mutex);
+    m_role.set = announced;
+    m_role.sentSet = sent;
 }
 
 void ScriptedPeer::close()

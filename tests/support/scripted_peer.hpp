@@ -22,6 +22,7 @@ struct PeerRole {
     std::uint16_t devicePort = 0;
     std::string topology;  ///< the file's text
     std::string set;       ///< our message set's text
+    std::string sentSet;   ///< what is sent for it; empty: the same
     std::string deviceSet; ///< the device's
     TlsFace face;
     std::chrono::milliseconds heartbeat{50};
@@ -36,6 +37,7 @@ public:
     struct Habits {
         std::atomic<bool> heartbeats{true};
         std::atomic<bool> datagrams{true}; ///< heartbeats also by UDP
+        std::atomic<bool> laneZero{true};  ///< heartbeats also on lane 0
         std::atomic<bool> accepts{true};   ///< takes connections to its own port
         std::atomic<bool> answers{true};   ///< goes on with the dialogue of an opening
     };
@@ -60,6 +62,16 @@ public:
 
     /// Opens a session as the one who asks: with a DiagnosisHandshake when `again`.
     void open(bool again = false);
+    /// The same, or the reason of the Rejected that it got; 0 when the device ended it without a word.
+    std::optional<std::uint8_t> refusalOfOpening(bool again = false);
+    /// The same when it cannot even connect: the reason is then 0.
+    std::optional<std::uint8_t> refusalOfConnecting();
+    /// Connects and says the handshake, no more.
+    void begin(bool again);
+    /// From now on it announces the hash of `announced` as its set, and sends `sent` when it is asked.
+    void showSet(const std::string& announced, const std::string& sent);
+    /// From now on it shows this identity, on both ends of its connections.
+    void show(const TlsFace& face);
     void close(); ///< in order
     /// Waits until the device has opened a session with us.
     void awaitOpen();
@@ -127,6 +139,7 @@ private:
     void readPackets();
     void judge(Incoming& incoming, const wire::Datagram& datagram);
     void answer(const wire::Datagram& datagram);
+    void sendSet();
     void hear(const wire::Heartbeat& beat);
     void beat();
     void begin(std::uint64_t token, std::unique_ptr<TlsLink> lane0, const wire::Bytes& first);

@@ -64,6 +64,7 @@ ContextPtr context(const TlsFace& face, const SSL_METHOD* method)
     need(made != nullptr, "TLS context");
     SSL_CTX_set_security_level(made.get(), 0); // what is too weak is the other side's to refuse
     SSL_CTX_set_max_proto_version(made.get(), face.highestVersion);
+    need(SSL_CTX_set1_groups_list(made.get(), face.groups.c_str()) == 1, "key exchange");
     SSL_CTX_set_mode(made.get(), SSL_MODE_ENABLE_PARTIAL_WRITE | SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
     if (!face.certificate.empty()) {
         need(SSL_CTX_use_certificate_file(made.get(), face.certificate.c_str(), SSL_FILETYPE_PEM) == 1, "certificate");

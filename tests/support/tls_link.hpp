@@ -48,6 +48,7 @@ struct TlsFace {
     std::filesystem::path between; ///< an authority between, shown along
     std::string alpn = "liena/1";  ///< empty: none
     int highestVersion = TLS1_3_VERSION;
+    std::string groups = "X25519:P-256:P-384:P-521";
 };
 
 ContextPtr clientContext(const TlsFace& face);

@@ -42,6 +42,22 @@ std::size_t residentBytes()
     return resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
+namespace {
+
+std::filesystem::path registryIn(const std::filesystem::path& folder)
+{
+    const auto made = folder / "registry";
+    std::filesystem::copy(std::filesystem::path(LIENA_SOURCE_DIR) / "resources" / "devices", made);
+    auto text = wire::fileText(made / "vascular-robot.xml");
+    for (const auto& [from, to] : {std::pair<std::string, std::string>("lifespan=\"50ms\"", "lifespan=\"60s\""),
+                                   std::pair<std::string, std::string>("max-age=\"50ms\"", "max-age=\"20s\"")})
+        text.replace(text.find(from), from.size(), to);
+    std::ofstream(made / "vascular-robot.xml") << text;
+    return made;
+}
+
+} // namespace
+
 HostileStage::HostileStage(const Options& options)
     : system({reference::cockpit, reference::robot, reference::arm, reference::xray}, {"cockpit robot", "robot arm", "robot xray"},
              {"tls", options.timing}),
@@ -49,6 +65,7 @@ HostileStage::HostileStage(const Options& options)
       cockpitId(system.idOf("cockpit")),
       xrayId(system.idOf("xray")),
       armId(system.idOf("arm")),
+      m_registry(registryIn(system.folder())),
       peer(roleOf(system, "xray", "robot")),
       robot(robotSettings(options),
             [this](DistributedSystem& device) {
@@ -57,7 +74,7 @@ HostileStage::HostileStage(const Options& options)
                     m_motions.push_back(message);
                 });
             }),
-      cockpit(system.settingsOf("cockpit"))
+      cockpit(settingsOf("cockpit"))
 {
     if (!cockpit->openChannel(robotId) ||
         !eventually([this] { return robot.heard(Kind::Opened, cockpitId) && cockpit.heard(Kind::Opened, robotId); }))
@@ -66,13 +83,35 @@ HostileStage::HostileStage(const Options& options)
 
 Settings HostileStage::robotSettings(const Options& options)
 {
-    auto settings = system.settingsOf("robot");
+    auto settings = settingsOf("robot");
+    if (!options.unknownSet.empty())
+        settings.registry = {registryWithout(options.unknownSet)};
     settings.log = [this](LogLevel, std::string_view line) {
         const std::lock_guard lock(m_mutex);
         m_log.emplace_back(line);
     };
-    options.robotSettings(settings);
     return settings;
+}
+
+Settings HostileStage::settingsOf(const std::string& name)
+{
+    auto settings = system.settingsOf(name);
+    settings.registry = {m_registry};
+    return settings;
+}
+
+std::filesystem::path HostileStage::registryWithout(const std::string& set) const
+{
+    const auto folder = system.folder() / ("registry-without-" + set);
+    std::filesystem::copy(m_registry, folder);
+    std::filesystem::remove(folder / (set + ".xml"));
+    return folder;
+}
+
+std::vector<std::string> HostileStage::log() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_log;
 }
 
 std::vector<Message> HostileStage::motions() const

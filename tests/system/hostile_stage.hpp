@@ -29,7 +29,7 @@ public:
     struct Options {
         /// Wide enough that only an attack can disturb the honest session, on a loaded machine and under sanitizers.
         std::string timing = R"(heartbeat="50ms" suspect="2s" lost="3s" reconnect="6s")";
-        std::function<void(Settings&)> robotSettings = [](Settings&) {};
+        std::string unknownSet{}; ///< the robot's register lacks this one
     };
 
     HostileStage() : HostileStage(Options()) {}
@@ -50,6 +50,12 @@ public:
     std::vector<SessionEvent> refusals() const { return robot.events(SessionEvent::Kind::IdentityRefused); }
     std::string story();
 
+    /// Where the devices find their sets: the register's, with motion commands that a loaded machine cannot make too old.
+    std::filesystem::path registry() const { return m_registry; }
+    /// A copy of it without one set.
+    std::filesystem::path registryWithout(const std::string& set) const;
+    std::vector<std::string> log() const; ///< the robot's
+
     /// Opens the scripted session, or re-opens it after a loss, and waits until both ends have it.
     void openPeer();
 
@@ -60,6 +66,7 @@ public:
     const DeviceId armId;
 
 private:
+    std::filesystem::path m_registry;
     mutable std::mutex m_mutex;
     std::vector<Message> m_motions;
     std::vector<std::string> m_log;
@@ -70,6 +77,7 @@ public:
     TestDevice cockpit;
 
 private:
+    Settings settingsOf(const std::string& name);
     Settings robotSettings(const Options& options);
 };
 

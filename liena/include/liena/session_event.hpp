@@ -66,7 +66,7 @@ struct SessionEvent {
         DeadlineMissed,  ///< peer, message: once per gap
         MessagesDropped, ///< peer, message (may be empty), count, detail: once per cause
         SendFailed,      ///< peer, message, detail: accepted by send() and lost before it left
-        IdentityRefused, ///< peer (broadcast when unknown), detail: a connection whose identity does not hold
+        IdentityRefused, ///< peer (broadcast when unknown), count, detail: connections that were not let in; once per cause
         LocalStall,      ///< duration: this process did not run for longer than `suspect`
     };
 

@@ -147,6 +147,7 @@ void SessionMachine::respond(const HandshakeHeard& input)
     m_token = input.handshake.token;
     m_namedIncident = input.previous;
     m_peerSet = input.standing;
+    m_announcedSet = input.handshake.set;
     m_begun = m_now.mono;
     m_deadline = m_now.mono + dialogueLimit;
     enter(input.diagnosis ? SessionState::Reopening : SessionState::Opening);
@@ -200,6 +201,7 @@ void SessionMachine::on(const CommitHeard& input)
         return;
     }
     m_committed = true;
+    m_announcedSet = input.commit.set;
     if (m_incident == 0)
         m_namedIncident = input.previous;
     if (input.standing == SetStanding::Changed || input.standing == SetStanding::Invalid) {

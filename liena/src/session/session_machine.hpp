@@ -208,6 +208,8 @@ public:
 
     /// The peer's set was asked for and did not arrive yet.
     bool awaitsSet() const { return isDialogue() && m_setOutstanding; }
+    /// The hash of its set, as the peer has announced it in this attempt.
+    const Sha256& announcedSet() const { return m_announcedSet; }
 
     ControlGuard& guard() { return m_guard; }
     const ControlGuard& guard() const { return m_guard; }
@@ -297,6 +299,7 @@ private:
     bool m_peerStandsBy = false;    ///< the peer holds an incident of this pair that is not known here: this device was restarted
     IncidentId m_namedIncident = 0; ///< the one that the re-opening ends
     SetStanding m_peerSet = SetStanding::Held;
+    Sha256 m_announcedSet;
     bool m_committed = false;      ///< the Commit was heard (initiator)
     bool m_setOutstanding = false; ///< the peer's set is on its way
     bool m_ownSetSent = false;

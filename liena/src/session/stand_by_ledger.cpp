@@ -1,6 +1,8 @@
 // The rules of incidents.
 #include "session/stand_by_ledger.hpp"
 
+#include "liena/log.hpp"
+
 #include <algorithm>
 
 namespace liena::session {
@@ -199,7 +201,7 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::IncidentDismis
     LedgerActions actions;
     if (!m_incidents.contains(message.incident))
         return actions;
-    end(message.incident, message, from, true, message.reason.value, actions, now);
+    end(message.incident, message, from, true, printable(message.reason.value, 256), actions, now);
     actions.push_back(Broadcast{message, from});
     return actions;
 }

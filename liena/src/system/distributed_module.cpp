@@ -200,7 +200,9 @@ protocol::EncodedMessage DistributedModule::abandon(const protocol::DatagramHead
 
 void DistributedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
 {
-    m_laneZero.push({encode(message, target), tasks::Rank::Safety, 0, std::nullopt, {}});
+    // A report of a window that nobody has read is worth nothing beside the next; a peer that does not read must not fill our memory.
+    const bool newestOnly = std::holds_alternative<protocol::LinkReport>(message);
+    m_laneZero.push({encode(message, target), tasks::Rank::Safety, newestOnly ? 1U : 0U, std::nullopt, {}});
 }
 
 /// The same bytes on both ways; whichever arrives first counts.
@@ -208,7 +210,7 @@ void DistributedModule::sendHeartbeat(const protocol::Heartbeat& heartbeat)
 {
     auto encoded = encode(heartbeat, m_peer.id);
     m_datagrams.send(encoded);
-    m_laneZero.push({std::move(encoded), tasks::Rank::Safety, 0, std::nullopt, {}});
+    m_laneZero.push({std::move(encoded), tasks::Rank::Safety, 1, std::nullopt, {}});
 }
 
 void DistributedModule::entered(const session::Entered& change)

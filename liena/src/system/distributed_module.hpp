@@ -155,6 +155,7 @@ private:
     std::unique_ptr<transport::TcpClient> m_probe;
 
     TrafficBooks m_books;
+    CauseBooks m_refusals{64}; ///< of handshakes, for the log
     DeadlineWatch m_deadlines;
     session::Instant m_nextReport;
     std::uint32_t m_interruptions = 0;

@@ -37,7 +37,9 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
           context, [this](std::span<std::byte> packet) { packetHeard(packet); }, settings.log),
       server(context, ownTopologyDevice.id, tlsIdentity,
              {[this](transport::AttachedConnection connection) { attached(std::move(connection)); },
-              [this](DeviceId device, const std::string& detail) { identityRefused(device, detail); }},
+              [this](DeviceId device, const std::string& cause, const asio::ip::tcp::endpoint& from) {
+                  identityRefused(device, cause, fmt::format("{}:{}: {}", from.address().to_string(), from.port(), cause));
+              }},
              settings.log)
 {
     board.showSet(ownTopologyDevice.id, ownMessageSet);
@@ -210,7 +212,7 @@ void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection conn
 {
     const auto* device = topology.find(connection.peer);
     const auto why = device == nullptr ? "it is not in the topology" : "the topology has no link to it";
-    identityRefused(connection.peer, fmt::format("{} asked for a session, and {}", connection.peer.toString(), why));
+    identityRefused(connection.peer, why, fmt::format("{} asked for a session, and {}", connection.peer.toString(), why));
     if (device == nullptr || device->id == ownTopologyDevice.id)
         return connection.channel->close(); // to a stranger nothing is said
     const auto token = connection.attach.token;
@@ -223,10 +225,15 @@ void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection conn
             *this, protocol::Rejected{token, RejectReason::NoLink, {"this device's topology has no link between the two"}}, device->id));
 }
 
-void DistributedSystem::State::identityRefused(DeviceId device, const std::string& detail)
+void DistributedSystem::State::identityRefused(DeviceId device, const std::string& cause, const std::string& detail)
 {
-    log(LogLevel::Warning, "refused a connection from " + printable(detail, 512));
+    const auto count = refusals.count(cause, device.value(), now().mono);
+    if (!count)
+        return;
+    log(LogLevel::Warning,
+        fmt::format("refused {} connection{}, the last from {}", *count, *count == 1 ? "" : "s", printable(detail, 512)));
     SessionEvent event;
+    event.count = *count;
     event.kind = SessionEvent::Kind::IdentityRefused;
     event.at = std::chrono::steady_clock::now();
     event.peer = device;
@@ -296,9 +303,11 @@ void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::Ses
     else if (const auto* dismissed = std::get_if<protocol::IncidentDismissed>(&message))
         perform(ledger.heard(from, *dismissed, now()));
     else if (const auto* reopened = std::get_if<protocol::ChannelReOpened>(&message)) {
-        log(LogLevel::Info, fmt::format("{} says that {} and {} re-opened their channel", from.toString(), reopened->peerA.toString(),
-                                        reopened->peerB.toString()));
-        perform(ledger.heard(from, *reopened, stamped, now()));
+        const auto actions = ledger.heard(from, *reopened, stamped, now());
+        if (actions.size() > 1) // else it is handed on and ends nothing here, and there may be many
+            log(LogLevel::Info, fmt::format("{} says that {} and {} re-opened their channel", from.toString(), reopened->peerA.toString(),
+                                            reopened->peerB.toString()));
+        perform(actions);
     }
 }
 
@@ -317,14 +326,20 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
             if (auto* one = module(changed->peer))
                 one->setIncident(changed->incident);
         } else if (const auto* told = std::get_if<session::Tell>(&action)) {
-            log(LogLevel::Info, fmt::format("{}: {} - {}", toString(told->event.kind), told->event.incident.a.toString(),
-                                            told->event.incident.b.toString()));
+            logIncident(told->event);
             tell(told->event);
         } else if (const auto* violation = std::get_if<session::LedgerViolation>(&action)) {
             if (auto* one = module(violation->peer))
                 one->endForViolation(violation->detail);
         }
     }
+}
+
+void DistributedSystem::State::logIncident(const SessionEvent& event)
+{
+    const bool hold = event.kind == SessionEvent::Kind::HoldReported; // these come as often as the peers like
+    if (!hold || holdsHeard.count({}, event.hold.device.value(), now().mono))
+        log(LogLevel::Info, fmt::format("{}: {} - {}", toString(event.kind), event.incident.a.toString(), event.incident.b.toString()));
 }
 
 void DistributedSystem::State::performBroadcast(const session::Broadcast& broadcast)

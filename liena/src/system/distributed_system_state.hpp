@@ -7,6 +7,7 @@
 #include "liena/distributed_system.hpp"
 #include "session/stall_watch.hpp"
 #include "session/stand_by_ledger.hpp"
+#include "system/cause_books.hpp"
 #include "system/distributed_module.hpp"
 #include "system/module_host.hpp"
 #include "system/set_keeper.hpp"
@@ -51,11 +52,12 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void publishNow(const Message& message);
     void drainOutbox();
     void perform(const session::LedgerActions& actions);
+    void logIncident(const SessionEvent& event);
     void performBroadcast(const session::Broadcast& broadcast);
     void housekeeping();
     void attached(transport::AttachedConnection connection);
     void packetHeard(std::span<std::byte> packet);
-    void identityRefused(DeviceId device, const std::string& detail);
+    void identityRefused(DeviceId device, const std::string& cause, const std::string& detail);
     void rejectUnlinked(transport::AttachedConnection connection);
     bool allClosed() const;
 
@@ -109,6 +111,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
     TimestampSource stamps;
     system::SetKeeper setKeeper;
     session::StandByLedger ledger;
+    system::CauseBooks refusals{64};   ///< of connections
+    system::CauseBooks holdsHeard{64}; ///< for the log
     session::StallWatch stallWatch;
     std::map<std::string, std::vector<MessageHandler>, std::less<>> messageHandlers;
     std::vector<EventHandler> eventHandlers;

@@ -38,7 +38,7 @@ void DistributedModule::packetViolation(const std::string& detail, const protoco
     if (m_datagrams.isSealed())
         violation(detail);
     else
-        drop(detail, header.message.number);
+        drop("a UDP packet that breaks the protocol", header.message.number, detail);
 }
 
 bool DistributedModule::isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const

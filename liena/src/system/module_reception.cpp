@@ -83,6 +83,8 @@ void DistributedModule::setHeard(const protocol::MessageSetAnswer& answer)
 {
     if (!m_machine.awaitsSet())
         return (void)violation("a message set that nobody asked for");
+    if (answer.set != m_machine.announcedSet())
+        return handle(session::SetHeard{session::SetStanding::Invalid, "the message set sent is not the one that was announced"});
     m_incoming->pause(); // what follows the set may depend on it
     m_host.learn(m_peer.id, answer.set, answer.xml);
 }

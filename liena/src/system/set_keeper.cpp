@@ -43,6 +43,12 @@ session::SetHeard SetKeeper::keep(DeviceId peer, const Sha256& hash, const std::
                 fmt::format("the message set is that of {}, the device is {}", parsed.value()->deviceType().toString(), peer.toString())};
     if (!m_store)
         return {SetStanding::Invalid, "there is no local store to keep the message set in"};
+    // Before it is written, so that a set which is not taken leaves nothing behind.
+    const auto pin = m_store->pinFor(peer.deviceType());
+    if (!pin)
+        return {SetStanding::Invalid, pin.error().what};
+    if (pin.value() && pin.value()->hash != hash)
+        return {SetStanding::Changed, "another message set was accepted for this type of device"};
     if (auto saved = m_store->save(*parsed.value()); !saved)
         return {SetStanding::Invalid, saved.error().what};
     const auto pinned = m_store->pinFirst(peer.deviceType(), hash);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "protocol/session_messages.hpp"
+#include "system/cause_books.hpp"
 
 #include <chrono>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,12 +22,7 @@ public:
     {
         ++m_dropped;
         ++m_window.droppedMessages;
-        auto& entry = m_causes[{cause, number}];
-        ++entry.untold;
-        if (entry.lastTold && now - *entry.lastTold < std::chrono::seconds(10))
-            return std::nullopt;
-        entry.lastTold = now;
-        return std::exchange(entry.untold, 0);
+        return m_causes.count(cause, number, now);
     }
 
     void received(std::size_t bytes)
@@ -58,11 +53,7 @@ public:
     std::uint64_t messagesSuperseded() const { return m_superseded; }
 
 private:
-    struct Cause {
-        std::uint64_t untold = 0;
-        std::optional<Instant> lastTold;
-    };
-    std::map<std::pair<std::string, std::uint16_t>, Cause> m_causes;
+    CauseBooks m_causes{4096}; // some twenty causes, and the messages of two sets
     std::uint64_t m_received = 0;
     std::uint64_t m_dropped = 0;
     std::uint64_t m_sent = 0;

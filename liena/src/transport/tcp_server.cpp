@@ -33,7 +33,7 @@ public:
 
     void start()
     {
-        m_timer.after(2s, [this] { m_server.forget(this); });
+        m_timer.after(2s, [this] { refuse("no Attach within 2 s"); });
         m_channel->setListener(this);
         if (!m_server.m_identity)
             return m_channel->read(m_decoder->writable());
@@ -66,7 +66,7 @@ public:
         };
         m_decoder->process(judge, take);
         if (wrong)
-            m_server.forget(this);
+            refuse("its first words are no Attach to this device in its own name");
         else if (attached)
             handOver();
         else
@@ -75,24 +75,25 @@ public:
     void bytesWritten() override {}
     void channelLost(const std::string& /*detail*/, bool /*identity*/) override { m_server.forget(this); }
 
+    void refuse(const std::string& cause)
+    {
+        auto& server = m_server;
+        const auto from = m_channel->remote();
+        const auto device = m_authenticated.value_or(DeviceId::broadcast());
+        server.forget(this);
+        server.m_handlers.refused(device, cause, from);
+    }
+
 private:
     void secured(const Result<void>& result)
     {
         if (!result)
-            return refuse(DeviceId::broadcast(), result.error().what);
+            return refuse(result.error().what);
         const auto device = m_channel->peerDevice();
         if (!device)
-            return refuse(DeviceId::broadcast(), device.error().what);
+            return refuse(device.error().what);
         m_authenticated = device.value();
         m_channel->read(m_decoder->writable());
-    }
-
-    void refuse(DeviceId device, const std::string& detail)
-    {
-        auto& server = m_server;
-        const auto place = m_channel->remote();
-        server.forget(this);
-        server.m_handlers.refused(device, fmt::format("{}:{}: {}", place.address().to_string(), place.port(), detail));
     }
 
     void handOver()
@@ -199,9 +200,9 @@ void TcpServer::evictFor(const asio::ip::address& address)
 {
     const auto same = [&](const std::unique_ptr<Pending>& pending) { return pending->address() == address; };
     if (static_cast<std::size_t>(std::count_if(m_pending.begin(), m_pending.end(), same)) >= mostPerAddress)
-        m_pending.erase(std::find_if(m_pending.begin(), m_pending.end(), same));
+        (*std::find_if(m_pending.begin(), m_pending.end(), same))->refuse("too many connections of this address without an Attach");
     if (m_pending.size() >= mostPending)
-        m_pending.pop_front();
+        m_pending.front()->refuse("too many connections without an Attach");
 }
 
 void TcpServer::forget(Pending* pending)

@@ -30,8 +30,8 @@ class TcpServer {
 public:
     struct Handlers {
         std::function<void(AttachedConnection)> attached;
-        /// A connection whose identity does not hold; `device` is the broadcast id when it named none.
-        std::function<void(DeviceId device, const std::string& detail)> refused;
+        /// A connection that is not let in; `device` is the broadcast id when it proved to be none.
+        std::function<void(DeviceId device, const std::string& cause, const boost::asio::ip::tcp::endpoint& from)> refused;
     };
 
     TcpServer(boost::asio::io_context& io, DeviceId self, std::shared_ptr<security::TlsIdentity> identity, Handlers handlers, LogSink log);

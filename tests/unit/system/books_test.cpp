@@ -35,6 +35,7 @@ class BooksTest : public QObject {
 private slots:
     void firstDropOfACauseIsToldAtOnce();
     void causesAndNumbersAreToldApart();
+    void distinctCausesDoNotFillTheBooks();
     void reportCountsItsWindowOnly();
     void reportsTheMedianLatency_data();
     void reportsTheMedianLatency();
@@ -55,6 +56,19 @@ void BooksTest::firstDropOfACauseIsToldAtOnce()
     QVERIFY(!books.dropped("malformed", 0x0200, start + 10s - 1ns));
     QVERIFY(books.dropped("malformed", 0x0200, start + 10s) == std::uint64_t{1001}); // those that were not told, and this one
     QVERIFY(!books.dropped("malformed", 0x0200, start + 11s));
+}
+
+void BooksTest::distinctCausesDoNotFillTheBooks()
+{
+    CauseBooks books(64);
+    std::uint64_t told = 0;
+    for (std::uint32_t i = 0; i < 10000; ++i)
+        if (const auto count = books.count("cause " + std::to_string(i), i, start))
+            told += *count;
+    QCOMPARE(books.size(), std::size_t{65}); // the 64, and one for all the others
+    QCOMPARE(told, std::uint64_t{65});
+    QVERIFY(books.count("cause 20000", 0, start + 10s) == std::uint64_t{10000 - 65 + 1});
+    QVERIFY(books.count("cause 3", 3, start + 10s) == std::uint64_t{1});
 }
 
 void BooksTest::causesAndNumbersAreToldApart()

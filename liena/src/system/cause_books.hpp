@@ -1,0 +1,53 @@
+// How often each cause of a refusal came up, and when to speak of it: the first time at once, later at most every ten seconds.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace liena::system {
+
+/// Whatever others send, it stays small: beyond `most` kinds, new ones share one entry.
+class CauseBooks {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+
+    explicit CauseBooks(std::size_t most) : m_most(most) {}
+
+    /// The count to tell now, of those not told yet and this one; or nothing.
+    std::optional<std::uint64_t> count(const std::string& cause, std::uint32_t about, Instant now)
+    {
+        auto& entry = entryOf({cause, about});
+        ++entry.untold;
+        if (entry.lastTold && now - *entry.lastTold < std::chrono::seconds(10))
+            return std::nullopt;
+        entry.lastTold = now;
+        return std::exchange(entry.untold, 0);
+    }
+
+    std::size_t size() const { return m_entries.size(); }
+
+private:
+    using Key = std::pair<std::string, std::uint32_t>;
+    struct Entry {
+        std::uint64_t untold = 0;
+        std::optional<Instant> lastTold;
+    };
+
+    Entry& entryOf(const Key& key)
+    {
+        const auto found = m_entries.find(key);
+        if (found != m_entries.end())
+            return found->second;
+        return m_entries[m_entries.size() < m_most ? key : Key{}];
+    }
+
+    std::size_t m_most;
+    std::map<Key, Entry> m_entries;
+};
+
+} // namespace liena::system
