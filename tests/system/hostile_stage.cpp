@@ -29,6 +29,7 @@ PeerRole roleOf(TestSystem& system, const std::string& name, const std::string& 
             .devicePort = system.portOf(device),
             .topology = wire::fileText(system.topology()),
             .set = setOf(name),
+            .sentSet = {},
             .deviceSet = setOf(device),
             .face = {.certificate = files.certificate, .key = files.key, .authority = files.authority, .between = {}}};
 }

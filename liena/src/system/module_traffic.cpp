@@ -71,10 +71,10 @@ Result<void> DistributedModule::send(Message message)
 
 void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate)
 {
-    if (fate == tasks::OutputQueue::Fate::Superseded)
-        return m_books.superseded();
     if (entry.name.empty())
         return;
+    if (fate == tasks::OutputQueue::Fate::Superseded)
+        return m_books.superseded();
     auto event = this->event(SessionEvent::Kind::SendFailed);
     event.message = entry.name;
     event.count = 1;
