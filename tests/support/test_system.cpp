@@ -9,34 +9,39 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
+#include <random>
 #include <stdexcept>
 
 namespace liena::test {
 
 namespace {
 
-/// The port that a socket of that kind gets on 127.0.0.1, wanting `port` (0: any); 0 when it cannot have it.
-std::uint16_t tryPort(int kind, std::uint16_t port)
+bool isFree(int kind, std::uint16_t port)
 {
     const int socket = ::socket(AF_INET, kind, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof address;
-    const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
-                       ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+    const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     ::close(socket);
-    return bound ? ntohs(address.sin_port) : std::uint16_t{0};
+    return bound;
 }
 
 } // namespace
 
 std::uint16_t freePort()
 {
-    for (int attempt = 0; attempt < 100; ++attempt)
-        if (const auto port = tryPort(SOCK_STREAM, 0); port != 0 && tryPort(SOCK_DGRAM, port) == port)
+    // Below the range from which connections get their own ports, and each only once, since it is free again until somebody listens.
+    constexpr unsigned lowest = 12000;
+    constexpr unsigned count = 20000;
+    static std::atomic<unsigned> next{std::random_device{}()};
+    for (unsigned attempt = 0; attempt < count; ++attempt) {
+        const auto port = static_cast<std::uint16_t>(lowest + next++ % count);
+        if (isFree(SOCK_STREAM, port) && isFree(SOCK_DGRAM, port))
             return port;
+    }
     throw std::runtime_error("no port of 127.0.0.1 is free for TCP and UDP");
 }
 
