@@ -77,7 +77,12 @@ void Connection::transmit(std::uint64_t id)
             if (auto* self = network->find(number))
                 self->arrived(id);
         });
-    m_network.time().after(firstTimeout * (1 << std::min(tries - 1, mostDoublings)), [network = &m_network, number = m_number, id, tries] {
+    retryLater(id, tries, firstTimeout * (1 << std::min(tries - 1, mostDoublings)));
+}
+
+void Connection::retryLater(std::uint64_t id, int tries, Nanoseconds wait)
+{
+    m_network.time().after(wait, [network = &m_network, number = m_number, id, tries] {
         if (auto* self = network->find(number))
             self->retry(id, tries);
     });
@@ -96,11 +101,7 @@ void Connection::arrived(std::uint64_t id)
     if (came == nullptr || came->arrived)
         return;
     if (m_network.isCut(m_maker.host, m_acceptor.host) || m_network.programs().reception(m_acceptor.host) == Reception::Silent) {
-        const auto tries = came->tries;
-        return m_network.time().after(firstTimeout * (1 << std::min(tries - 1, mostDoublings)), [this, number = m_number, id, tries] {
-            if (auto* self = m_network.find(number))
-                self->retry(id, tries);
-        });
+        return retryLater(id, came->tries, firstTimeout * (1 << std::min(came->tries - 1, mostDoublings)));
     }
     if (m_acceptor.closed)
         return tellAcross(m_acceptor, m_maker, "connection reset by the peer");
@@ -123,10 +124,7 @@ void Connection::repairBefore(std::uint64_t id)
         const auto* candidate = packet(missing);
         if (candidate->arrived || candidate->tries != 1 || m_network.isCut(m_acceptor.host, m_maker.host))
             continue;
-        m_network.time().after(back, [network = &m_network, number = m_number, missing] {
-            if (auto* self = network->find(number))
-                self->retry(missing, 1);
-        });
+        retryLater(missing, 1, back);
     }
 }
 
