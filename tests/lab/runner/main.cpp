@@ -100,6 +100,7 @@ void addOptions(CLI::App& app, Options& options)
     app.add_option("--hours", options.study.soakHours, "of the soak")->check(CLI::Range(0.01, 1000.0));
     app.add_option("--interval", options.study.soakInterval, "seconds from fault to fault of the soak")->check(CLI::Range(5, 3600));
     app.add_flag("--list", options.list, "say what the faults are");
+    app.add_flag("--ordinary", options.campaign.ordinary, "without real-time priority for the devices, the wire and the canary");
     app.add_flag("--keep", options.campaign.keep, "keep the folders with topology, certificates and logs");
 }
 
@@ -111,6 +112,8 @@ int run(const Options& options)
         std::fputs("lab: this must be run as root: it makes network namespaces and TAP devices of its own\n", stderr);
         return 2;
     }
+    if (!options.campaign.ordinary)
+        makeUrgent(runnerUrgency);
     const bool holds = runAll(options);
     std::printf("lab: %s\n", holds ? "everything that must hold held" : "BROKEN: see the lines above");
     return holds ? 0 : 1;
@@ -131,6 +134,7 @@ int main(int argc, char** argv)
         options.campaign.repetitionsAsked = app.count("--repetitions") > 0;
         options.study.repetitions = options.campaign.repetitions;
         options.study.seed = options.campaign.seed;
+        options.study.ordinary = options.campaign.ordinary;
         options.study.keep = options.campaign.keep;
         return liena::lab::run(options);
     } catch (const CLI::ParseError& error) {
