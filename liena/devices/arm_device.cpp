@@ -46,8 +46,10 @@ void ArmDevice::onCommand(const Message& message)
     std::copy_n(targets.begin(), std::min(targets.size(), jointCount), request.targets.begin());
     const bool accepted = m_machine.command(request, message.arrival());
     // A stream of refused commands is one cause, and one line.
-    if (!accepted && std::exchange(m_lastRefusal, m_machine.reason()) != m_machine.reason())
+    if (!accepted && std::exchange(m_lastRefusal, m_machine.reason()) != m_machine.reason()) {
         m_log(LogLevel::Warning, "command refused: " + std::string(m_machine.reason()));
+        m_system.audit("command-refused", {}, m_machine.reason());
+    }
     if (accepted)
         m_lastRefusal = {};
 }

@@ -8,6 +8,7 @@
 #include "xray_device.hpp"
 
 #include "liena/certificates.hpp"
+#include "liena/status.hpp"
 #include "liena/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +32,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::optional<double> start;
     bool verbose = false;
+    std::string logFormat = "text";
 };
 
 constexpr const char* footer = R"(
@@ -68,6 +70,12 @@ void addSystemOptions(CLI::App& role, Options& options)
     role.add_flag("--allow-insecure-network", settings.allowInsecureNetwork,
                   "With security mode none: listen on other than loopback addresses, without any protection");
     role.add_option("--seed", options.seed, "Of the simulation's noise")->capture_default_str();
+    role.add_option("--audit", settings.audit, "Audit file: who did what to the sessions, tamper-evident; see `liena audit --help`");
+    role.add_option("--status", settings.status, "Folder for the socket that `liena monitor` watches; empty for none")
+        ->capture_default_str();
+    role.add_option("--log-format", options.logFormat, "How the log is written to stderr: text, or json with one object per line")
+        ->check(CLI::IsMember({"text", "json"}))
+        ->capture_default_str();
     role.add_flag("--verbose", options.verbose, "Log details as well");
 }
 
@@ -145,7 +153,7 @@ void run(DistributedSystem& system, Device& device, const sigset_t& ends)
 
 void runRole(const std::string& role, Options& options, const sigset_t& ends)
 {
-    options.settings.log = stderrLog(options.verbose ? LogLevel::Debug : LogLevel::Info);
+    options.settings.log = stderrLog(options.verbose ? LogLevel::Debug : LogLevel::Info, *logFormatFrom(options.logFormat));
     options.settings.software = std::string("liena-device ") + versionText;
     const LogSink log = options.settings.log;
     if (role == "xray") {
@@ -181,6 +189,7 @@ int main(int argc, char** argv)
     const sigset_t ends = blockSignals();
     keepKeysOutOfCoreDumps();
     Options options;
+    options.settings.status = statusFolder();
     CLI::App program("The patient-side reference devices of LiENa: simulated, and behaving as the real ones would", "liena-device");
     program.set_version_flag("--version", std::string("liena-device ") + versionText);
     program.require_subcommand(1);

@@ -50,6 +50,8 @@ std::string describeSession(const SessionEvent& event, const std::string& peer)
         return withDetail(peer + ": " + event.message + " was not sent", event.detail);
     case Kind::IdentityRefused:
         return withDetail(peer + ": identity refused", event.detail);
+    case Kind::AuditLost:
+        return withDetail("NO AUDIT FILE IS WRITTEN", event.detail);
     default:
         return {};
     }

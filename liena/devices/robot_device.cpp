@@ -110,12 +110,16 @@ bool RobotDevice::handle(const RobotEvent& event, const MotionCommanded* motion)
     }
     if (m_machine.state() != before) {
         m_lastRefusal = {};
-        m_log(LogLevel::Info, std::string(toString(before)) + " -> " + std::string(toString(m_machine.state())) +
-                                  (actions.reason.empty() ? "" : ": " + std::string(actions.reason)));
+        const auto change = std::string(toString(before)) + " -> " + std::string(toString(m_machine.state())) +
+                            (actions.reason.empty() ? "" : ": " + std::string(actions.reason));
+        m_log(LogLevel::Info, change);
+        m_system.audit("robot-state", {}, change);
     }
     // A stream of refused commands is one cause, and one line.
-    if (!actions.accepted && std::exchange(m_lastRefusal, actions.reason) != actions.reason)
+    if (!actions.accepted && std::exchange(m_lastRefusal, actions.reason) != actions.reason) {
         m_log(LogLevel::Warning, "command refused: " + std::string(actions.reason));
+        m_system.audit("command-refused", {}, actions.reason);
+    }
     return actions.accepted;
 }
 
@@ -129,7 +133,7 @@ void RobotDevice::actOnDrives(RobotActions::Drives drives, const MotionCommanded
         m_gate.enable();
         break;
     case Drives::Drive:
-        if (motion && !m_gate.drive(motion->velocities, std::min(m_commanded, now), now))
+        if (motion && !m_gate.drive(motion->velocities, std::min(m_commanded, now)))
             m_machine.countRefusal();
         break;
     case Drives::Release:
@@ -203,6 +207,7 @@ void RobotDevice::onInjection(const Message& message)
 void RobotDevice::onEmergencyStop(const Message& message)
 {
     handle(EmergencyStopCommanded{message.get<std::uint64_t>("token")});
+    m_system.audit("emergency-stop", m_patientSide.nameOf(message.origin()), message.get<std::string_view>("reason"));
     m_log(LogLevel::Error, "emergency stop from " + m_patientSide.nameOf(message.origin()) + " (" +
                                printable(message.get<std::string_view>("source")) +
                                "): " + printable(message.get<std::string_view>("reason"), 128));
@@ -212,6 +217,7 @@ void RobotDevice::stopLocally(std::string_view reason)
 {
     std::random_device entropy;
     handle(EmergencyStopCommanded{(std::uint64_t{entropy()} << 32U | entropy()) | 1U});
+    m_system.audit("emergency-stop", m_system.self().name, reason);
     m_log(LogLevel::Error, "emergency stop here: " + printable(reason, 128));
 }
 

@@ -95,8 +95,10 @@ void XrayDevice::onAcquisition(const Message& message)
         reason = machine.reason();
     });
     // A stream of refused commands is one cause, and one line.
-    if (!accepted && std::exchange(m_lastRefusal, reason) != reason)
+    if (!accepted && std::exchange(m_lastRefusal, reason) != reason) {
         m_log(LogLevel::Warning, "command refused: " + std::string(reason));
+        m_system.audit("command-refused", {}, reason);
+    }
     if (accepted)
         m_lastRefusal = {};
 }

@@ -77,12 +77,7 @@ void Connection::transmit(std::uint64_t id)
             if (auto* self = network->find(number))
                 self->arrived(id);
         });
-    retryLater(id, tries, firstTimeout * (1 << std::min(tries - 1, mostDoublings)));
-}
-
-void Connection::retryLater(std::uint64_t id, int tries, Nanoseconds wait)
-{
-    m_network.time().after(wait, [network = &m_network, number = m_number, id, tries] {
+    m_network.time().after(firstTimeout * (1 << std::min(tries - 1, mostDoublings)), [network = &m_network, number = m_number, id, tries] {
         if (auto* self = network->find(number))
             self->retry(id, tries);
     });
@@ -101,7 +96,11 @@ void Connection::arrived(std::uint64_t id)
     if (came == nullptr || came->arrived)
         return;
     if (m_network.isCut(m_maker.host, m_acceptor.host) || m_network.programs().reception(m_acceptor.host) == Reception::Silent) {
-        return retryLater(id, came->tries, firstTimeout * (1 << std::min(came->tries - 1, mostDoublings)));
+        const auto tries = came->tries;
+        return m_network.time().after(firstTimeout * (1 << std::min(tries - 1, mostDoublings)), [this, number = m_number, id, tries] {
+            if (auto* self = m_network.find(number))
+                self->retry(id, tries);
+        });
     }
     if (m_acceptor.closed)
         return tellAcross(m_acceptor, m_maker, "connection reset by the peer");
@@ -124,7 +123,10 @@ void Connection::repairBefore(std::uint64_t id)
         const auto* candidate = packet(missing);
         if (candidate->arrived || candidate->tries != 1 || m_network.isCut(m_acceptor.host, m_maker.host))
             continue;
-        retryLater(missing, 1, back);
+        m_network.time().after(back, [network = &m_network, number = m_number, missing] {
+            if (auto* self = network->find(number))
+                self->retry(missing, 1);
+        });
     }
 }
 

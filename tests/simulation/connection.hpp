@@ -61,7 +61,6 @@ private:
     void add(Packet packet);
     void transmit(std::uint64_t id);
     void retry(std::uint64_t id, int tries);
-    void retryLater(std::uint64_t id, int tries, Nanoseconds wait);
     void arrived(std::uint64_t id);
     void repairBefore(std::uint64_t id);
     void deliver();

@@ -96,11 +96,10 @@ void ReferenceModel::on(const Opened& o)
     auto& end = m_ends[{o.device, o.peer}];
     require(o.epoch > end.epoch || !end.openedBefore, "I3", "control flows again in an epoch that was opened before");
     require(open(end), "I3", "opened, and not in the state for it");
-    if (!o.healed) { // what heals was interrupted before, and its peer may know already
-        if (end.openedBefore)
-            end.permitted = m_now;
+    if (end.openedBefore || o.healed)
+        end.permitted = m_now;
+    if (!o.healed)
         judgeOpening(o);
-    }
     end.openedBefore = true;
     end.epoch = o.epoch;
 }
@@ -286,9 +285,7 @@ void ReferenceModel::on(const Settled& o)
     if (m_settled.contains({o.peer, o.device})) {
         const auto& other = m_settled.at({o.peer, o.device});
         require(other.token == o.token, "I11", "two ends are open in two sessions");
-        const auto rose = std::max(end.permitted, m_ends[{o.peer, o.device}].permitted);
-        const bool agree = other.epoch == o.peerEpoch && other.peerEpoch == o.epoch;
-        require(agree || m_now - rose < m_rules.agreement, "I11", "the ends do not agree on an epoch");
+        require(other.epoch == o.peerEpoch && other.peerEpoch == o.epoch, "I11", "the ends do not agree on an epoch");
         m_settled.erase({o.peer, o.device});
     } else {
         m_settled[{o.device, o.peer}] = o;

@@ -24,8 +24,7 @@ struct Rules {
     Nanoseconds lost = std::chrono::milliseconds(110);
     Nanoseconds motionAge = std::chrono::milliseconds(50);
     Nanoseconds lease = std::chrono::milliseconds(50);
-    Nanoseconds ramp = std::chrono::milliseconds(25);      ///< from any speed to standstill
-    Nanoseconds agreement = std::chrono::milliseconds(60); ///< two heartbeats and a round trip
+    Nanoseconds ramp = std::chrono::milliseconds(25); ///< from any speed to standstill
     std::size_t partialBytes = std::size_t{4} << 20U;
     std::size_t queuedBytes = std::size_t{64} << 20U; ///< of one lane
 };

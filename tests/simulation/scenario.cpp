@@ -112,19 +112,6 @@ Nanoseconds drawDuration(SeededRandom& random)
     }
 }
 
-/// From a fault now and then to a hail of them.
-Nanoseconds drawPace(SeededRandom& random)
-{
-    switch (random.below(3)) {
-    case 0:
-        return random.between(Nanoseconds(2ms), Nanoseconds(15ms));
-    case 1:
-        return random.between(Nanoseconds(10ms), Nanoseconds(60ms));
-    default:
-        return random.between(Nanoseconds(50ms), Nanoseconds(300ms));
-    }
-}
-
 std::array<std::uint64_t, faultKinds> drawWeights(SeededRandom& random, const Scenario& scenario)
 {
     std::array<std::uint64_t, faultKinds> weights{};
@@ -205,7 +192,7 @@ Scenario Scenario::chaotic(std::uint64_t seed)
     std::uint64_t total = 0;
     for (const auto weight : weights)
         total += weight;
-    const auto mean = drawPace(faults) / static_cast<std::int64_t>(1 + scenario.links.size() / 3);
+    const auto mean = faults.between(Nanoseconds(8ms), Nanoseconds(300ms)) / static_cast<std::int64_t>(1 + scenario.links.size() / 3);
     for (auto at = faults.between(Nanoseconds(0), Nanoseconds(1500ms)); at < scenario.chaos;) {
         auto fault = drawFault(faults, scenario, weights, total);
         fault.at = at;
@@ -253,8 +240,7 @@ Scenario Scenario::single(std::uint64_t seed)
     scenario.commandPeriod = 10ms;
     scenario.statusPeriod = 20ms;
     scenario.delay = random.between(Nanoseconds(100us), Nanoseconds(2ms));
-    scenario.chaos = 2500ms;
-    scenario.everybodyKnows = true;
+    scenario.chaos = 4s;
     constexpr std::array kinds{FaultKind::Cut, FaultKind::PowerCut, FaultKind::Pause, FaultKind::Crash};
     Fault fault;
     fault.kind = kinds[random.below(kinds.size())];
@@ -262,7 +248,7 @@ Scenario Scenario::single(std::uint64_t seed)
     fault.a = a;
     fault.b = fault.kind == FaultKind::Cut ? b : a;
     fault.at = random.between(Nanoseconds(1s), Nanoseconds(1200ms));
-    fault.duration = 10s; // it lasts until everything is healed
+    fault.duration = 2s;
     scenario.faults.push_back(fault);
     return scenario;
 }

@@ -59,7 +59,6 @@ private:
         std::vector<VirtualTime::Event> waiting; ///< while the program is paused
         std::uint32_t boot = 0;
         int pauses = 0;
-        Instant resumed;
         int refusals = 0;
         int downs = 0;
         int lies = 0;
@@ -104,8 +103,7 @@ private:
     void settle();
     Outcome outcome();
     void measure(const Observation& observation);
-    void judgeKnowing();
-    bool isAlive(HostIndex host) const { return m_hosts[host].device && m_hosts[host].pauses == 0; }
+    void measureKnowing();
 
     const Scenario m_scenario;
     Onlooker m_onlooker;

@@ -211,7 +211,6 @@ void World::resume(HostIndex host)
     auto& target = m_hosts[host];
     if (target.pauses == 0 || --target.pauses > 0)
         return;
-    target.resumed = m_time.now();
     observe(Paused{host, false});
     const auto boot = target.boot;
     auto waiting = std::exchange(target.waiting, {});

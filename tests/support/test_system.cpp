@@ -71,6 +71,7 @@ Settings TestSystem::settingsOf(const std::string& name)
     settings.store = folder() / ("store-" + name);
     settings.software = "test " + name;
     settings.log = [](LogLevel, std::string_view) {};
+    settings.status = folder() / "status";
     identityOf(name).applyTo(settings);
     return settings;
 }

@@ -100,6 +100,10 @@ public:
 
     std::vector<LinkStatus> links() const;
 
+    /// Puts what only the application knows into the audit file: `event` as `permit-granted`, and who decided it. Without such a file it
+    /// does nothing. Never waits for the disk; any thread.
+    void audit(std::string_view event, std::string_view who, std::string_view text = {});
+
     /// Runs `task` on the network thread soon; in order of the calls of one thread.
     void post(std::function<void()> task);
 

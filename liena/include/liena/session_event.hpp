@@ -68,6 +68,8 @@ struct SessionEvent {
         SendFailed,      ///< peer, message, detail: accepted by send() and lost before it left
         IdentityRefused, ///< peer (broadcast when unknown), count, detail: connections that were not let in; once per cause
         LocalStall,      ///< duration: this process did not run for longer than `suspect`
+        AuditLost,       ///< detail: the audit file cannot be written; no new session opens until it can
+        AuditRestored,   ///< it can be written again
     };
 
     Kind kind = Kind::StateChanged;
@@ -117,7 +119,15 @@ struct LinkStatus {
     std::uint8_t packetsHeardByPeer = 0; ///< the same as the peer last said it; 0: the datagram path to it does not work
     bool toPeerConnected = false;
     bool fromPeerConnected = false;
-    IncidentId incident = 0; ///< of this pair; 0 when there is none
+    IncidentId incident = 0;                         ///< of this pair; 0 when there is none
+    std::optional<std::chrono::nanoseconds> latency; ///< median of the messages received in the last 200 ms, ± clockUncertainty
+};
+
+/// Messages of one kind that were not delivered here for one cause, since the start.
+struct DropCount {
+    std::string cause;
+    std::string message; ///< its name; its number in hex when nothing defines it
+    std::uint64_t count = 0;
 };
 
 } // namespace liena

@@ -33,7 +33,15 @@ struct Settings {
     /// Mode `none` listens on loopback addresses only, unless this says that an open network is meant.
     bool allowInsecureNetwork = false;
 
+    /// Where the log lines go; stderrLog() writes them as text or as JSON.
     LogSink log = stderrLog();
+
+    /// The audit file (liena/audit.hpp). Empty: none is written. When it cannot be written any more, no new session opens.
+    std::filesystem::path audit;
+
+    /// Folder for the socket on which `liena monitor` sees this device, `<id>.sock`, for its own user only; statusFolder() is where the
+    /// monitor looks. Empty: none is made.
+    std::filesystem::path status;
 };
 
 } // namespace liena

@@ -36,6 +36,19 @@ public:
         return found != m_links.end() ? std::optional(found->second) : std::nullopt;
     }
 
+    void showDrops(DeviceId peer, std::vector<DropCount> drops)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_drops.insert_or_assign(peer, std::move(drops));
+    }
+
+    std::vector<DropCount> drops(DeviceId peer) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_drops.find(peer);
+        return found != m_drops.end() ? found->second : std::vector<DropCount>();
+    }
+
     void showIncidents(std::vector<Incident> incidents)
     {
         const std::lock_guard lock(m_mutex);
@@ -70,6 +83,7 @@ public:
 private:
     mutable std::mutex m_mutex;
     std::map<DeviceId, LinkStatus> m_links;
+    std::map<DeviceId, std::vector<DropCount>> m_drops;
     std::vector<Incident> m_incidents;
     std::map<DeviceId, std::shared_ptr<const MessageSet>> m_sets;
 };

@@ -146,6 +146,10 @@ std::string_view toString(SessionEvent::Kind kind)
         return "identity refused";
     case Kind::LocalStall:
         return "local stall";
+    case Kind::AuditLost:
+        return "audit file lost";
+    case Kind::AuditRestored:
+        return "audit file restored";
     }
     return "unknown";
 }

@@ -242,7 +242,7 @@ void StandByLedger::end(IncidentId id, const protocol::SessionMessage& by, Devic
     auto event = eventOf(SessionEvent::Kind::IncidentEnded, incident, now);
     event.peer = teller;
     event.dismissed = dismissed;
-    event.detail = detail;
+    event.detail = printable(detail, 256); // a peer may have written it
     actions.push_back(Tell{event});
     if (m_incidents.empty())
         actions.push_back(Tell{eventOf(SessionEvent::Kind::StandByEnded, incident, now)});

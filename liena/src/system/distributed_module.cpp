@@ -218,7 +218,10 @@ void DistributedModule::entered(const session::Entered& change)
     auto event = this->event(SessionEvent::Kind::StateChanged);
     event.from = change.from;
     event.to = change.to;
-    m_host.log(LogLevel::Info, fmt::format("session with {}: {} -> {}", m_peer.name, toString(change.from), toString(change.to)));
+    // Attempts that are made again and again say only how they end.
+    const bool attempt = change.to == SessionState::Opening || (change.from == SessionState::Opening && change.to == SessionState::Closed);
+    say(attempt ? LogLevel::Debug : LogLevel::Info, "session-state",
+        fmt::format("session with {}: {} -> {}", m_peer.name, toString(change.from), toString(change.to)));
     showStatus();
     m_host.tell(std::move(event));
     if (change.to != SessionState::Open)
@@ -230,6 +233,8 @@ void DistributedModule::entered(const session::Entered& change)
 
 void DistributedModule::opened(const session::SessionOpened& opened)
 {
+    m_failures.forget();
+    m_refusals.forget();
     m_deadlines.reset();
     m_newest.clear();
     m_books.beginWindow(m_host.now().mono);
@@ -250,16 +255,18 @@ void DistributedModule::openFailed(const session::OpenFailed& failed)
                      : failed.probe != ProbeResult::NotProbed ? explain(failed.probe)
                                                               : std::string_view();
     event.detail = fmt::format("{}{}{}", printable(failed.detail, 512), why.empty() || failed.detail.empty() ? "" : ". ", why);
-    m_host.log(LogLevel::Warning, fmt::format("no session with {}: {}", m_peer.name, event.detail));
+    if (const auto count = m_failures.count(event.detail, 0, m_host.now().mono))
+        say(LogLevel::Warning, "open-failed", fmt::format("no session with {}: {}{}", m_peer.name, event.detail, base::timesText(*count)));
     m_host.tell(std::move(event));
 }
 
 void DistributedModule::lost(const session::SessionLost& lost)
 {
-    m_host.log(LogLevel::Error, fmt::format("session with {} lost: {}: {}", m_peer.name, toString(lost.diagnosis.cause),
-                                            printable(lost.diagnosis.detail, 256)));
     auto event = this->event(SessionEvent::Kind::Lost);
     event.diagnosis = lost.diagnosis;
+    event.diagnosis.detail = printable(lost.diagnosis.detail, 256);
+    say(LogLevel::Error, "session-lost",
+        fmt::format("session with {} lost: {}: {}", m_peer.name, toString(lost.diagnosis.cause), event.diagnosis.detail));
     event.incident.id = lost.incident;
     event.incident.cause = lost.diagnosis.cause;
     event.incident.since = lost.diagnosis.since;
@@ -282,7 +289,7 @@ void DistributedModule::startProbe(std::optional<session::SessionLost> lost)
             auto event = this->event(SessionEvent::Kind::Diagnosed);
             event.incident.id = m_machine.incident();
             if (lost)
-                event.diagnosis = lost->diagnosis;
+                event.diagnosis = lost->diagnosis, event.diagnosis.detail = printable(lost->diagnosis.detail, 256);
             if (auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome)) {
                 (*channel)->close();
                 event.diagnosis.probe = ProbeResult::Reachable;
@@ -291,7 +298,7 @@ void DistributedModule::startProbe(std::optional<session::SessionLost> lost)
                 event.diagnosis.probe = failure.probe;
                 event.diagnosis.probeDetail = printable(failure.detail, 256);
             }
-            m_host.log(LogLevel::Info, fmt::format("probe of {}: {}", m_peer.name, toString(event.diagnosis.probe)));
+            say(LogLevel::Info, "probe", fmt::format("probe of {}: {}", m_peer.name, toString(event.diagnosis.probe)));
             m_host.tell(std::move(event));
         });
 }
@@ -320,10 +327,26 @@ void DistributedModule::housekeeping()
     });
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
         m_nextReport = now + reportPeriod;
-        sendSession(m_books.takeReport(now, backlog()), m_peer.id);
+        const auto report = m_books.takeReport(now, backlog());
+        m_latency = report.oneWayNs > 0 ? std::optional(std::chrono::nanoseconds(report.oneWayNs)) : std::nullopt;
+        sendSession(report, m_peer.id);
+    }
+    if (now >= m_nextDrops) {
+        m_nextDrops = now + 1s;
+        showDrops();
     }
     m_bulk.retire(now);
     showStatus();
+}
+
+void DistributedModule::showDrops()
+{
+    std::vector<DropCount> drops;
+    m_books.forEachDrop([&](const std::string& cause, std::uint16_t number, std::uint64_t count) {
+        const auto* definition = definitionOf(number);
+        drops.push_back({cause, definition != nullptr ? definition->name : "unknown", count});
+    });
+    m_host.showDrops(m_peer.id, std::move(drops));
 }
 
 void DistributedModule::showStatus() { m_host.show(status()); }
@@ -347,6 +370,11 @@ SessionEvent DistributedModule::event(SessionEvent::Kind kind) const
     event.peer = m_peer.id;
     event.from = event.to = m_machine.state();
     return event;
+}
+
+void DistributedModule::say(LogLevel level, std::string_view event, const std::string& text) const
+{
+    m_host.log(LogLine{level, text, event, m_peer.name});
 }
 
 } // namespace liena::system

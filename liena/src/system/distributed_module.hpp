@@ -1,6 +1,7 @@
 // One peer: its session machine, its lanes, and what crosses them.
 #pragma once
 
+#include "base/cause_books.hpp"
 #include "protocol/header_judge.hpp"
 #include "session/session_machine.hpp"
 #include "system/datagram_path.hpp"
@@ -123,6 +124,7 @@ private:
     void endFresh(session::ConnectionNumber number);
     void armTimer();
     void showStatus();
+    void showDrops();
     void settle(const tasks::ReceptionTask& ended);
     void bury(std::shared_ptr<void> ended);
     void startProbe(std::optional<session::SessionLost> lost);
@@ -131,6 +133,7 @@ private:
     bool flowAllowed(const MessageDefinition& definition, DeviceId from) const;
     Result<void> checkSendable(const Message& message) const;
     SessionEvent event(SessionEvent::Kind kind) const;
+    void say(LogLevel level, std::string_view event, const std::string& text) const;
     protocol::EncodedMessage abandon(const protocol::DatagramHeader& begun);
     protocol::EncodedMessage encode(const protocol::SessionMessage& message, DeviceId target);
 
@@ -155,9 +158,12 @@ private:
     std::unique_ptr<transport::TcpClient> m_probe;
 
     TrafficBooks m_books;
-    CauseBooks m_refusals{64}; ///< of handshakes, for the log
     DeadlineWatch m_deadlines;
     session::Instant m_nextReport;
+    session::Instant m_nextDrops;
+    std::optional<std::chrono::nanoseconds> m_latency;         ///< of the last report
+    base::CauseBooks m_failures{64, std::chrono::seconds(60)}; ///< to open, for the log
+    base::CauseBooks m_refusals{64};                           ///< of handshakes
     std::uint32_t m_interruptions = 0;
     std::uint64_t m_bytesReceived = 0; ///< of lanes that ended
     std::uint64_t m_abandoned = 0;     ///< of lanes that ended

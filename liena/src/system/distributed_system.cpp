@@ -2,6 +2,8 @@
 #include "liena/known_sets.hpp"
 #include "system/distributed_system_state.hpp"
 
+#include "system/audit_entries.hpp"
+
 #include <boost/asio/post.hpp>
 
 #include <fmt/format.h>
@@ -32,7 +34,11 @@ Result<std::shared_ptr<security::TlsIdentity>> loadIdentity(const Settings& sett
             settings.log(LogLevel::Error, usable.error().what);
         return loaded;
     }
-    settings.log(LogLevel::Warning, "NO SECURITY: the topology says mode none; whoever reaches this port can command this device");
+    settings.log({LogLevel::Warning,
+                  "NO SECURITY: the topology says mode none; whoever reaches this port can command this device",
+                  "no-security",
+                  {},
+                  own.name});
     if (!isLoopback(own.host) && !settings.allowInsecureNetwork)
         return fail(Errc::Forbidden,
                     fmt::format("security mode none binds to loopback addresses only, not to {}; use mode tls, or allow an insecure "
@@ -75,8 +81,15 @@ Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings se
             store->emplace(std::move(opened.value()));
         }
     }
+    std::unique_ptr<audit::AuditLog> audit;
+    if (!settings.audit.empty()) {
+        auto opened = audit::AuditLog::open(settings.audit, own.value().name, settings.log);
+        if (!opened)
+            return opened.as_failure();
+        audit = std::move(opened.value());
+    }
     auto state = std::make_unique<State>(std::move(settings), std::move(topology.value()), std::move(own.value()),
-                                         std::move(registry.value()), std::move(stores), std::move(identity.value()));
+                                         std::move(registry.value()), std::move(stores), std::move(identity.value()), std::move(audit));
     if (auto listening = state->listen(); !listening)
         return listening.as_failure();
     return std::unique_ptr<DistributedSystem>(new DistributedSystem(std::move(state)));
@@ -135,6 +148,7 @@ Result<void> DistributedSystem::openChannel(DeviceId peer)
         return fail(Errc::StandBy, "the link is in stand-by: a person has to re-open it");
     if (status->state != SessionState::Closed)
         return fail(Errc::Busy, fmt::format("the session is {} already", toString(status->state)));
+    m_state->recordCommand("open-commanded", peer, 0, {});
     post([state = m_state.get(), peer] { (void)state->module(peer)->open(); });
     return ok();
 }
@@ -146,6 +160,7 @@ Result<void> DistributedSystem::closeChannel(DeviceId peer, std::string_view rea
     const auto status = m_state->board.link(peer);
     if (status->state == SessionState::Closed || status->state == SessionState::StandBy)
         return fail(Errc::NotOpen, fmt::format("the session is {}", toString(status->state)));
+    m_state->recordCommand("close-commanded", peer, 0, reason);
     post([state = m_state.get(), peer, why = std::string(reason)] { (void)state->module(peer)->close(why); });
     return ok();
 }
@@ -159,6 +174,7 @@ Result<void> DistributedSystem::reopenChannel(DeviceId peer)
         return fail(Errc::Busy, "the session is being re-opened");
     if (status->state != SessionState::StandBy)
         return fail(Errc::NoIncident, fmt::format("the session is {}, there is nothing to re-open", toString(status->state)));
+    m_state->recordCommand("reopen-commanded", peer, status->incident, {});
     post([state = m_state.get(), peer] { (void)state->module(peer)->reopen(); });
     return ok();
 }
@@ -168,6 +184,7 @@ Result<void> DistributedSystem::dismissIncident(IncidentId incident, std::string
     const auto held = incidents();
     if (std::none_of(held.begin(), held.end(), [&](const Incident& one) { return one.id == incident; }))
         return fail(Errc::NoIncident, "this device holds no such incident");
+    m_state->recordCommand("dismissal-commanded", std::nullopt, incident, reason);
     post([state = m_state.get(), incident, why = std::string(reason)] {
         state->perform(state->ledger.dismiss(incident, why, state->now()));
     });
@@ -184,11 +201,13 @@ Result<void> DistributedSystem::probe(DeviceId peer)
 
 void DistributedSystem::confirmHold(bool holding)
 {
+    m_state->recordCommand(holding ? "hold-confirmed" : "hold-ended", std::nullopt, 0, {});
     post([state = m_state.get(), holding] { state->perform(state->ledger.confirmHold(holding, state->now())); });
 }
 
 void DistributedSystem::revokeControl()
 {
+    m_state->recordCommand("control-revoked", std::nullopt, 0, {});
     const auto revoke = [state = m_state.get()] {
         for (auto& [peer, one] : state->modules)
             one->revoke();
@@ -263,6 +282,11 @@ std::size_t DistributedSystem::publish(const Message& message)
     else if (open == 0 || !m_state->outbox.put(DeviceId::broadcast(), message))
         return 0;
     return open;
+}
+
+void DistributedSystem::audit(std::string_view event, std::string_view who, std::string_view text)
+{
+    m_state->record({.event = std::string(event), .who = std::string(who), .text = std::string(text), .byApplication = true});
 }
 
 void DistributedSystem::post(std::function<void()> task) { asio::post(m_state->context, std::move(task)); }

@@ -1,7 +1,10 @@
 // The network thread's work for the whole device.
 #include "system/distributed_system_state.hpp"
 
+#include "liena/status.hpp"
 #include "security/random_token.hpp"
+#include "system/audit_entries.hpp"
+#include "system/status_line.hpp"
 
 #include <boost/asio/post.hpp>
 
@@ -22,12 +25,13 @@ constexpr auto closingLimit = 1s;
 } // namespace
 
 DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, Stores stores,
-                                std::shared_ptr<security::TlsIdentity> tls)
+                                std::shared_ptr<security::TlsIdentity> tls, std::unique_ptr<audit::AuditLog> auditLog)
     : settings(std::move(given)),
       topology(std::move(read)),
       ownTopologyDevice(std::move(own)),
       registry(std::move(sets)),
       store(std::move(stores.reading)),
+      audit(std::move(auditLog)),
       tlsIdentity(std::move(tls)),
       ownMessageSet(registry.find(ownTopologyDevice.id)),
       outbox([this] { asio::post(context, [this] { drainOutbox(); }); }),
@@ -70,12 +74,16 @@ void DistributedSystem::State::start()
     keeper->period = housekeepingPeriod;
     keeper->task = [this] { housekeeping(); };
     periodics.push_back(std::move(keeper));
-    log(LogLevel::Info, fmt::format("{} ({}) listening on {}:{}", ownTopologyDevice.name, ownTopologyDevice.id.toString(),
-                                    ownTopologyDevice.host, ownTopologyDevice.port));
+    log(LogLevel::Info, "listening",
+        fmt::format("{} ({}) listening on {}:{}", ownTopologyDevice.name, ownTopologyDevice.id.toString(), ownTopologyDevice.host,
+                    ownTopologyDevice.port));
+    record({.event = "start",
+            .text = fmt::format("{}, topology {} {}", settings.software, topology.name(), topology.hash().toHex().substr(0, 12))});
     server.start();
     udpSocket.start();
     for (auto& periodic : periodics)
         startPeriodic(*periodic);
+    offerStatus();
     thread = std::thread([this] {
         threadId = std::this_thread::get_id();
         context.run();
@@ -105,6 +113,7 @@ void DistributedSystem::State::stop()
         thread.join();
     }
     setKeeper.finish();
+    statusServer.reset();
     periodics.clear();
     for (auto& [peer, one] : modules)
         one->abort();
@@ -116,6 +125,10 @@ void DistributedSystem::State::stop()
     // Buried objects die with the handlers that hold them.
     context.restart();
     context.poll();
+    if (audit) {
+        record({.event = "stop"});
+        audit->close();
+    }
 }
 
 /// Closes what is open, waits for that at most `closingLimit`, and ends the thread.
@@ -170,7 +183,7 @@ void DistributedSystem::State::turned()
     event.kind = SessionEvent::Kind::LocalStall;
     event.at = std::chrono::steady_clock::now();
     event.duration = gap;
-    log(LogLevel::Error,
+    log(LogLevel::Error, "local-stall",
         fmt::format("this process did not run for {} ms", std::chrono::duration_cast<std::chrono::milliseconds>(gap).count()));
     tell(std::move(event));
     for (auto& [peer, one] : modules)
@@ -180,6 +193,7 @@ void DistributedSystem::State::turned()
 
 void DistributedSystem::State::housekeeping()
 {
+    watchAudit();
     for (auto& [peer, one] : modules)
         one->housekeeping();
 }
@@ -225,29 +239,13 @@ void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection conn
             *this, protocol::Rejected{token, RejectReason::NoLink, {"this device's topology has no link between the two"}}, device->id));
 }
 
-void DistributedSystem::State::identityRefused(DeviceId device, const std::string& cause, const std::string& detail)
-{
-    const auto count = refusals.count(cause, device.value(), now().mono);
-    if (!count)
-        return;
-    log(LogLevel::Warning,
-        fmt::format("refused {} connection{}, the last from {}", *count, *count == 1 ? "" : "s", printable(detail, 512)));
-    SessionEvent event;
-    event.count = *count;
-    event.kind = SessionEvent::Kind::IdentityRefused;
-    event.at = std::chrono::steady_clock::now();
-    event.peer = device;
-    event.detail = printable(detail, 512);
-    tell(std::move(event));
-}
-
 /// What a person has accepted stands above the register, and that above what was met first (ruling B14).
 session::SetStanding DistributedSystem::State::standingOf(DeviceId peer, const Sha256& set)
 {
     using session::SetStanding;
     const auto pin = store ? store->pinFor(peer.deviceType()) : Result<std::optional<LocalStore::Pin>>(std::nullopt);
     if (!pin) {
-        log(LogLevel::Error, "no message set is accepted: " + pin.error().what);
+        log(LogLevel::Error, "set-refused", "no message set is accepted: " + pin.error().what);
         return SetStanding::Changed;
     }
     const auto known = registry.find(peer);
@@ -280,7 +278,14 @@ void DistributedSystem::State::learn(DeviceId peer, const Sha256& set, std::vect
     });
 }
 
-Result<void> DistributedSystem::State::admitSession(bool /*reopening*/) { return tlsIdentity ? tlsIdentity->trust().admitSession() : ok(); }
+Result<void> DistributedSystem::State::admitSession(bool reopening)
+{
+    // A procedure that runs must be able to go on: a lost channel is re-opened also without the file, and everybody was told.
+    if (auditLost && !reopening)
+        return fail(Errc::FileUnwritable,
+                    fmt::format("{} writes no audit file at present, so it opens no new session; see its log", ownTopologyDevice.name));
+    return tlsIdentity ? tlsIdentity->trust().admitSession() : ok();
+}
 
 void DistributedSystem::State::sessionOpened(DeviceId peer, const session::SessionOpened& opened)
 {
@@ -305,8 +310,9 @@ void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::Ses
     else if (const auto* reopened = std::get_if<protocol::ChannelReOpened>(&message)) {
         const auto actions = ledger.heard(from, *reopened, stamped, now());
         if (actions.size() > 1) // else it is handed on and ends nothing here, and there may be many
-            log(LogLevel::Info, fmt::format("{} says that {} and {} re-opened their channel", from.toString(), reopened->peerA.toString(),
-                                            reopened->peerB.toString()));
+            log(LogLevel::Info, "channel-reopened",
+                fmt::format("{} says that {} and {} re-opened their channel", from.toString(), reopened->peerA.toString(),
+                            reopened->peerB.toString()));
         perform(actions);
     }
 }
@@ -335,13 +341,6 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
     }
 }
 
-void DistributedSystem::State::logIncident(const SessionEvent& event)
-{
-    const bool hold = event.kind == SessionEvent::Kind::HoldReported; // these come as often as the peers like
-    if (!hold || holdsHeard.count({}, event.hold.device.value(), now().mono))
-        log(LogLevel::Info, fmt::format("{}: {} - {}", toString(event.kind), event.incident.a.toString(), event.incident.b.toString()));
-}
-
 void DistributedSystem::State::performBroadcast(const session::Broadcast& broadcast)
 {
     for (auto& [peer, one] : modules)
@@ -356,13 +355,6 @@ void DistributedSystem::State::deliver(Message message)
         return MessageCacheAccess::put(messageCache, std::move(message));
     for (const auto& handler : found->second)
         handler(message);
-}
-
-void DistributedSystem::State::tell(SessionEvent event)
-{
-    for (const auto& handler : eventHandlers)
-        handler(event);
-    MessageCacheAccess::put(messageCache, std::move(event));
 }
 
 void DistributedSystem::State::drainOutbox()

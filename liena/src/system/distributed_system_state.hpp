@@ -1,18 +1,20 @@
 // Everything behind the facade: the modules of all peers, the ledger, and the network thread that runs them.
 #pragma once
 
+#include "audit/audit_log.hpp"
+#include "base/cause_books.hpp"
 #include "cache/link_board.hpp"
 #include "cache/message_cache_access.hpp"
 #include "cache/outbox.hpp"
 #include "liena/distributed_system.hpp"
 #include "session/stall_watch.hpp"
 #include "session/stand_by_ledger.hpp"
-#include "system/cause_books.hpp"
 #include "system/distributed_module.hpp"
 #include "system/module_host.hpp"
 #include "system/set_keeper.hpp"
 #include "topology/local_store.hpp"
 #include "topology/registry.hpp"
+#include "transport/status_server.hpp"
 #include "transport/tcp_server.hpp"
 #include "transport/timer.hpp"
 #include "transport/udp_socket.hpp"
@@ -36,8 +38,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
         std::optional<LocalStore> reading;
         std::optional<LocalStore> writing;
     };
-    State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, Stores stores,
-          std::shared_ptr<security::TlsIdentity> tls);
+    State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, Stores stores, std::shared_ptr<security::TlsIdentity> tls,
+          std::unique_ptr<audit::AuditLog> auditLog);
     ~State() override;
 
     Result<void> listen();
@@ -47,6 +49,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
 
     system::DistributedModule* module(DeviceId peer);
     Result<DeviceId> linkedPeer(DeviceId peer) const;
+    void recordCommand(std::string_view event, std::optional<DeviceId> peer, IncidentId incident, std::string_view reason);
     Result<void> checkSend(DeviceId target, const Message& message) const;
     void sendNow(DeviceId target, Message message);
     void publishNow(const Message& message);
@@ -55,6 +58,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void logIncident(const SessionEvent& event);
     void performBroadcast(const session::Broadcast& broadcast);
     void housekeeping();
+    void watchAudit();
+    void offerStatus();
     void attached(transport::AttachedConnection connection);
     void packetHeard(std::span<std::byte> packet);
     void identityRefused(DeviceId device, const std::string& cause, const std::string& detail);
@@ -87,13 +92,28 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void deliver(Message message) override;
     void tell(SessionEvent event) override;
     void show(const LinkStatus& status) override { board.show(status); }
-    void log(LogLevel level, const std::string& text) override { settings.log(level, text); }
+    void showDrops(DeviceId peer, std::vector<DropCount> drops) override { board.showDrops(peer, std::move(drops)); }
+    void log(const LogLine& line) override
+    {
+        auto own = line;
+        own.device = ownTopologyDevice.name;
+        settings.log(own);
+    }
+    void log(LogLevel level, std::string_view event, const std::string& text) { log(LogLine{level, text, event}); }
+    void record(audit::Entry entry) override
+    {
+        if (audit)
+            audit->put(std::move(entry));
+    }
 
     Settings settings;
     SystemTopology topology;
     TopologyDevice ownTopologyDevice;
     Registry registry;
     std::optional<LocalStore> store;
+    std::unique_ptr<audit::AuditLog> audit; ///< null: none is written
+    bool auditLost = false;
+    std::unique_ptr<transport::StatusServer> statusServer; ///< null: nobody can watch
     std::shared_ptr<security::TlsIdentity> tlsIdentity;
     std::shared_ptr<const MessageSet> ownMessageSet;
 
@@ -111,8 +131,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
     TimestampSource stamps;
     system::SetKeeper setKeeper;
     session::StandByLedger ledger;
-    system::CauseBooks refusals{64};   ///< of connections
-    system::CauseBooks holdsHeard{64}; ///< for the log
+    base::CauseBooks refusals{64};   ///< of connections
+    base::CauseBooks holdsHeard{64}; ///< for the log
     session::StallWatch stallWatch;
     std::map<std::string, std::vector<MessageHandler>, std::less<>> messageHandlers;
     std::vector<EventHandler> eventHandlers;

@@ -1,6 +1,7 @@
 // What a module needs of the device it is part of.
 #pragma once
 
+#include "audit/audit_chain.hpp"
 #include "liena/log.hpp"
 #include "liena/message.hpp"
 #include "liena/session_event.hpp"
@@ -60,7 +61,9 @@ public:
     virtual void deliver(Message message) = 0;
     virtual void tell(SessionEvent event) = 0;
     virtual void show(const LinkStatus& status) = 0;
-    virtual void log(LogLevel level, const std::string& text) = 0;
+    virtual void showDrops(DeviceId peer, std::vector<DropCount> drops) = 0;
+    virtual void log(const LogLine& line) = 0;
+    virtual void record(audit::Entry entry) = 0;
 };
 
 } // namespace liena::system

@@ -35,8 +35,9 @@ void DistributedModule::laneZeroUp()
 /// No event of the session: the lane is connected again when there is bulk to send.
 void DistributedModule::bulkLaneLost(std::uint8_t lane, const std::string& detail)
 {
-    m_host.log(LogLevel::Warning, fmt::format("bulk lane {} to {} broke: {}; what was under way on it may be missing there", lane,
-                                              m_peer.name, printable(detail, 256)));
+    say(LogLevel::Warning, "bulk-lane-lost",
+        fmt::format("bulk lane {} to {} broke: {}; what was under way on it may be missing there", lane, m_peer.name,
+                    printable(detail, 256)));
 }
 
 void DistributedModule::closeLanes(session::Nanoseconds grace)
@@ -85,9 +86,12 @@ void DistributedModule::refuse(const session::Refuse& refusal)
     const auto fresh = m_fresh.find(refusal.connection);
     if (fresh == m_fresh.end())
         return;
-    if (const auto count = m_refusals.count(refusal.detail, static_cast<std::uint32_t>(refusal.reason), m_host.now().mono))
-        m_host.log(LogLevel::Warning, fmt::format("refused a session with {}: {}: {}{}", m_peer.name, toString(refusal.reason),
-                                                  refusal.detail, *count > 1 ? fmt::format(" ({} times)", *count) : ""));
+    const auto why = fmt::format("{}: {}", toString(refusal.reason), refusal.detail);
+    if (const auto count = m_refusals.count(why, 0, m_host.now().mono)) {
+        const auto told = why + base::timesText(*count);
+        say(LogLevel::Warning, "session-refused", fmt::format("refused a session with {}: {}", m_peer.name, told));
+        m_host.record({.event = "session-refused", .peer = m_peer.name, .text = told});
+    }
     m_couriers.send(std::move(fresh->second), encode(protocol::Attach{protocol::protocolVersion, refusal.token, 0}, m_peer.id),
                     encode(protocol::Rejected{refusal.token, refusal.reason, {refusal.detail}}, m_peer.id));
     m_fresh.erase(fresh);
@@ -98,9 +102,10 @@ void DistributedModule::attached(transport::AttachedConnection connection)
     const auto state = m_machine.state();
     const bool inSession = state != SessionState::Closed && state != SessionState::StandBy && connection.attach.token == m_machine.token();
     if (connection.attach.protocol != protocol::protocolVersion) {
-        if (m_refusals.count("protocol version", 0, m_host.now().mono))
-            m_host.log(LogLevel::Warning, fmt::format("{} speaks version {} of the protocol, this device version {}", m_peer.name,
-                                                      connection.attach.protocol, protocol::protocolVersion));
+        if (const auto count = m_refusals.count("protocol version", 0, m_host.now().mono))
+            say(LogLevel::Warning, "session-refused",
+                fmt::format("{} speaks version {} of the protocol, this device version {}{}", m_peer.name, connection.attach.protocol,
+                            protocol::protocolVersion, base::timesText(*count)));
         const auto token = connection.attach.token;
         auto fresh = std::make_unique<FreshConnection>(m_host.io(), std::move(connection), m_host.ownDevice().id, m_host.budget(),
                                                        FreshConnection::Handlers{[] {}, [](const auto&) {}, [] {}});

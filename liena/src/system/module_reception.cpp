@@ -201,7 +201,7 @@ void DistributedModule::drop(const std::string& cause, std::uint16_t number, con
     event.message = definition != nullptr ? definition->name : fmt::format("0x{:04x}", number);
     event.count = *count;
     event.detail = detail.empty() ? cause : fmt::format("{}: {}", cause, printable(detail, 256));
-    m_host.log(LogLevel::Warning, fmt::format("dropped {} of {}: {}", event.message, m_peer.name, event.detail));
+    say(LogLevel::Warning, "messages-dropped", fmt::format("dropped {} of {}: {}", event.message, m_peer.name, event.detail));
     m_host.tell(std::move(event));
 }
 

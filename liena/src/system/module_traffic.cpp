@@ -128,6 +128,7 @@ LinkStatus DistributedModule::status() const
     status.toPeerConnected = m_machine.isOutgoingUp();
     status.fromPeerConnected = m_machine.isIncomingUp();
     status.incident = m_machine.incident();
+    status.latency = carriesMessages(status.state) ? m_latency : std::nullopt;
     return status;
 }
 

@@ -1,8 +1,8 @@
 // The books of one link: what was received, delivered, late and dropped, by cause.
 #pragma once
 
+#include "base/cause_books.hpp"
 #include "protocol/session_messages.hpp"
-#include "system/cause_books.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -47,13 +47,20 @@ public:
     /// The LinkReport of the window since the last call (ruling B15).
     protocol::LinkReport takeReport(Instant now, std::size_t backlog);
 
+    /// Calls `tell(cause, number, count)` for each.
+    template <typename Tell>
+    void forEachDrop(Tell&& tell) const
+    {
+        m_causes.forEach(tell);
+    }
+
     std::uint64_t messagesReceived() const { return m_received; }
     std::uint64_t messagesDropped() const { return m_dropped; }
     std::uint64_t messagesSent() const { return m_sent; }
     std::uint64_t messagesSuperseded() const { return m_superseded; }
 
 private:
-    CauseBooks m_causes{4096}; // some twenty causes, and the messages of two sets
+    base::CauseBooks m_causes{4096}; // some twenty causes, and the messages of two sets
     std::uint64_t m_received = 0;
     std::uint64_t m_dropped = 0;
     std::uint64_t m_sent = 0;

@@ -22,6 +22,7 @@ const std::vector<Room>& rooms()
 {
     static const std::vector<Room> table{
         {"liena/src/base/", "base", {}},
+        {"liena/src/audit/", "audit", {"base"}},
         {"liena/src/protocol/", "protocol", {"base"}},
         {"liena/src/topology/", "topology", {"protocol", "base"}},
         {"liena/src/session/", "session", {"protocol", "base"}},
@@ -29,7 +30,7 @@ const std::vector<Room>& rooms()
         {"liena/src/security/", "security", {"base"}},
         {"liena/src/transport/", "transport", {"security", "protocol", "base"}},
         {"liena/src/tasks/", "tasks", {"transport", "session", "cache", "security", "protocol", "base"}},
-        {"liena/src/system/", "system", {"tasks", "topology", "transport", "session", "cache", "security", "protocol", "base"}},
+        {"liena/src/system/", "system", {"tasks", "topology", "transport", "session", "cache", "security", "audit", "protocol", "base"}},
         {"console/model/", "model", {}},
         {"console/input/", "input", {"model"}},
         {"console/imaging/", "imaging", {"model"}},

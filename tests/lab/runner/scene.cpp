@@ -10,7 +10,7 @@ namespace {
 constexpr Milliseconds openLimit{4'000};
 constexpr Milliseconds healthyBeforeConfirming{500};
 constexpr Milliseconds armLimit{1'500};
-constexpr int patience = 12;
+constexpr int patience = 8;
 
 double millisecondsSince(std::int64_t from, std::int64_t to) { return static_cast<double>(to - from) / 1e6; }
 

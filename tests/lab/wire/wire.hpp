@@ -28,7 +28,6 @@ private:
         std::size_t queueLimit = 0;
         std::size_t queued = 0;
         SteadyTime free; ///< when the last frame has left
-        bool plugged = true;
     };
     struct Pair {
         explicit Pair(std::uint64_t seed) : draw(seed) {}

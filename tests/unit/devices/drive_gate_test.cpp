@@ -161,17 +161,6 @@ private slots:
         QVERIFY(rig.gate.drive({10, 0, 0, 0}, rig.now - 49ms));
     }
 
-    // The process was frozen between the arrival and the call, so that the last step is as old as the command.
-    void commandThatGrewOldBeforeTheCallGivesNoLease()
-    {
-        Rig rig;
-        rig.gate.enable();
-        rig.run(50ms);
-        QVERIFY(!rig.gate.drive({10, 0, 0, 0}, rig.now, rig.now + 50ms));
-        QVERIFY(rig.run(20ms).still);
-        QVERIFY(rig.gate.drive({10, 0, 0, 0}, rig.now, rig.now + 49ms));
-    }
-
     void releaseSlowsDownAndStaysEnabled()
     {
         Rig rig;

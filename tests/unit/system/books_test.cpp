@@ -60,7 +60,7 @@ void BooksTest::firstDropOfACauseIsToldAtOnce()
 
 void BooksTest::distinctCausesDoNotFillTheBooks()
 {
-    CauseBooks books(64);
+    base::CauseBooks books(64);
     std::uint64_t told = 0;
     for (std::uint32_t i = 0; i < 10000; ++i)
         if (const auto count = books.count("cause " + std::to_string(i), i, start))

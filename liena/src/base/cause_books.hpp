@@ -1,4 +1,4 @@
-// How often each cause of a refusal came up, and when to speak of it: the first time at once, later at most every ten seconds.
+// How often each cause of a refusal came up, and when to speak of it: the first time at once, later at most every so often.
 #pragma once
 
 #include <chrono>
@@ -9,24 +9,36 @@
 #include <string>
 #include <utility>
 
-namespace liena::system {
+namespace liena::base {
 
 /// Whatever others send, it stays small: beyond `most` kinds, new ones share one entry.
 class CauseBooks {
 public:
     using Instant = std::chrono::steady_clock::time_point;
 
-    explicit CauseBooks(std::size_t most) : m_most(most) {}
+    explicit CauseBooks(std::size_t most, std::chrono::seconds pause = std::chrono::seconds(10)) : m_most(most), m_pause(pause) {}
 
     /// The count to tell now, of those not told yet and this one; or nothing.
     std::optional<std::uint64_t> count(const std::string& cause, std::uint32_t about, Instant now)
     {
         auto& entry = entryOf({cause, about});
+        ++entry.all;
         ++entry.untold;
-        if (entry.lastTold && now - *entry.lastTold < std::chrono::seconds(10))
+        if (entry.lastTold && now - *entry.lastTold < m_pause)
             return std::nullopt;
         entry.lastTold = now;
         return std::exchange(entry.untold, 0);
+    }
+
+    /// The causes are over; the next one is told at once.
+    void forget() { m_entries.clear(); }
+
+    /// Calls `tell(cause, about, count)` for each, with all that came since the beginning.
+    template <typename Tell>
+    void forEach(Tell&& tell) const
+    {
+        for (const auto& [key, entry] : m_entries)
+            tell(key.first, key.second, entry.all);
     }
 
     std::size_t size() const { return m_entries.size(); }
@@ -34,6 +46,7 @@ public:
 private:
     using Key = std::pair<std::string, std::uint32_t>;
     struct Entry {
+        std::uint64_t all = 0;
         std::uint64_t untold = 0;
         std::optional<Instant> lastTold;
     };
@@ -47,7 +60,11 @@ private:
     }
 
     std::size_t m_most;
+    std::chrono::seconds m_pause;
     std::map<Key, Entry> m_entries;
 };
 
-} // namespace liena::system
+/// ` (3 times)`, or nothing for a single one.
+inline std::string timesText(std::uint64_t count) { return count > 1 ? " (" + std::to_string(count) + " times)" : std::string(); }
+
+} // namespace liena::base

@@ -1,0 +1,91 @@
+// What a device tells those who operate it: events, log, audit file and status.
+#include "system/distributed_system_state.hpp"
+
+#include "liena/status.hpp"
+#include "system/audit_entries.hpp"
+#include "system/status_line.hpp"
+
+#include <fmt/format.h>
+
+namespace liena {
+
+/// Whoever watches asks the board and the audit log, never the network thread. A device works without being watched.
+void DistributedSystem::State::offerStatus()
+{
+    if (settings.status.empty())
+        return;
+    auto line = std::make_shared<system::StatusLine>(ownTopologyDevice, topology, settings.software, board, audit.get());
+    auto opened = transport::StatusServer::open(statusSocket(settings.status, ownTopologyDevice.id), [line] {
+        return line->make(std::chrono::steady_clock::now(), std::chrono::system_clock::now());
+    });
+    if (opened)
+        statusServer = std::move(opened.value());
+    else
+        log(LogLevel::Warning, "no-status", opened.error().what);
+}
+
+/// The loss of the audit file is an alarm, told once, and so is its end.
+void DistributedSystem::State::watchAudit()
+{
+    if (!audit)
+        return;
+    const auto status = audit->status(std::chrono::steady_clock::now());
+    if (status.lost == auditLost)
+        return;
+    auditLost = status.lost;
+    SessionEvent event;
+    event.kind = auditLost ? SessionEvent::Kind::AuditLost : SessionEvent::Kind::AuditRestored;
+    event.at = std::chrono::steady_clock::now();
+    event.detail = auditLost ? status.detail : std::string();
+    log(auditLost ? LogLevel::Error : LogLevel::Info, auditLost ? "audit-lost" : "audit-restored",
+        auditLost ? status.detail + "; until then no new session opens" : "the audit file is written again");
+    record({.event = auditLost ? "audit-lost" : "audit-restored", .text = event.detail});
+    tell(std::move(event));
+}
+
+void DistributedSystem::State::identityRefused(DeviceId device, const std::string& cause, const std::string& detail)
+{
+    const auto count = refusals.count(cause, device.value(), now().mono);
+    if (!count)
+        return;
+    log(LogLevel::Warning, "identity-refused",
+        fmt::format("refused {} connection{}, the last from {}", *count, *count == 1 ? "" : "s", printable(detail, 512)));
+    SessionEvent event;
+    event.count = *count;
+    event.kind = SessionEvent::Kind::IdentityRefused;
+    event.at = std::chrono::steady_clock::now();
+    event.peer = device;
+    event.detail = printable(detail, 512);
+    tell(std::move(event));
+}
+
+void DistributedSystem::State::logIncident(const SessionEvent& event)
+{
+    const bool hold = event.kind == SessionEvent::Kind::HoldReported; // these come as often as the peers like
+    if (!hold || holdsHeard.count({}, event.hold.device.value(), now().mono))
+        log(LogLevel::Info, "incident",
+            fmt::format("{}: {} - {}", toString(event.kind), event.incident.a.toString(), event.incident.b.toString()));
+}
+
+void DistributedSystem::State::tell(SessionEvent event)
+{
+    if (auto entry = audit ? system::auditEntryOf(event, topology, *ownMessageSet) : std::nullopt)
+        record(std::move(*entry));
+    for (const auto& handler : eventHandlers)
+        handler(event);
+    MessageCacheAccess::put(messageCache, std::move(event));
+}
+
+/// Of the person at this device, or of the program for them.
+void DistributedSystem::State::recordCommand(std::string_view event, std::optional<DeviceId> peer, IncidentId incident,
+                                             std::string_view reason)
+{
+    record({.event = std::string(event),
+            .peer = peer ? system::nameIn(topology, *peer) : std::string(),
+            .who = ownTopologyDevice.name,
+            .incident = incident,
+            .text = std::string(reason),
+            .often = event == "open-commanded"}); // devices try again every second
+}
+
+} // namespace liena

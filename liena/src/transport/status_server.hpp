@@ -1,0 +1,32 @@
+// A local socket on which other programs of the same user may watch: one line at once, and then one each second.
+#pragma once
+
+#include "liena/error.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace liena::transport {
+
+/// Has a thread of its own: neither a slow watcher nor a hundred of them reach the network thread. Nothing that a watcher sends is read.
+class StatusServer {
+public:
+    static constexpr std::size_t mostWatchers = 8;
+
+    /// Makes the folder (mode 0700, this user's) and the socket (0600). `line` gives what is to be said, without the line's end; it is
+    /// called on the server's thread while somebody watches.
+    static Result<std::unique_ptr<StatusServer>> open(const std::filesystem::path& socket, std::function<std::string()> line);
+
+    ~StatusServer(); ///< ends the thread and removes the socket
+    StatusServer(const StatusServer&) = delete;
+    StatusServer& operator=(const StatusServer&) = delete;
+
+private:
+    struct State;
+    explicit StatusServer(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace liena::transport
