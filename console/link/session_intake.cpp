@@ -147,6 +147,12 @@ void SessionIntake::takeRemark(const liena::SessionEvent& event)
         log(LogKind::Trouble, tr("this console stood still for %1 ms").arg(milliseconds(event.duration), 0, 'f', 0));
         Q_EMIT stalled(milliseconds(event.duration));
         break;
+    case Kind::AuditLost:
+        log(LogKind::Trouble, tr("no audit file is written, so no new session opens: %1").arg(text(event.detail)));
+        break;
+    case Kind::AuditRestored:
+        log(LogKind::Link, tr("the audit file is written again"));
+        break;
     default:
         break;
     }

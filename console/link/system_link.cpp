@@ -5,7 +5,9 @@
 #include "link/pedal_streamer.hpp"
 #include "link/translate.hpp"
 
+#include <liena/certificates.hpp>
 #include <liena/distributed_system.hpp>
+#include <liena/status.hpp>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -73,6 +75,8 @@ std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, Con
     own.key = path(settings.key);
     own.authority = path(settings.authority);
     own.software = "liena-console";
+    own.status = liena::statusFolder();
+    liena::keepKeysOutOfCoreDumps();
     auto system = liena::DistributedSystem::create(std::move(own));
     if (!system) {
         *error = text(system.error().what);

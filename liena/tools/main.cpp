@@ -1,6 +1,9 @@
 // liena: the command line of the middleware.
+#include "audit_command.hpp"
 #include "check_command.hpp"
+#include "monitor_command.hpp"
 #include "pki_command.hpp"
+#include "probe_command.hpp"
 #include "sets_command.hpp"
 
 #include <liena/version.hpp>
@@ -24,6 +27,9 @@ int run(int argc, char** argv)
                "Exit codes: 0 done, 1 the command found errors or failed, 2 wrong use of the command line.");
     liena::tools::addCheckCommand(app, exitCode);
     liena::tools::addPkiCommand(app, exitCode);
+    liena::tools::addProbeCommand(app, exitCode);
+    liena::tools::addMonitorCommand(app, exitCode);
+    liena::tools::addAuditCommand(app, exitCode);
     liena::tools::addSetsCommand(app, exitCode);
     try {
         app.parse(argc, argv);

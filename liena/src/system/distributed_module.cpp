@@ -342,8 +342,8 @@ void DistributedModule::housekeeping()
 void DistributedModule::showDrops()
 {
     std::vector<DropCount> drops;
-    m_books.forEachDrop([&](const std::string& cause, std::uint16_t number, std::uint64_t count) {
-        const auto* definition = definitionOf(number);
+    m_books.forEachDrop([&](const std::string& cause, std::uint32_t number, std::uint64_t count) {
+        const auto* definition = ends().definitionOf(static_cast<std::uint16_t>(number));
         drops.push_back({cause, definition != nullptr ? definition->name : "unknown", count});
     });
     m_host.showDrops(m_peer.id, std::move(drops));

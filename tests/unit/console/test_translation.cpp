@@ -340,8 +340,9 @@ private Q_SLOTS:
     void everyEventIsLoggedOrShown_data()
     {
         QTest::addColumn<int>("kind");
-        for (const auto kind : {Kind::Opened, Kind::OpenFailed, Kind::Closed, Kind::Interrupted, Kind::ReOpened, Kind::DeadlineMissed,
-                                Kind::MessagesDropped, Kind::SendFailed, Kind::IdentityRefused, Kind::LocalStall})
+        for (const auto kind :
+             {Kind::Opened, Kind::OpenFailed, Kind::Closed, Kind::Interrupted, Kind::ReOpened, Kind::DeadlineMissed, Kind::MessagesDropped,
+              Kind::SendFailed, Kind::IdentityRefused, Kind::LocalStall, Kind::AuditLost, Kind::AuditRestored})
             QTest::addRow("kind %d", int(kind)) << int(kind);
     }
 

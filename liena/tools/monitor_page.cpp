@@ -1,0 +1,107 @@
+// Laying a status out.
+#include "monitor_page.hpp"
+
+#include <liena/log.hpp>
+
+#include <fmt/format.h>
+
+namespace liena::tools {
+
+namespace {
+
+std::string milliseconds(const JsonValue& value) { return value.number() ? fmt::format("{:.1f} ms", *value.number()) : std::string("-"); }
+
+std::string latencyOf(const JsonValue& link)
+{
+    const auto latency = link["latency_ms"].number();
+    if (!latency)
+        return "-";
+    const auto uncertainty = link["latency_uncertainty_ms"].number();
+    return uncertainty ? fmt::format("{:.1f} ± {:.1f} ms", *latency, *uncertainty) : fmt::format("{:.1f} ms", *latency);
+}
+
+std::string bytesPerSecond(double bytes)
+{
+    return bytes >= 1e6 ? fmt::format("{:.1f} MB/s", bytes / 1e6) : fmt::format("{:.1f} kB/s", bytes / 1e3);
+}
+
+std::string rateOf(const JsonValue& link, const char* messages, const char* bytes)
+{
+    const auto& rates = link["rates"];
+    if (rates.isNull())
+        return "-";
+    return fmt::format("{:.0f}/s {}", rates[messages].numberOr(0), bytesPerSecond(rates[bytes].numberOr(0)));
+}
+
+/// A column is counted in characters: `±` is one.
+std::string padded(const std::string& text, std::size_t width)
+{
+    std::size_t characters = 0;
+    for (const char c : text)
+        characters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+    return text + std::string(characters < width ? width - characters : 1, ' ');
+}
+
+std::string row(const std::vector<std::string>& cells)
+{
+    constexpr std::size_t widths[] = {14, 13, 18, 11, 10, 22, 22, 7};
+    std::string line = "  ";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        line += i < std::size(widths) ? padded(cells[i], widths[i]) : cells[i];
+    while (line.ends_with(' '))
+        line.pop_back();
+    return line + '\n';
+}
+
+std::string linkLines(const JsonValue& link)
+{
+    const auto missed = link["heartbeats_missed"].numberOr(0);
+    auto text = row({printable(link["peer"].text()), link["state"].text(), latencyOf(link), milliseconds(link["round_trip_ms"]),
+                     fmt::format("{:.0f}", missed), rateOf(link, "messages_in", "bytes_in"), rateOf(link, "messages_out", "bytes_out"),
+                     fmt::format("{:.0f}", link["queued"].numberOr(0)), link["datagrams"].truth() ? "yes" : "no"});
+    if (const auto interruptions = link["interruptions"].numberOr(0); interruptions > 0)
+        text += fmt::format("    interrupted {:.0f} times since the start\n", interruptions);
+    for (const auto& drop : link["drops"].items())
+        text += fmt::format("    dropped {:.0f} {}: {}\n", drop["count"].numberOr(0), printable(drop["message"].text()),
+                            printable(drop["cause"].text(), 128));
+    return text;
+}
+
+std::string incidentLine(const JsonValue& incident)
+{
+    std::string holds;
+    for (const auto& hold : incident["holds"].items())
+        holds += fmt::format("{}{} {}", holds.empty() ? "" : ", ", printable(hold["device"].text()),
+                             hold["holding"].truth() ? "holds" : "DOES NOT HOLD");
+    return fmt::format("  INCIDENT {} - {}: {}, since {}; {}\n", printable(incident["a"].text()), printable(incident["b"].text()),
+                       printable(incident["cause"].text()), printable(incident["since"].text()),
+                       holds.empty() ? std::string("nobody has confirmed that it holds") : holds);
+}
+
+std::string auditLine(const JsonValue& audit)
+{
+    if (audit.isNull())
+        return "  no audit file\n";
+    if (audit["lost"].truth())
+        return fmt::format("  NO AUDIT FILE IS WRITTEN, no new session opens: {}\n", printable(audit["detail"].text(), 512));
+    return fmt::format("  audit {}: {:.0f} entries, head {}\n", printable(audit["file"].text(), 256), audit["entries"].numberOr(0),
+                       printable(audit["head"].text()));
+}
+
+} // namespace
+
+std::string monitorPage(const JsonValue& status)
+{
+    auto page =
+        fmt::format("{} ({})  {}  process {:.0f}, running {:.0f} s  {}{}\n", printable(status["device"].text()),
+                    printable(status["id"].text()), printable(status["software"].text()), status["pid"].numberOr(0),
+                    status["uptime_s"].numberOr(0), printable(status["time"].text()), status["stands_by"].truth() ? "  STANDS BY" : "");
+    page += row({"LINK", "STATE", "LATENCY", "ROUND TRIP", "MISSED", "IN", "OUT", "QUEUE", "UDP"});
+    for (const auto& link : status["links"].items())
+        page += linkLines(link);
+    for (const auto& incident : status["incidents"].items())
+        page += incidentLine(incident);
+    return page + auditLine(status["audit"]);
+}
+
+} // namespace liena::tools
