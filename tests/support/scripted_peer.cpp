@@ -57,8 +57,8 @@ void ScriptedPeer::run()
             sockets.push_back({m_listener.number(), POLLIN, 0});
         {
             const std::lock_guard lock(m_mutex);
-            for (const auto& incoming : m_incoming)
-                sockets.push_back({incoming->link->descriptor(), POLLIN, 0});
+            for (std::size_t i = 0; habits.reads && i < m_incoming.size(); ++i)
+                sockets.push_back({m_incoming[i]->link->descriptor(), POLLIN, 0});
             if (m_lane0 && !m_laneClosed)
                 sockets.push_back({m_lane0->descriptor(), POLLIN, 0});
         }
@@ -67,7 +67,7 @@ void ScriptedPeer::run()
         if (habits.accepts)
             accept();
         readPackets();
-        for (std::size_t i = 0; i < m_incoming.size(); ++i)
+        for (std::size_t i = 0; habits.reads && i < m_incoming.size(); ++i)
             read(*m_incoming[i]);
         std::erase_if(m_incoming, [](const auto& incoming) { return incoming->link == nullptr; });
         Bytes nothing;

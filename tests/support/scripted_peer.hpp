@@ -39,6 +39,7 @@ public:
         std::atomic<bool> datagrams{true}; ///< heartbeats also by UDP
         std::atomic<bool> laneZero{true};  ///< heartbeats also on lane 0
         std::atomic<bool> accepts{true};   ///< takes connections to its own port
+        std::atomic<bool> reads{true};     ///< what the device says on them
         std::atomic<bool> answers{true};   ///< goes on with the dialogue of an opening
     };
 

@@ -182,9 +182,9 @@ Bytes reOpened(std::uint64_t token, std::uint64_t incident, std::uint32_t x, std
     return Words().u64(token).u64(incident).u32(std::min(x, y)).u32(std::max(x, y));
 }
 
-Bytes standBy(std::uint64_t incident, std::uint32_t x, std::uint32_t y, std::uint8_t cause, std::uint64_t since)
+Bytes standBy(std::uint64_t incident, std::uint32_t x, std::uint32_t y, std::uint8_t cause, std::uint64_t since, std::uint32_t device)
 {
-    return Words().u64(incident).u32(std::min(x, y)).u32(std::max(x, y)).u8(cause).u64(since);
+    return Words().u64(incident).u32(std::min(x, y)).u32(std::max(x, y)).u8(cause).u64(since).u32(device);
 }
 
 Bytes standByReport(std::uint64_t incident, std::uint32_t device, bool holding, std::uint64_t confirmed)

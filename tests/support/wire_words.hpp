@@ -127,7 +127,7 @@ Bytes rejected(std::uint64_t token, std::uint8_t reason, std::string_view detail
 Bytes heartbeat(const Heartbeat& beat);
 std::optional<Heartbeat> heartbeatOf(ByteSpan body);
 Bytes reOpened(std::uint64_t token, std::uint64_t incident, std::uint32_t x, std::uint32_t y);
-Bytes standBy(std::uint64_t incident, std::uint32_t x, std::uint32_t y, std::uint8_t cause, std::uint64_t since);
+Bytes standBy(std::uint64_t incident, std::uint32_t x, std::uint32_t y, std::uint8_t cause, std::uint64_t since, std::uint32_t device);
 Bytes standByReport(std::uint64_t incident, std::uint32_t device, bool holding, std::uint64_t confirmed);
 Bytes abandon(std::uint16_t message, std::uint64_t timestamp);
 

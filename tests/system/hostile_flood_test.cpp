@@ -101,7 +101,7 @@ private Q_SLOTS:
         QVERIFY(hello.size() > 100);
         const auto memory = residentBytes();
         const auto flood = [&](bool whole) {
-            for (int i = 0; i < 500; ++i) {
+            for (int i = 0; i < 300; ++i) {
                 const auto socket = tcpTo(stage.peer.role().devicePort);
                 waitFor(socket.number(), POLLOUT, 5000ms);
                 const auto size = whole ? hello.size() : hello.size() / 2;
@@ -203,6 +203,30 @@ private Q_SLOTS:
         QVERIFY(stage.peer.command(0x0103, Words().u32(1).u8(1).u8(1)));
         QVERIFY2(eventually([&] { return !stage.robot.messages("GripperCommand").empty(); }), stage.story().c_str());
         QCOMPARE(words(stage.robot.state(stage.xrayId)), words(SessionState::Open));
+        QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
+    }
+
+    /// It beats and takes nothing: what waits for it is what the queue may hold, and of the heartbeats the newest alone.
+    void aPeerThatNeverReadsFillsNothing()
+    {
+        HostileStage stage;
+        stage.openPeer();
+        stage.peer.habits.reads = false;
+        std::atomic<bool> full{false};
+        const auto fill = [&] {
+            for (int i = 0; i < 500 && !full; ++i) {
+                auto report = stage.robot->report("InjectionReport").value();
+                report.set("reason", std::string(128, 'x'));
+                const auto sent = stage.robot->send(stage.xrayId, report);
+                full = !sent && sent.error().code == Errc::QueueFull;
+            }
+        };
+        QVERIFY2(eventually([&] { return stage.robot->post(fill), full.load(); }), stage.story().c_str());
+        const auto beats = stage.linkOf(stage.xrayId).heartbeatsReceived;
+        QVERIFY2(eventually([&] { return stage.linkOf(stage.xrayId).heartbeatsReceived >= beats + 40; }), stage.story().c_str());
+        QCOMPARE(words(stage.robot.state(stage.xrayId)), words(SessionState::Open));
+        const auto queued = stage.linkOf(stage.xrayId).queuedMessages;
+        QVERIFY2(queued >= 4096 - 2 && queued <= 4096 + 4, std::to_string(queued).c_str());
         QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
     }
 

@@ -28,6 +28,9 @@ bool mayBeBroadcast(std::uint16_t number)
            number == ChannelReOpened::number;
 }
 
+/// To one device alone they would end where they should be handed on. (A ChannelReOpened to one device opens its session.)
+bool mustBeBroadcast(std::uint16_t number) { return mayBeBroadcast(number) && number != ChannelReOpened::number; }
+
 std::string tooLong(const MessageDefinition& definition)
 {
     return fmt::format("{} is longer than the {} bytes its definition allows", definition.name, definition.maximumSize());
@@ -54,6 +57,8 @@ HeaderJudgement judgeSession(std::uint8_t lane, const DatagramHeader& header)
         return refuse("session management on a bulk lane");
     if (header.target.isBroadcast() && !mayBeBroadcast(header.message.number))
         return refuse(fmt::format("session message 0x{:04x} cannot be broadcast", header.message.number));
+    if (!header.target.isBroadcast() && mustBeBroadcast(header.message.number))
+        return refuse(fmt::format("session message 0x{:04x} must be broadcast", header.message.number));
     if (header.length > *maximum)
         return refuse(fmt::format("session message 0x{:04x} is longer than it can be", header.message.number));
     return {HeaderVerdict::Take, *maximum, {}};

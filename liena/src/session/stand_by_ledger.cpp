@@ -164,7 +164,7 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandBy& messa
         if (message.device != m_self)
             noteCause(message, from, actions, now);
     } else if (m_incidents.size() >= mostIncidents) {
-        actions.push_back(LedgerViolation{from, "more incidents than a system can have"});
+        actions.push_back(IncidentNotKept{from});
     } else {
         raise(message, from, actions, now);
     }

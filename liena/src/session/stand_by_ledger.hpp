@@ -34,13 +34,18 @@ struct PairChanged {
     DeviceId peer;
     IncidentId incident = 0;
 };
-/// A neighbour brought more incidents than can be honest.
+/// A neighbour told of an incident that cannot be.
 struct LedgerViolation {
     DeviceId peer;
     std::string detail;
 };
 
-using LedgerAction = std::variant<Broadcast, Answer, Tell, PairChanged, LedgerViolation>;
+/// One incident more than is kept. Whoever told may have handed on what a third one invented: it is not blamed.
+struct IncidentNotKept {
+    DeviceId teller;
+};
+
+using LedgerAction = std::variant<Broadcast, Answer, Tell, PairChanged, LedgerViolation, IncidentNotKept>;
 using LedgerActions = std::vector<LedgerAction>;
 
 /// Pure; one per device. A device that holds an incident stands by.

@@ -59,6 +59,7 @@ public:
 
     /// What the peer told breaks the protocol.
     void endForViolation(const std::string& detail) { violation(detail); }
+    void incidentNotKept() { drop("more incidents than a device keeps", protocol::StandBy::number); }
 
     /// The thread did not run for `gap`.
     void stalled(session::Nanoseconds gap);

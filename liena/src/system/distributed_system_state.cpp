@@ -337,6 +337,9 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
         } else if (const auto* violation = std::get_if<session::LedgerViolation>(&action)) {
             if (auto* one = module(violation->peer))
                 one->endForViolation(violation->detail);
+        } else if (const auto* notKept = std::get_if<session::IncidentNotKept>(&action)) {
+            if (auto* one = module(notKept->teller))
+                one->incidentNotKept();
         }
     }
 }

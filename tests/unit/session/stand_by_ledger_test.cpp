@@ -416,9 +416,9 @@ void StandByLedgerTest::takesNoMoreThanItsBound()
 {
     StandByLedger ledger(robot);
     for (IncidentId id = 1; id <= 256; ++id)
-        QVERIFY(all<LedgerViolation>(ledger.heard(arm, standBy(id, xray, cockpit), now)).empty());
+        QVERIFY(all<IncidentNotKept>(ledger.heard(arm, standBy(id, xray, cockpit), now)).empty());
     const auto actions = ledger.heard(arm, standBy(257, xray, cockpit), now);
-    QVERIFY(actions.size() == 1 && all<LedgerViolation>(actions)[0].peer == arm);
+    QVERIFY(actions.size() == 1 && all<IncidentNotKept>(actions)[0].teller == arm); // which may be honest, and only hands it on
     QCOMPARE(ledger.size(), std::size_t{256});
     ledger.lost(cockpit, 1000, LossCause::HeartbeatLost, Timestamp{100}, now); // our own loss is never kept back
     QVERIFY(ledger.find(1000) != nullptr);
