@@ -34,17 +34,19 @@ bool initiator[2], diagnosis[2], committed[2], peerStandsBy[2], connecting[2], c
 byte token[2], incident[2], named[2];
 byte lane[2] = NONE;     /* the connection made that stands */
 byte incoming[2] = NONE; /* the peer's that was attached */
-byte pending[2] = NONE;  /* a plain Handshake while open waits for the proof of life */
-byte pendingToken[2];
+byte pending[2] = NONE;  /* a handshake while open waits for the proof of life */
+byte pendingToken[2], pendingPrevious[2];
+bool pendingDiagnosis[2];
 
 byte faults = FAULTS;
-#ifdef LIVE
-#define MAY_ATTEMPT true
-#define attempted() skip
+#ifdef LIVE /* a person acts when nothing moves, or just after the other person did */
+bool hurry;
+#define MAY_ATTEMPT (hurry || AFTER_110)
+#define ATTEMPTED hurry = AFTER_110
 #else
 byte attempts = ATTEMPTS;
 #define MAY_ATTEMPT (attempts > 0)
-#define attempted() attempts--
+#define ATTEMPTED attempts--
 #endif
 
 byte asked, answered, led; /* ghosts, a bit by token: a person re-opened, the peer committed, the initiator opened */
@@ -53,9 +55,9 @@ byte asked, answered, led; /* ghosts, a bit by token: a person re-opened, the pe
 #define DIALOGUE(i) (state[i] == Opening || state[i] == Reopening)
 #define LIVING(i) (state[i] == Open || state[i] == Reconnecting)
 #define HEARS(i) (incoming[i] != NONE && lane[1 - i] == incoming[i] && !mute[incoming[i]] && !broken[incoming[i]] && len(wire[incoming[i]]) == 0)
-#define HEALS(i) (state[i] == Reconnecting && lane[i] != NONE && HEARS(i))
+#define HEALS(i) (state[i] == Reconnecting && lane[i] != NONE && HEARS(i) && LIVING(1 - i)) /* a peer in a dialogue was never opened */
 #define SILENT(i) (state[i] == Open && incoming[i] != NONE && (mute[incoming[i]] || lane[1 - i] != incoming[i]) && len(wire[incoming[i]]) == 0)
-#define READABLE(c) (len(wire[c]) > 0 && role[c] != Ignored && role[c] != Waiting)
+#define READABLE(c) (len(wire[c]) > 0 && role[c] != Waiting) /* what an ignored one brings is thrown away */
 #define UNUSED(c) (role[c] == Free && len(wire[c]) == 0 && lane[(c) / 2] != (c))
 #define NOTICES(i) (lane[i] != NONE && broken[lane[i]])
 #define AGREED assert(state[0] != Open || state[1] != Open || token[0] == token[1])
@@ -70,20 +72,52 @@ byte asked, answered, led; /* ghosts, a bit by token: a person re-opened, the pe
 #else
 #define LEADS(i) (initiator[i] && i == 0)
 #endif
+#ifdef LOSES_OPENED /* the one fault: the initiator's connection dies with what opens the other end on it */
+#define MISFORTUNE false
+#define BREAKS false
+#define STRIKES(c) (state[(c) / 2] == Open && DIALOGUE(1 - (c) / 2))
+#else
+#define MISFORTUNE (faults > 0)
+#define BREAKS true
+#define STRIKES(c) true
+#endif
+#ifdef MUT_BLAMES_AFTER_LOSS
+#define DEAF(i) (DIALOGUE(i) && rejectedWait[i] && (k == Commit || k == DiagnosisCommit || k == Opened || k == ReOpened))
+#else
+#define DEAF(i) (DIALOGUE(i) && rejectedWait[i])
+#endif
+#ifdef MUT_WITHDRAWN_ENDS
+#define NAMES_THIS_LOSS(i) true
+#else
+#define NAMES_THIS_LOSS(i) (v == token[i])
+#endif
+#ifdef MUT_REATTACH_TRUSTED
+#define MAY_HAVE_MISSED(i) false
+#else
+#define MAY_HAVE_MISSED(i) DIALOGUE(i)
+#endif
 #ifdef MUT_LEG_UNBOUND
 #define TOKEN_HOLDS(t, mine) true
 #else
 #define TOKEN_HOLDS(t, mine) ((t) == (mine))
 #endif
 
-#ifdef LIVE /* time passes when nothing is on its way, and a shorter timer ends before a longer one */
-#define MOVES(i) (connecting[i] || len(courier[i]) > 0 || NOTICES(i) || HEALS(i))
+#ifdef LIVE /* time passes when nothing is on its way; a shorter timer ends before a longer one, and of two dialogues the older */
+byte elder;
+#define BEGINS(i) elder = (DIALOGUE(1 - i) -> 1 - i : i)
+#define ELDER(i) (elder == i || !DIALOGUE(1 - i))
+#define IGNORED_LONG(i, c) (role[c] == Ignored && AFTER_3000 && !DIALOGUE(i)) /* it was ignored after the dialogue began */
+#define CONNECTS(i) (connecting[i] && (UNUSED(2 * i) || UNUSED(2 * i + 1)))
+#define MOVES(i) (CONNECTS(i) || len(courier[i]) > 0 || NOTICES(i) || HEALS(i))
 #define AFTER_110 (!READABLE(0) && !READABLE(1) && !READABLE(2) && !READABLE(3) && !MOVES(0) && !MOVES(1))
 #define AFTER_200 (AFTER_110 && !SILENT(0) && !SILENT(1) && pending[0] == NONE && pending[1] == NONE)
 #define AFTER_500 (AFTER_200 && !rejectedWait[0] && !rejectedWait[1])
 #define AFTER_1000 (AFTER_500 && state[0] != Reconnecting && state[1] != Reconnecting && !UNWELL(0) && !UNWELL(1))
 #define AFTER_3000 (AFTER_1000 && state[0] != Closing && state[1] != Closing && role[0] != Fresh && role[1] != Fresh && role[2] != Fresh && role[3] != Fresh)
 #else       /* a timer may end whenever it runs */
+#define BEGINS(i) skip
+#define ELDER(i) true
+#define IGNORED_LONG(i, c) (role[c] == Ignored)
 #define AFTER_110 true
 #define AFTER_200 true
 #define AFTER_500 true
@@ -91,12 +125,12 @@ byte asked, answered, led; /* ghosts, a bit by token: a person re-opened, the pe
 #define AFTER_3000 true
 #endif
 
+inline forgetPending() { pending[i] = NONE; pendingToken[i] = 0; pendingPrevious[i] = 0; pendingDiagnosis[i] = false }
+
 inline say(kind, token_, value_) { sk = kind; st = token_; sv = value_ }
 
 inline violation() {
-#ifndef HOSTILE
   assert(false); /* both devices keep the rules: neither may ever find the other at fault */
-#endif
   say(Rejected, token[i], OTHERWISE);
   if :: LIVING(i) -> outcome = Lost :: else -> outcome = Ended fi
 }
@@ -112,11 +146,11 @@ inline handshake() {
   :: DIALOGUE(i) && LEADS(i) -> role[c] = Ignored
   :: DIALOGUE(i) && !LEADS(i) && incident[i] != 0 && !answerDiagnosis -> turnAway(c, t, STANDS_BY)
   :: DIALOGUE(i) && !LEADS(i) && (incident[i] == 0 || answerDiagnosis) -> outcome = Withdrawn; answer = c
-  :: LIVING(i) && answerDiagnosis -> outcome = Lost; answer = c
+  :: LIVING(i) && answerDiagnosis && (NAMES_THIS_LOSS(i) || state[i] == Reconnecting) -> outcome = Lost; answer = c
   :: state[i] == Reconnecting && !answerDiagnosis -> outcome = Lost; turnAway(c, t, STANDS_BY)
-  :: state[i] == Open && !answerDiagnosis ->
+  :: state[i] == Open && (!answerDiagnosis || !NAMES_THIS_LOSS(i)) -> /* it may be one that was withdrawn, and came late */
        if :: pending[i] != NONE -> turnAway(pending[i], pendingToken[i], OTHERWISE) :: else -> skip fi;
-       pending[i] = c; pendingToken[i] = t; role[c] = Waiting
+       pending[i] = c; pendingToken[i] = t; pendingPrevious[i] = v; pendingDiagnosis[i] = answerDiagnosis; role[c] = Waiting
   :: state[i] == Closing -> turnAway(c, t, OTHERWISE)
   fi
 }
@@ -174,9 +208,9 @@ inline rejected() {
 
 inline message() {
   if
-  :: DIALOGUE(i) && rejectedWait[i] && k != Rejected -> skip /* our lane is gone: only why matters still */
-  :: !(DIALOGUE(i) && rejectedWait[i]) && (k == Commit || k == DiagnosisCommit) -> commit()
-  :: !(DIALOGUE(i) && rejectedWait[i]) && (k == Opened || k == ReOpened) -> opened()
+  :: DEAF(i) && k != Rejected -> skip /* a lane is gone: only why matters still */
+  :: !DEAF(i) && (k == Commit || k == DiagnosisCommit) -> commit()
+  :: !DEAF(i) && (k == Opened || k == ReOpened) -> opened()
   :: k == Disengagement && (LIVING(i) || state[i] == Closing) && t == token[i] ->
        if :: state[i] != Closing -> closedByPeer[i] = true; state[i] = Closing :: else -> skip fi;
        say(DisengagementCommit, token[i], 0)
@@ -198,7 +232,10 @@ inline read() {
   :: k != End && role[c] == Free ->
        if
        :: state[i] != Closed && state[i] != StandBy && TOKEN_HOLDS(t, token[i]) ->
-            if :: incoming[i] != NONE -> ends = ends | BIT(incoming[i]) :: else -> skip fi;
+            if
+            :: incoming[i] != NONE -> ends = ends | BIT(incoming[i]); if :: MAY_HAVE_MISSED(i) -> rejectedWait[i] = true :: else -> skip fi
+            :: else -> skip
+            fi; /* in a dialogue, what opens the channel may have been lost with the one before */
             incoming[i] = c; role[c] = Current
        :: else ->
             role[c] = Fresh;
@@ -217,7 +254,8 @@ inline read() {
 
 /* The smallest token that nothing remembers and nothing on its way carries. */
 inline freshToken() {
-  m = BIT(token[0]) | BIT(token[1]) | BIT(incident[0]) | BIT(incident[1]) | BIT(named[0]) | BIT(named[1]) | BIT(pendingToken[0]) | BIT(pendingToken[1]);
+  m = BIT(token[0]) | BIT(token[1]) | BIT(incident[0]) | BIT(incident[1]) | BIT(named[0]) | BIT(named[1]) | BIT(pendingToken[0]) | BIT(pendingToken[1]) |
+      BIT(pendingPrevious[0]) | BIT(pendingPrevious[1]);
   for (x : 0 .. 3) {
     n = len(wire[x]);
     do
@@ -240,6 +278,7 @@ inline freshToken() {
 inline initiate() {
   d_step {
     freshToken();
+    BEGINS(i);
     initiator[i] = true; token[i] = t; connecting[i] = true;
     diagnosis[i] = (state[i] == StandBy);
     state[i] = (state[i] == StandBy -> Reopening : Opening)
@@ -288,7 +327,7 @@ inline restart() {
     if :: lane[1 - i] == c && role[c] != Gone -> if :: mute[c] = true :: true -> skip fi :: else -> skip fi;
     if :: lane[1 - i] == c || role[c] != Free || len(wire[c]) > 0 -> ends = ends | BIT(c) :: else -> skip fi
   }
-  pending[i] = NONE; pendingToken[i] = 0; incident[i] = 0; peerStandsBy[i] = false;
+  forgetPending(); incident[i] = 0; peerStandsBy[i] = false;
   outcome = Ended
 }
 
@@ -299,7 +338,12 @@ inline conclude() {
   :: sk != 0 && lane[i] == NONE -> if :: LIVING(i) || state[i] == Closing -> unsent[i]!sk,st,sv :: else -> skip fi
   :: sk != 0 && lane[i] != NONE -> if :: !mute[lane[i]] && !broken[lane[i]] && role[lane[i]] != Gone -> wire[lane[i]]!sk,st,sv :: else -> skip fi
   fi;
-  if :: reconnect && pending[i] != NONE -> reconnect = false; outcome = Lost :: else -> skip fi;
+  if :: reconnect && pending[i] != NONE -> reconnect = false; outcome = Lost; unproven = true :: else -> skip fi;
+  if
+  :: unproven && pendingDiagnosis[i] ->
+       answer = pending[i]; t = pendingToken[i]; v = pendingPrevious[i]; answerDiagnosis = true; forgetPending()
+  :: else -> skip
+  fi;
   if
   :: reconnect -> state[i] = Reconnecting; if :: lane[i] == NONE || silent -> connecting[i] = true :: else -> skip fi
   :: else -> skip
@@ -308,7 +352,7 @@ inline conclude() {
   :: outcome != 0 -> /* closeLanes */
        if
        :: pending[i] != NONE ->
-            turnAway(pending[i], pendingToken[i], (state[i] == Closing -> OTHERWISE : STANDS_BY)); pending[i] = NONE; pendingToken[i] = 0
+            turnAway(pending[i], pendingToken[i], (state[i] == Closing -> OTHERWISE : STANDS_BY)); forgetPending()
        :: else -> skip
        fi;
        if :: incoming[i] != NONE -> ends = ends | BIT(incoming[i]); incoming[i] = NONE :: else -> skip fi;
@@ -322,6 +366,7 @@ inline conclude() {
   fi;
   if
   :: answer != NONE -> /* respond */
+       BEGINS(i);
        token[i] = t; named[i] = v; diagnosis[i] = answerDiagnosis; state[i] = (answerDiagnosis -> Reopening : Opening);
        incoming[i] = answer; role[answer] = Current; connecting[i] = true
   :: else -> skip
@@ -338,13 +383,14 @@ inline conclude() {
        fi
   :: else -> if :: x == 3 - 2 * i -> break :: else -> x++ fi
   od;
-  k = 0; t = 0; v = 0; c = 0; x = 0; sk = 0; st = 0; sv = 0; outcome = 0; reconnect = false; silent = false; answer = NONE; answerDiagnosis = false; ends = 0; opens = false; rt = 0; rr = 0;
+  k = 0; t = 0; v = 0; c = 0; x = 0; sk = 0; st = 0; sv = 0; rt = 0; rr = 0; ends = 0; answer = NONE; outcome = 0;
+  reconnect = false; silent = false; answerDiagnosis = false; opens = false; unproven = false;
   AGREED
 }
 
 proctype Device(byte i) {
   mtype k, sk, outcome; byte t, v, c, x, n, m, st, sv, rt, rr, ends, answer = NONE;
-  bool reconnect, silent, answerDiagnosis, opens;
+  bool reconnect, silent, answerDiagnosis, opens, unproven;
 end: do
   :: atomic {
        if
@@ -365,30 +411,30 @@ end: do
        /* Heartbeats: heard while the peer's connection stands, and they tell its state. */
        :: HEALS(i) -> state[i] = Open
        :: state[i] == Open && pending[i] != NONE && HEARS(i) && state[1 - i] == Open ->
-            turnAway(pending[i], pendingToken[i], OTHERWISE); pending[i] = NONE; pendingToken[i] = 0
+            turnAway(pending[i], pendingToken[i], OTHERWISE); forgetPending()
        :: UNWELL(i) && AFTER_500 -> outcome = Lost
        /* Timers */
        :: SILENT(i) && AFTER_110 -> reconnect = true; silent = true
-       :: state[i] == Open && pending[i] != NONE && AFTER_110 -> outcome = Lost
+       :: state[i] == Open && pending[i] != NONE && AFTER_110 -> outcome = Lost; unproven = true
        :: rejectedWait[i] && AFTER_200 -> outcome = Ended
        :: state[i] == Reconnecting && AFTER_500 -> outcome = Lost
        :: state[i] == Closing && AFTER_1000 -> outcome = Ended
 #ifndef NO_DIALOGUE_LIMIT
-       :: DIALOGUE(i) && AFTER_3000 -> say(Rejected, token[i], OTHERWISE); outcome = Ended
+       :: DIALOGUE(i) && ELDER(i) && AFTER_3000 -> say(Rejected, token[i], OTHERWISE); outcome = Ended
 #endif
-       :: (role[2 - 2 * i] == Fresh && AFTER_1000) || (role[2 - 2 * i] == Ignored && AFTER_3000) -> ends = BIT(2 - 2 * i)
-       :: (role[3 - 2 * i] == Fresh && AFTER_1000) || (role[3 - 2 * i] == Ignored && AFTER_3000) -> ends = BIT(3 - 2 * i)
+       :: (role[2 - 2 * i] == Fresh && AFTER_1000) || IGNORED_LONG(i, 2 - 2 * i) -> ends = BIT(2 - 2 * i)
+       :: (role[3 - 2 * i] == Fresh && AFTER_1000) || IGNORED_LONG(i, 3 - 2 * i) -> ends = BIT(3 - 2 * i)
        /* The person at this device */
-       :: MAY_ATTEMPT && (state[i] == Closed || state[i] == StandBy) -> attempted(); initiate(); asked = asked | BIT(t)
+       :: MAY_ATTEMPT && (state[i] == Closed || state[i] == StandBy) -> ATTEMPTED; initiate(); asked = asked | BIT(t)
 #ifdef MUT_AUTO_RESUME
        :: state[i] == StandBy -> initiate()
 #endif
-       :: faults > 0 && DIALOGUE(i) -> faults--; say(Rejected, token[i], OTHERWISE); outcome = Ended
-       :: faults > 0 && LIVING(i) -> faults--; state[i] = Closing; say(Disengagement, token[i], 0)
+       :: MISFORTUNE && DIALOGUE(i) -> faults--; say(Rejected, token[i], OTHERWISE); outcome = Ended
+       :: MISFORTUNE && LIVING(i) -> faults--; state[i] = Closing; say(Disengagement, token[i], 0)
        /* What may befall it: a stall, a peer that cannot be reached, a restart */
-       :: faults > 0 && state[i] == Open && HEARS(i) -> faults--; reconnect = true; silent = true
-       :: faults > 0 && DIALOGUE(i) && connecting[i] -> faults--; outcome = Ended
-       :: faults > 0 && state[i] != Closed -> faults--; restart()
+       :: MISFORTUNE && state[i] == Open && HEARS(i) -> faults--; reconnect = true; silent = true
+       :: MISFORTUNE && DIALOGUE(i) && connecting[i] -> faults--; outcome = Ended
+       :: MISFORTUNE && state[i] != Closed -> faults--; restart()
        fi;
        conclude() }
   od
@@ -401,10 +447,10 @@ end: do
   :: atomic { faults > 0 && (lane[0] != NONE || lane[1] != NONE) ->
        if :: lane[0] != NONE -> c = lane[0] :: lane[1] != NONE -> c = lane[1] fi;
        if
-       :: role[c] != Gone && !broken[c] && !mute[c] -> faults--;
+       :: role[c] != Gone && !broken[c] && !mute[c] && STRIKES(c) -> faults--;
             if
             :: do :: len(wire[c]) > 0 -> wire[c]?_,_,_ :: else -> break od; mute[c] = true
-            :: n = len(wire[c]); select(keep : 0 .. n);
+            :: BREAKS -> n = len(wire[c]); select(keep : 0 .. n);
                do
                :: n > 0 -> wire[c]?k,t,v; n--; if :: keep > 0 -> wire[c]!k,t,v; keep-- :: else -> skip fi
                :: else -> break

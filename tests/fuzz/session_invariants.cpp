@@ -1,0 +1,194 @@
+// The rules of section 8 that hold whatever happens.
+#include "session_invariants.hpp"
+
+#include "fuzz_target.hpp"
+
+namespace liena::fuzz {
+
+using namespace liena::session;
+using namespace std::chrono_literals;
+using State = SessionState;
+
+namespace {
+
+constexpr std::size_t mostActions = 24;
+constexpr auto longestDialogue = 3s;
+constexpr auto longestClosing = 1s;
+
+bool isDialogue(State state) { return state == State::Opening || state == State::Reopening; }
+bool isOver(State state) { return state == State::Closed || state == State::StandBy; }
+bool isLive(State state) { return carriesMessages(state) || state == State::Reconnecting; }
+
+/// The arrows of the machine's diagram, and the shortcuts that its rules name.
+bool isLegal(State from, State to)
+{
+    switch (from) {
+    case State::Closed:
+        return to == State::Opening || to == State::Reopening || to == State::StandBy;
+    case State::Opening:
+    case State::Reopening:
+        return to == State::Open || isOver(to) || isDialogue(to);
+    case State::Open:
+        return to == State::Suspect || to == State::Reconnecting || to == State::StandBy || to == State::Closing;
+    case State::Suspect:
+        return to == State::Open || to == State::Reconnecting || to == State::StandBy || to == State::Closing;
+    case State::Reconnecting:
+        return to == State::Open || to == State::StandBy || to == State::Closing;
+    case State::StandBy:
+        return to == State::Reopening || to == State::Closed;
+    case State::Closing:
+        return isOver(to);
+    }
+    return false;
+}
+
+} // namespace
+
+void CheckedMachine::pass(Nanoseconds time)
+{
+    m_now.mono += time;
+    m_now.wall.ns += static_cast<std::uint64_t>(time.count());
+}
+
+void CheckedMachine::passToDeadline()
+{
+    if (const auto deadline = m_machine.nextDeadline(); deadline && *deadline > m_now.mono)
+        pass(*deadline - m_now.mono);
+    handle(Tick{});
+}
+
+void CheckedMachine::handle(const SessionInput& input)
+{
+    if (const auto* handshake = std::get_if<HandshakeHeard>(&input))
+        m_unanswered.insert(handshake->connection);
+    const auto before = m_state;
+    check(m_machine.handle(input, m_now), before);
+    if (std::holds_alternative<Tick>(input))
+        checkTick();
+}
+
+void CheckedMachine::revoke()
+{
+    const auto epoch = m_machine.guard().epoch();
+    check(m_machine.revoke(m_now), m_state);
+    expect(m_machine.guard().epoch() > epoch, "a revocation raises the epoch");
+}
+
+void CheckedMachine::check(const SessionActions& actions, State before)
+{
+    expect(actions.size() <= mostActions, "an event has a bounded number of actions");
+    m_discarded = false;
+    m_left = false;
+    m_outcomes = 0;
+    for (const auto& action : actions)
+        checkAction(action);
+    expect(m_state == m_machine.state(), "the actions say which state was entered");
+    expect(!m_left || m_discarded, "control that was queued never outlives the session's being open");
+    if (before != m_state && (isOver(m_state) || m_state == State::Open) && before != State::Suspect && !isOver(before))
+        expect(m_outcomes > 0, "the application hears how it ended");
+    checkState(before);
+    m_token = m_machine.token();
+}
+
+void CheckedMachine::checkAction(const SessionAction& action)
+{
+    if (const auto* change = std::get_if<Entered>(&action))
+        entered(*change);
+    else if (const auto* send = std::get_if<Send>(&action))
+        sent(*send);
+    else if (const auto* adopted = std::get_if<Adopt>(&action)) {
+        m_since = m_now.mono; // a newer attempt may replace the one in hand
+        answered(adopted->connection);
+    } else if (const auto* refused = std::get_if<Refuse>(&action))
+        answered(refused->connection);
+    else if (const auto* ignored = std::get_if<Ignore>(&action))
+        answered(ignored->connection);
+    else if (const auto* lost = std::get_if<SessionLost>(&action))
+        expect(lost->incident != 0 && lost->incident == m_token, "an incident is named by the lost session's token");
+    m_discarded = m_discarded || std::holds_alternative<DiscardControl>(action) || std::holds_alternative<DiscardAll>(action);
+    m_outcomes += std::holds_alternative<SessionOpened>(action) || std::holds_alternative<OpenFailed>(action) ||
+                          std::holds_alternative<SessionClosed>(action) || std::holds_alternative<SessionInterrupted>(action) ||
+                          std::holds_alternative<SessionLost>(action)
+                      ? 1
+                      : 0;
+}
+
+void CheckedMachine::entered(const Entered& change)
+{
+    expect(change.from == m_state, "a state is left from where the session is");
+    expect(isLegal(change.from, change.to), "the diagram has this arrow");
+    if (carriesMessages(change.from) && !carriesMessages(change.to))
+        m_left = true;
+    const bool lost = change.to == State::Reconnecting || (change.to == State::StandBy && isLive(change.from));
+    if (lost)
+        expect(m_machine.guard().epoch() > m_epoch, "a loss raises the epoch");
+    m_state = change.to;
+    m_since = m_now.mono;
+}
+
+void CheckedMachine::sent(const Send& send)
+{
+    const auto* heartbeat = std::get_if<protocol::Heartbeat>(&send.message);
+    if (heartbeat == nullptr)
+        return;
+    if (m_sentToken != m_machine.token()) {
+        m_sentToken = m_machine.token();
+        m_sentSequence = 0;
+    }
+    expect(heartbeat->sequence == m_sentSequence + 1, "heartbeats of a session are numbered without gaps");
+    m_sentSequence = heartbeat->sequence;
+    expect(heartbeat->epoch >= m_epoch && heartbeat->epoch <= m_machine.guard().epoch(), "a heartbeat says an epoch that holds");
+    expect(!isOver(heartbeat->state), "no heartbeat says that there is no session");
+}
+
+void CheckedMachine::answered(ConnectionNumber connection) { expect(m_unanswered.erase(connection) == 1, "a handshake is answered once"); }
+
+void CheckedMachine::checkState(State before)
+{
+    expect(m_machine.guard().epoch() >= m_epoch, "the epoch never falls");
+    m_epoch = m_machine.guard().epoch();
+    if (isOver(m_state)) {
+        expect(!m_machine.isOutgoingUp() && !m_machine.isIncomingUp(), "a session that is over has no lane");
+        expect(!m_machine.nextDeadline(), "a session that is over waits for nothing");
+    } else {
+        expect(m_machine.nextDeadline().has_value(), "a session never waits for ever");
+    }
+    if (m_state == State::Open && before == State::Reconnecting)
+        expect(m_machine.isOutgoingUp() && m_machine.isIncomingUp(), "a session heals with both lanes");
+    if (isDialogue(m_state) && !isDialogue(before))
+        expect(!m_machine.stamper().ready(), "no control before a heartbeat of this session was heard");
+    expect(m_unanswered.size() <= 1, "at most one handshake waits");
+    if (!carriesMessages(m_state) && m_state != State::Closing)
+        expect(m_unanswered.empty(), "no handshake waits for a session that is not open or closing");
+    if (m_machine.clock().samples() > 0)
+        expect(m_machine.clock().uncertainty() >= 0ns, "an uncertainty is no less than nothing");
+    expect(m_machine.jitter() >= 0ns, "a jitter is no less than nothing");
+}
+
+void CheckedMachine::checkTick() const
+{
+    const auto deadline = m_machine.nextDeadline();
+    expect(!deadline || *deadline > m_now.mono, "after a Tick the next one lies ahead");
+    const auto age = m_now.mono - m_since;
+    if (isDialogue(m_state))
+        expect(age < longestDialogue, "a dialogue takes 3 s at most");
+    if (m_state == State::Closing)
+        expect(age < longestClosing, "a closing takes 1 s at most");
+    if (m_state == State::Reconnecting)
+        expect(age < m_timing.reconnect, "a loss heals within `reconnect` or is stand-by");
+    if (m_state == State::Open)
+        expect(m_now.mono - m_machine.monitor().lastHeard() < m_timing.suspect, "silence for `suspect` is seen");
+    if (m_state == State::Suspect)
+        expect(m_now.mono - m_machine.monitor().lastHeard() < m_timing.lost, "silence for `lost` is acted on");
+}
+
+void CheckedMachine::endsInSilence()
+{
+    const auto limit = m_now.mono + 10s;
+    for (int ticks = 0; !isOver(m_machine.state()); ++ticks) {
+        expect(ticks < 2000 && m_now.mono < limit, "silence ends every session");
+        passToDeadline();
+    }
+}
+
+} // namespace liena::fuzz
