@@ -177,21 +177,25 @@ void SessionMachine::handshakeInDialogue(const HandshakeHeard& input)
 
 void SessionMachine::handshakeInSession(const HandshakeHeard& input)
 {
-    if (input.diagnosis) {
-        enterStandBy(LossCause::PeerRestarted, "the peer asks to re-open");
-        respond(input);
+    // One that does not name this session as lost may have been withdrawn by its sender before this session began, and be read late.
+    const bool namesThisLoss = input.diagnosis && input.previous == m_token;
+    if (namesThisLoss || m_state == SessionState::Reconnecting) {
+        yieldTo(input, "the peer opens anew");
         return;
     }
-    if (m_state == SessionState::Reconnecting) {
-        enterStandBy(LossCause::PeerRestarted, "the peer opens anew");
-        refuse(input, RejectReason::StandBy, "the old session was lost by your restart: it has to be re-opened by a person");
-        return;
-    }
-    if (m_pending) {
+    if (m_pending)
         refuse(*m_pending, RejectReason::Busy, "a newer handshake of the same device replaced this one");
-    }
     m_pending = input;
     m_proofDeadline = m_now.mono + m_settings.timing.heartbeat + m_settings.timing.heartbeat / 2;
+}
+
+void SessionMachine::yieldTo(const HandshakeHeard& input, const std::string& detail)
+{
+    enterStandBy(LossCause::PeerRestarted, detail);
+    if (input.diagnosis)
+        respond(input);
+    else
+        refuse(input, RejectReason::StandBy, "the old session was lost by your restart: it has to be re-opened by a person");
 }
 
 void SessionMachine::on(const CommitHeard& input)
@@ -293,6 +297,9 @@ void SessionMachine::abandonAttempt(RejectReason reason, ProbeResult probe, std:
 
 void SessionMachine::on(const SessionMessageHeard& input)
 {
+    // A lane was lost, and with it perhaps what makes sense of the rest: only why the peer refuses matters still.
+    if (isDialogue() && m_rejectedWait && !std::holds_alternative<protocol::Rejected>(input.message))
+        return;
     const auto refuseUnless = [this](bool allowed, const char* what) {
         if (!allowed)
             on(ViolationFound{what});

@@ -69,7 +69,8 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
     m_newest = heartbeat;
     m_newestArrival = m_now.wall;
     m_stamper.heardHeartbeat(heartbeat.epoch, heartbeat.sequence);
-    if (m_state == SessionState::Reconnecting)
+    // A peer that is still in the dialogue never heard that it is open: what said so was lost with the connection.
+    if (m_state == SessionState::Reconnecting && (carriesMessages(heartbeat.state) || heartbeat.state == SessionState::Reconnecting))
         healIfWhole();
     if (m_pending && carriesMessages(m_state) && carriesMessages(heartbeat.state)) {
         refuse(*m_pending, RejectReason::AlreadyOpen, "this device already has a session here and is healthy in it");
@@ -120,8 +121,7 @@ void SessionMachine::judgeProof()
         return;
     const auto pending = *m_pending;
     m_pending.reset();
-    enterStandBy(LossCause::PeerRestarted, "the peer opens anew and was not heard in the old session any more");
-    refuse(pending, RejectReason::StandBy, "the old session was lost by your restart: it has to be re-opened by a person");
+    yieldTo(pending, "the peer opens anew and was not heard in the old session any more");
 }
 
 void SessionMachine::enterReconnecting(LossCause cause, std::string detail)
@@ -130,8 +130,7 @@ void SessionMachine::enterReconnecting(LossCause cause, std::string detail)
         const auto pending = *m_pending;
         m_pending.reset();
         m_lossAt = m_now.mono;
-        enterStandBy(LossCause::PeerRestarted, "the peer opens anew");
-        refuse(pending, RejectReason::StandBy, "the old session was lost by your restart: it has to be re-opened by a person");
+        yieldTo(pending, "the peer opens anew");
         return;
     }
     m_cause = cause;
@@ -178,7 +177,13 @@ void SessionMachine::on(const OutgoingLost& input)
     }
 }
 
-void SessionMachine::on(const IncomingUp& /*input*/) { m_incomingUp = true; }
+void SessionMachine::on(const IncomingUp& /*input*/)
+{
+    // A peer connects again only in a session that is open there: what opens it here may have been lost with the connection before.
+    if (isDialogue() && m_incomingUp)
+        lostInDialogue(ProbeResult::NotProbed, "the peer connected anew");
+    m_incomingUp = true;
+}
 
 void SessionMachine::on(const IncomingLost& input)
 {
@@ -206,7 +211,9 @@ void SessionMachine::on(const ViolationFound& input)
         if (m_outgoingUp)
             emit(Send{protocol::Rejected{m_token, RejectReason::ProtocolViolation, {input.detail}}});
     };
-    if (isDialogue()) {
+    if (isDialogue() && m_rejectedWait) {
+        abandonAttempt(RejectReason::None, m_lostProbe, m_lostDetail, false); // the first cause is the one to name
+    } else if (isDialogue()) {
         abandonAttempt(RejectReason::ProtocolViolation, ProbeResult::NotProbed, input.detail, m_outgoingUp);
     } else if (isLive()) {
         tell();

@@ -241,6 +241,7 @@ private:
     void refuse(const HandshakeHeard& input, RejectReason reason, std::string detail);
     void handshakeInDialogue(const HandshakeHeard& input);
     void handshakeInSession(const HandshakeHeard& input);
+    void yieldTo(const HandshakeHeard& input, const std::string& detail);
     void sendHandshake();
     void sendCommit();
     void finishAsInitiator();
@@ -337,7 +338,7 @@ private:
     Instant m_lossAt;
     std::optional<Instant> m_retryAt;
 
-    /// A plain Handshake while the session is open: the peer restarted, unless the old session proves to live within one heartbeat.
+    /// A handshake while the session is open: the peer restarted, unless the session proves to live within one heartbeat.
     std::optional<HandshakeHeard> m_pending;
     Instant m_proofDeadline;
 };

@@ -16,6 +16,7 @@ private slots:
     void restartIsNamedWhenTheSessionIsInterrupted();
     void diagnosisHandshakeInSessionIsAnswered_data();
     void diagnosisHandshakeInSessionIsAnswered();
+    void withdrawnReopeningReadLateDoesNotEndTheSession();
     void handshakeWhileClosingIsBusy_data();
     void handshakeWhileClosingIsBusy();
     void rejectedEndsAttemptAndSession();
@@ -81,17 +82,29 @@ void SessionEndingTest::restartIsNamedWhenTheSessionIsInterrupted()
 void SessionEndingTest::diagnosisHandshakeInSessionIsAnswered_data()
 {
     QTest::addColumn<int>("stage");
-    QTest::newRow("Open") << 0;
-    QTest::newRow("Suspect") << 1;
-    QTest::newRow("Reconnecting") << 2;
+    QTest::addColumn<quint64>("previous");
+    for (const quint64 previous : {quint64{100}, quint64{0}}) {
+        const auto* who = previous == 0 ? "restarted" : "lost it";
+        QTest::addRow("Open, the peer %s", who) << 0 << previous;
+        QTest::addRow("Suspect, the peer %s", who) << 1 << previous;
+        QTest::addRow("Reconnecting, the peer %s", who) << 2 << previous;
+    }
 }
 
 void SessionEndingTest::diagnosisHandshakeInSessionIsAnswered()
 {
     QFETCH(int, stage);
+    QFETCH(quint64, previous);
     Side side;
     stage == 0 ? side.becomeOpen() : stage == 1 ? side.becomeSuspect() : side.becomeReconnecting();
-    const auto actions = side.handle(side.handshake(300, true, 0));
+    auto actions = side.handle(side.handshake(300, true, previous));
+    if (previous == 0 && stage < 2) { // the peer was restarted: its silence in the old session has to show it
+        QCOMPARE(wordsOf(actions), std::string());
+        side.handle(Tick{});
+        actions = side.tick(30ms);
+        QVERIFY(find<Adopt>(actions) != nullptr && find<SessionLost>(actions) != nullptr);
+        return;
+    }
     QCOMPARE(wordsOf(actions), std::string("DiscardAll CloseLanes Lost:PeerRestarted Adopt Connect"));
     QVERIFY(side.machine.state() == SessionState::Reopening);
     const auto commit = side.handle(OutgoingUp{});
@@ -99,6 +112,24 @@ void SessionEndingTest::diagnosisHandshakeInSessionIsAnswered()
     const auto opened = side.hear(protocol::ChannelReOpened{300, 100, robotId, cockpitId});
     QCOMPARE(wordsOf(opened), std::string("ReOpened Heartbeat"));
     QCOMPARE(find<SessionOpened>(opened)->incident, IncidentId{100});
+}
+
+void SessionEndingTest::withdrawnReopeningReadLateDoesNotEndTheSession()
+{
+    // Both persons re-opened at once. This side leads: the other withdrew its attempt and answered; its connection is read after that.
+    Side side;
+    side.becomeReopening(200);
+    side.handle(side.commit(true));
+    QVERIFY(side.machine.state() == SessionState::Open);
+    side.peerSequence = 0;
+    side.beat();
+    QCOMPARE(wordsOf(side.handle(side.handshake(150, true, 100))), std::string());
+    side.pass(20ms);
+    const auto actions = side.beat();
+    QCOMPARE(wordsOf(actions), std::string("Refuse:AlreadyOpen"));
+    QCOMPARE(find<Refuse>(actions)->token, 150ULL);
+    side.live(1s);
+    QVERIFY(side.machine.state() == SessionState::Open);
 }
 
 void SessionEndingTest::handshakeWhileClosingIsBusy_data()

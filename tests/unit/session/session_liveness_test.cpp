@@ -30,6 +30,7 @@ private slots:
     void connectsAgainAfterSilenceThoughTheLaneLooksWhole();
     void connectsOnlyWhatItConnectedBefore();
     void healsWhenBothLanesStandAndAHeartbeatCame();
+    void doesNotHealWithAPeerThatNeverOpened();
     void healsWithoutABrokenConnection();
     void replacedLaneDoesNotDisturb();
     void goesToStandByWhenReconnectHasPassed();
@@ -246,6 +247,22 @@ void SessionLivenessTest::healsWhenBothLanesStandAndAHeartbeatCame()
     QVERIFY(side.machine.state() == SessionState::Open);
     QVERIFY(find<SessionInterrupted>(healed)->duration == 42ms);
     QVERIFY(findSent<protocol::Heartbeat>(healed)->epoch == 2);
+}
+
+void SessionLivenessTest::doesNotHealWithAPeerThatNeverOpened()
+{
+    // Our lane broke with ChannelOpened on it; the peer waits in the dialogue, and beats.
+    Side side;
+    side.becomeOpen();
+    side.handle(OutgoingLost{ProbeResult::NotProbed, "reset"});
+    side.handle(OutgoingUp{});
+    side.peerState = SessionState::Opening;
+    for (int beats = 0; beats < 24; ++beats) {
+        side.tick(20ms);
+        QCOMPARE(wordsOf(side.beat()), std::string());
+        QVERIFY(side.machine.state() == SessionState::Reconnecting);
+    }
+    QVERIFY(find<SessionLost>(side.tick(20ms))->diagnosis.cause == LossCause::ConnectionLost);
 }
 
 void SessionLivenessTest::healsWithoutABrokenConnection()

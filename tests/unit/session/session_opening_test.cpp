@@ -28,6 +28,8 @@ private slots:
     void attemptEndsAfterThreeSeconds();
     void waitsForARejectedBeforeItNamesTheConnection();
     void neverOpensOverALostLane();
+    void blamesNobodyAfterALaneWasLost();
+    void peerThatConnectsAnewMayHaveLostChannelOpened();
 };
 
 void SessionOpeningTest::initiatorOpensWithTheCommit()
@@ -262,6 +264,37 @@ void SessionOpeningTest::neverOpensOverALostLane()
     responder.handle(OutgoingLost{ProbeResult::NotProbed, "reset"});
     QCOMPARE(wordsOf(responder.hear(protocol::ChannelOpened{100})), std::string());
     QCOMPARE(wordsOf(responder.tick(200ms)), std::string("CloseLanes Failed:None"));
+}
+
+void SessionOpeningTest::blamesNobodyAfterALaneWasLost()
+{
+    // The initiator opened, closed, and ended its connections; what it wrote before that is read last.
+    Side side;
+    side.becomeResponder();
+    side.handle(OutgoingLost{ProbeResult::NotProbed, "closed by the peer"});
+    QCOMPARE(wordsOf(side.hear(protocol::ChannelOpened{100})), std::string());
+    QCOMPARE(wordsOf(side.hear(protocol::Disengagement{100, {"done"}})), std::string());
+    QVERIFY(find<OpenFailed>(side.tick(200ms))->reason == RejectReason::None);
+    Side violated;
+    violated.becomeResponder();
+    violated.handle(OutgoingLost{ProbeResult::NotProbed, "closed by the peer"});
+    const auto ended = violated.handle(ViolationFound{"StandBy cannot be broadcast now"});
+    QVERIFY(find<OpenFailed>(ended)->reason == RejectReason::None);
+    QVERIFY(find<OpenFailed>(ended)->detail.find("closed by the peer") != std::string::npos);
+}
+
+void SessionOpeningTest::peerThatConnectsAnewMayHaveLostChannelOpened()
+{
+    // The initiator's connection broke with ChannelOpened on it; it is open, connects again, and says what an open session may say.
+    Side side;
+    side.becomeResponder();
+    QCOMPARE(wordsOf(side.handle(IncomingUp{})), std::string());
+    QCOMPARE(wordsOf(side.hear(protocol::Disengagement{100, {"done"}})), std::string());
+    QCOMPARE(wordsOf(side.hear(protocol::LinkReport{})), std::string());
+    QVERIFY(side.machine.state() == SessionState::Opening);
+    const auto ended = side.tick(200ms);
+    QVERIFY(find<OpenFailed>(ended)->reason == RejectReason::None);
+    QVERIFY(side.machine.state() == SessionState::Closed);
 }
 
 QTEST_APPLESS_MAIN(SessionOpeningTest)
