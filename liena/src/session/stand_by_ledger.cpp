@@ -255,6 +255,9 @@ void StandByLedger::rememberEnded(IncidentId id, const protocol::SessionMessage&
     while (!m_ended.empty() && (m_ended.size() >= mostEnded || now.mono - m_ended.front().at > endedLife))
         m_ended.pop_front();
     m_ended.push_back({id, by, now.mono});
+    // Who still holds this one may know the re-opening already: the answer has to name what it ends.
+    if (auto* reopened = std::get_if<protocol::ChannelReOpened>(&m_ended.back().by))
+        reopened->incident = id;
 }
 
 const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id, Now now) const

@@ -77,6 +77,7 @@ private slots:
     void standByBeginsOnceAndEndsOnce();
     void endedIncidentIsAnsweredNotTakenUp_data();
     void endedIncidentIsAnsweredNotTakenUp();
+    void answerNamesTheIncidentThatWasAskedAbout();
     void endedIncidentIsForgottenAfterADay();
     void ownReopeningEndsEveryIncidentOfThePair();
     void heardReopeningEndsOlderIncidentsOfThePair();
@@ -226,6 +227,26 @@ void StandByLedgerTest::endedIncidentIsAnsweredNotTakenUp()
         QVERIFY((answers<protocol::IncidentDismissed>(actions, arm) == std::vector{protocol::IncidentDismissed{7, robot, {"gone"}}}));
     else
         QVERIFY((answers<protocol::ChannelReOpened>(actions, arm) == std::vector{protocol::ChannelReOpened{8, 7, robot, cockpit}}));
+}
+
+void StandByLedgerTest::answerNamesTheIncidentThatWasAskedAbout()
+{
+    // The cockpit re-opened as 8 and lost that at once; the robot never heard of it, held 7, and re-opened as 9, naming 7. Then the news
+    // of 8 comes to the robot after all: the cockpit's answer has to end 8 there, although 9 is known.
+    StandByLedger cockpitLedger(cockpit);
+    cockpitLedger.lost(robot, 8, LossCause::ConnectionLost, Timestamp{200}, now);
+    cockpitLedger.heard(robot, protocol::ChannelReOpened{9, 7, robot, cockpit}, Timestamp{1000}, now);
+    QVERIFY(!cockpitLedger.standsBy());
+    StandByLedger robotLedger(robot);
+    robotLedger.lost(cockpit, 7, LossCause::HeartbeatLost, Timestamp{100}, now);
+    robotLedger.reopened(cockpit, 9, 7, now);
+    robotLedger.heard(arm, standBy(8, robot, cockpit, 200), now);
+    QVERIFY(robotLedger.standsBy());
+    const auto answer = answers<protocol::ChannelReOpened>(cockpitLedger.heard(robot, standBy(8, robot, cockpit, 200), now), robot);
+    QCOMPARE(answer.size(), std::size_t{1});
+    QVERIFY((answer[0] == protocol::ChannelReOpened{9, 8, robot, cockpit}));
+    robotLedger.heard(cockpit, answer[0], Timestamp{2000}, now);
+    QVERIFY(!robotLedger.standsBy());
 }
 
 void StandByLedgerTest::endedIncidentIsForgottenAfterADay()
