@@ -23,7 +23,8 @@ void SessionMachine::on(const OpenRequested& input)
 
 void SessionMachine::on(const ReopenRequested& input)
 {
-    if (m_state == SessionState::StandBy)
+    // A confirmation counts for the incident that it was given for, not for one that took its place.
+    if (m_state == SessionState::StandBy && (input.seen == 0 || input.seen == m_incident))
         initiate(input.token, true);
 }
 

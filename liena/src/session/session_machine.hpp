@@ -31,6 +31,7 @@ struct OpenRequested {
 };
 struct ReopenRequested {
     std::uint64_t token = 0;
+    IncidentId seen = 0; ///< the one that the person was shown; 0: none was known
 };
 struct CloseRequested {
     std::string reason;

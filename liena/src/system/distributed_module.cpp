@@ -67,14 +67,14 @@ Result<void> DistributedModule::open()
     return ok();
 }
 
-Result<void> DistributedModule::reopen()
+Result<void> DistributedModule::reopen(IncidentId seen)
 {
     if (m_machine.state() != SessionState::StandBy)
         return fail(Errc::NoIncident,
                     fmt::format("the session with {} is {}, there is nothing to re-open", m_peer.name, toString(m_machine.state())));
     if (auto admitted = m_host.admitSession(true); !admitted)
         return notAdmitted(std::move(admitted));
-    handle(session::ReopenRequested{m_host.freshToken()});
+    handle(session::ReopenRequested{m_host.freshToken(), seen});
     return ok();
 }
 

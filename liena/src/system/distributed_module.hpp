@@ -31,7 +31,7 @@ public:
 
     // Dialogues; the outcome is an event.
     Result<void> open();
-    Result<void> reopen();
+    Result<void> reopen(IncidentId seen);
     Result<void> close(std::string_view reason);
     void probe();
 

@@ -175,7 +175,7 @@ Result<void> DistributedSystem::reopenChannel(DeviceId peer)
     if (status->state != SessionState::StandBy)
         return fail(Errc::NoIncident, fmt::format("the session is {}, there is nothing to re-open", toString(status->state)));
     m_state->recordCommand("reopen-commanded", peer, status->incident, {});
-    post([state = m_state.get(), peer] { (void)state->module(peer)->reopen(); });
+    post([state = m_state.get(), peer, seen = status->incident] { (void)state->module(peer)->reopen(seen); });
     return ok();
 }
 

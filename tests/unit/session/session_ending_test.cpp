@@ -24,6 +24,7 @@ private slots:
     void reopeningNamesTheIncidentOfEitherEnd_data();
     void reopeningNamesTheIncidentOfEitherEnd();
     void failedReopeningStaysInStandBy();
+    void confirmationCountsForTheIncidentThatWasSeen();
     void plainHandshakeIsRefusedInStandBy();
     void incidentHeardWhileOpeningEndsTheOpening();
     void incidentHeardInSessionOutlivesItsClose();
@@ -217,6 +218,16 @@ void SessionEndingTest::failedReopeningStaysInStandBy()
     refused.handle(ReopenRequested{200});
     QCOMPARE(wordsOf(refused.handle(OutgoingFailed{ProbeResult::HostUnreachable, "no answer"})), std::string("CloseLanes Failed:None"));
     QVERIFY(refused.machine.state() == SessionState::StandBy);
+}
+
+void SessionEndingTest::confirmationCountsForTheIncidentThatWasSeen()
+{
+    Side side;
+    side.becomeStandBy();
+    QVERIFY(side.handle(ReopenRequested{200, 99}).empty());
+    QVERIFY(side.machine.state() == SessionState::StandBy);
+    QVERIFY(!side.handle(ReopenRequested{200, 100}).empty());
+    QVERIFY(side.machine.state() == SessionState::Reopening);
 }
 
 void SessionEndingTest::plainHandshakeIsRefusedInStandBy()
