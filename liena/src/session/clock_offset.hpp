@@ -9,7 +9,8 @@
 
 namespace liena::session {
 
-/// Keeps a sliding window of 64 samples and believes the one of least delay.
+/// Keeps a sliding window of 64 samples and believes the one of least delay. A sample that contradicts it shows that a clock was stepped:
+/// then all before it are forgotten, and the offset is unknown again for 8 samples.
 class ClockOffset {
 public:
     /// t1 our send, t2 the peer's receipt, t3 the peer's send, t4 our receipt; each on the clock of its side.
@@ -34,6 +35,8 @@ private:
         Nanoseconds delay{};
     };
     const Sample* best() const;
+    const Sample* leastDelayed() const; ///< of at least one
+    bool contradicts(const Sample& sample) const;
 
     static constexpr std::size_t window = 64;
     static constexpr std::size_t needed = 8;

@@ -52,6 +52,8 @@ private slots:
     void takesClocksOnEitherSide();
     void leavesOutSamplesOfASteppedClock();
     void bearsAnyTimeThatAPeerSays();
+    void beginsAnewWhenAClockWasStepped();
+    void takesALongDelayForNoStep();
     void tellsTheNewestDelay();
     void beginsAnewAfterReset();
     void countsPacketsOfEightHeartbeats();
@@ -224,6 +226,32 @@ void LifeSignsTest::bearsAnyTimeThatAPeerSays()
                 QVERIFY(clock.uncertainty() >= 0ns);
                 QVERIFY(!clock.offset() || std::chrono::abs(*clock.offset()) <= std::chrono::years(74));
             }
+}
+
+void LifeSignsTest::beginsAnewWhenAClockWasStepped()
+{
+    constexpr std::int64_t hour = 3'600'000'000'000;
+    for (const auto step : {hour, -hour, hour / 3600 / 100}) { // down to 10 ms
+        ClockOffset clock;
+        for (int i = 0; i < 20; ++i)
+            exchange(clock, base, 1000, 1000, 500);
+        for (int i = 0; i < 7; ++i) {
+            exchange(clock, base, 1000, 1000, 500 + step);
+            QVERIFY(!clock.offset()); // never the offset of before
+        }
+        exchange(clock, base, 1000, 1000, 500 + step);
+        QVERIFY(clock.offset() == std::chrono::nanoseconds(500 + step));
+    }
+}
+
+void LifeSignsTest::takesALongDelayForNoStep()
+{
+    ClockOffset clock;
+    for (int i = 0; i < 8; ++i)
+        exchange(clock, base, 1000, 1000, 500);
+    exchange(clock, base, 400'000'000, 1000, 500); // one way has become slow: half of it looks like an offset
+    QVERIFY(clock.offset() == 500ns);
+    QCOMPARE(clock.samples(), std::size_t{9});
 }
 
 void LifeSignsTest::tellsTheNewestDelay()
