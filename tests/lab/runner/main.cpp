@@ -99,6 +99,11 @@ void addOptions(CLI::App& app, Options& options)
     app.add_flag("--soak", options.soak, "a random fault every half minute");
     app.add_option("--hours", options.study.soakHours, "of the soak")->check(CLI::Range(0.01, 1000.0));
     app.add_option("--interval", options.study.soakInterval, "seconds from fault to fault of the soak")->check(CLI::Range(5, 3600));
+<<<<<<< HEAD
+=======
+    app.add_option("--spin", options.spin, "only keep a processor busy for some ms: what the fault `starve` starts")
+        ->check(CLI::Range(1, 900));
+>>>>>>> ca30d3b (lab: full disks, no descriptors, slow readers, starving, re-plugging beyond the switch)
     app.add_flag("--list", options.list, "say what the faults are");
     app.add_flag("--keep", options.campaign.keep, "keep the folders with topology, certificates and logs");
 }

@@ -89,13 +89,14 @@ std::function<void(Scene&)> collapse(long rate, long queue, long picture)
         const auto first = scene.cockpit().pictures;
         scene.await([&] { return scene.cockpit().pictures > first + 3; }, Milliseconds(5000), "no pictures arrived before the fault");
         const auto before = scene.cockpit().pictures;
+        const auto from = nowNs();
         scene.beginByWire("port 1 rate=" + std::to_string(rate) + " queue=" + std::to_string(queue));
         scene.rig().settle(Milliseconds(3000));
         scene.note(std::to_string((scene.cockpit().pictures - before) / 3) + " pictures/s");
         scene.rig().say("xray", "pictures 0 66");
         scene.rig().settle(Milliseconds(200));
         (void)scene.rig().wire("port 1 rate=0");
-        scene.note("largest gap of commands " + milliseconds(scene.largestGap(0)));
+        scene.note("largest gap of commands " + milliseconds(scene.largestGap(from)));
         scene.recover();
     };
 }

@@ -71,7 +71,7 @@ void Scene::openAll()
 {
     for (const auto& link : m_rig.plan().links) {
         const auto peer = link.substr(link.find(' ') + 1);
-        if (!link.starts_with("cockpit "))
+        if (!link.starts_with("cockpit ") || (cockpit().isOpenTo(peer) && m_rig[peer].isOpenTo("cockpit")))
             continue;
         await([&] { return settled(peer); }, openLimit,
               "the ends of cockpit-" + peer + " did not settle: " + cockpit().stateOf(peer) + ", " + m_rig[peer].stateOf("cockpit"));
@@ -83,8 +83,7 @@ void Scene::openAll()
 void Scene::engage()
 {
     for (int attempt = 0; attempt < patience; ++attempt) {
-        if (!cockpit().isOpenTo("robot") || !robot().isOpenTo("cockpit"))
-            openAll();
+        openAll();
         if (robot().moving && robot().robotState == "Engaged")
             break;
         if (!m_rig.until([&] { return cockpit().heard["robot"] == "Ready" && robot().robotState == "Ready"; }, armLimit))
@@ -127,11 +126,14 @@ void Scene::read()
     if (m_moved && still != nullptr)
         m_outcome.stops = millisecondsSince(*m_begin, still->at);
     const auto wentTo = [&](const std::string& state) {
-        return cockpit().first(*m_begin, [&](const Record& record) {
-            return record.kind() == "state" && record.word(1) == "robot" && record.word(3) == state;
-        }) != nullptr;
+        const auto went = [&](const RigDevice& device, const std::string& peer) {
+            return device.first(*m_begin, [&](const Record& record) {
+                return record.kind() == "state" && record.word(1) == peer && record.word(3) == state;
+            }) != nullptr;
+        };
+        return went(cockpit(), "robot") || went(robot(), "cockpit");
     };
-    m_outcome.seen = wentTo("stand-by") || wentTo("closed") ? "stand-by"
+    m_outcome.seen = wentTo("stand-by") ? "stand-by"
                      : wentTo("interrupted")                ? "interrupted"
                      : wentTo("suspect")                    ? "suspect"
                                                             : "unnoticed";

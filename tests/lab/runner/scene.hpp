@@ -17,7 +17,7 @@ struct Outcome {
     std::optional<double> robotDetects;
     std::optional<double> stops;   ///< the drives stand still
     std::optional<double> reopens; ///< from the person's confirmation to Open at both ends
-    std::string seen;              ///< what the cockpit's session went through
+    std::string seen;              ///< the worst that the session went through, at either end
     std::vector<std::string> notes;
     std::vector<std::string> broken; ///< what should have happened and did not
 };

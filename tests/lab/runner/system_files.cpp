@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 
 namespace liena::lab {
 
@@ -21,8 +22,8 @@ DevicePlan cockpitPlan() { return {"cockpit", "0x40018208", "siat-cockpit"}; }
 
 DevicePlan robotPlan(std::size_t index)
 {
-    return {index == 0 ? "robot" : "robot" + std::to_string(index + 1), "0x0000820" + std::string(1, static_cast<char>('8' + index)),
-            "vascular-robot"};
+    constexpr std::string_view lastDigits = "89abcde"; // seven devices of one type
+    return {index == 0 ? "robot" : "robot" + std::to_string(index + 1), "0x0000820" + std::string(1, lastDigits.at(index)), "vascular-robot"};
 }
 
 fs::path makeFolder()
