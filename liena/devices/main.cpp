@@ -153,7 +153,11 @@ void run(DistributedSystem& system, Device& device, const sigset_t& ends)
 
 void runRole(const std::string& role, Options& options, const sigset_t& ends)
 {
-    options.settings.log = stderrLog(options.verbose ? LogLevel::Debug : LogLevel::Info, *logFormatFrom(options.logFormat));
+    options.settings.log = [write = stderrLog(options.verbose ? LogLevel::Debug : LogLevel::Info, *logFormatFrom(options.logFormat)),
+                            device = options.settings.device](LogLine line) {
+        line.device = device;
+        write(line);
+    };
     options.settings.software = std::string("liena-device ") + versionText;
     const LogSink log = options.settings.log;
     if (role == "xray") {

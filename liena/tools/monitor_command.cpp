@@ -48,6 +48,7 @@ constexpr auto footer =
     "  liena monitor --json --once | jq '.links[] | {peer, state}'\n\n"
     "Exit codes: 0 a device was seen, 1 none was there, 2 wrong use of the command line.";
 
+constexpr int linesForOnce = 2;
 constexpr std::size_t longestLine = 1024UL * 1024UL;
 
 /// One device that is watched.
@@ -55,6 +56,7 @@ struct Watched {
     int socket = -1;
     std::string received;
     std::string line; ///< the newest whole one
+    int lines = 0;
     JsonValue status;
 };
 
@@ -159,7 +161,9 @@ private:
         if (!status)
             return false;
         one.status = std::move(*status);
-        if (!isWanted(one.status))
+        ++one.lines;
+        // The first line has no rates yet: who asks once gets the second.
+        if (!isWanted(one.status) || (m_options.once && one.lines != linesForOnce))
             return false;
         m_seen = true;
         if (m_options.json)
@@ -179,7 +183,7 @@ private:
 
     bool allShown() const
     {
-        return std::all_of(m_watched.begin(), m_watched.end(), [](const auto& entry) { return !entry.second.line.empty(); });
+        return std::all_of(m_watched.begin(), m_watched.end(), [](const auto& entry) { return entry.second.lines >= linesForOnce; });
     }
 
     void draw() const
@@ -210,7 +214,7 @@ void addMonitorCommand(CLI::App& app, int& exitCode)
     command->add_option("DEVICE", options->devices, "Only these, by name or id as 0x40018208");
     command->add_option("--folder", options->folder, "Where the devices' sockets are")->capture_default_str();
     command->add_flag("--json", options->json, "One JSON object per device and second, as the devices write it");
-    command->add_flag("--once", options->once, "Show each device once, and end");
+    command->add_flag("--once", options->once, "Show each device once, with the rates of one second, and end");
     command->callback([options, &exitCode] { exitCode = Monitor(*options).run(); });
 }
 

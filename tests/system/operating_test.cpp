@@ -195,8 +195,11 @@ private Q_SLOTS:
             QCOMPARE(object["audit"].isNull(), isCockpit);
             QCOMPARE(object["stands_by"].toBool(), false);
             for (const auto& link : object["links"].toArray())
-                if (link.toObject()["peer"].toString() != QLatin1String("arm"))
+                if (link.toObject()["peer"].toString() != QLatin1String("arm")) {
                     QCOMPARE(link.toObject()["state"].toString(), QStringLiteral("open"));
+                    QVERIFY2(link.toObject()["rates"].toObject()["bytes_in"].toDouble() > 0, qPrintable(line)); // heartbeats
+                    QVERIFY2(link.toObject()["latency_uncertainty_ms"].isDouble(), qPrintable(line));
+                }
         }
         const auto page = liena_(monitor + QStringList{QStringLiteral("--once"), QStringLiteral("robot")});
         QVERIFY2(page.output.contains(QStringLiteral("cockpit       open")), qPrintable(page.output));

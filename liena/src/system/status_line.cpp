@@ -33,6 +33,7 @@ namespace liena::system {
 
 namespace {
 
+constexpr double longestSpan = 3;     // seconds that a rate may speak of
 constexpr std::size_t mostDrops = 16; // of one link, the largest
 
 double milliseconds(std::chrono::nanoseconds duration) { return std::chrono::duration<double, std::milli>(duration).count(); }
@@ -110,7 +111,7 @@ std::string StatusLine::rates(const LinkStatus& link, Instant now)
 {
     const auto before = m_before.find(link.peer);
     const auto seconds = std::chrono::duration<double>(now - m_beforeAt).count();
-    if (before == m_before.end() || seconds < 0.1)
+    if (before == m_before.end() || seconds < 0.1 || seconds > longestSpan)
         return "null";
     const auto rate = [&](std::uint64_t newer, std::uint64_t older) {
         return newer < older ? 0.0 : static_cast<double>(newer - older) / seconds;

@@ -6,7 +6,10 @@
 
 #include <QTest>
 
+#include <fstream>
 #include <optional>
+
+#include <sys/resource.h>
 
 using namespace liena;
 using namespace liena::security;
@@ -38,6 +41,7 @@ private slots:
     void checksFilesByTheSameRule();
     void refusesKeysThatAreNotItsUsersAlone_data();
     void refusesKeysThatAreNotItsUsersAlone();
+    void leavesNoKeysInCoreDumps();
 
 private:
     static void addMoments();
@@ -199,6 +203,18 @@ void SessionAdmissionTest::refusesKeysThatAreNotItsUsersAlone()
     QCOMPARE(judged.has_value(), words.isEmpty());
     if (!judged)
         QVERIFY2(QString::fromStdString(judged.error().what).contains(words), judged.error().what.c_str());
+}
+
+void SessionAdmissionTest::leavesNoKeysInCoreDumps()
+{
+    keepKeysOutOfCoreDumps();
+    rlimit limit{};
+    QCOMPARE(::getrlimit(RLIMIT_CORE, &limit), 0);
+    QVERIFY(limit.rlim_cur == 0 && limit.rlim_max == 0);
+    std::ifstream filter("/proc/self/coredump_filter");
+    std::string mask;
+    QVERIFY(filter >> mask);
+    QCOMPARE(mask, std::string("00000000"));
 }
 
 QTEST_GUILESS_MAIN(SessionAdmissionTest)
