@@ -62,9 +62,9 @@ bool DriveGate::enable()
     return m_enabled;
 }
 
-bool DriveGate::drive(const AxisValues& velocities, SteadyTime commanded)
+bool DriveGate::drive(const AxisValues& velocities, SteadyTime commanded, SteadyTime now)
 {
-    if (!m_enabled || (m_lastStep && commanded + m_limits.lease <= *m_lastStep))
+    if (!m_enabled || commanded + m_limits.lease <= std::max(now, m_lastStep.value_or(now)))
         return false;
     for (std::size_t axis = 0; axis < axisCount; ++axis)
         if (!(std::abs(velocities[axis]) <= m_limits.axes[axis].maxVelocity)) // also refuses what is no number

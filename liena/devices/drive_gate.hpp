@@ -82,8 +82,9 @@ public:
     bool enable();
 
     /// Renews the lease from `commanded`, the moment the command arrived. False, and the lease stays as it is, when the gate is locked, the
-    /// command is older than a lease, or a value is outside the envelope or no number.
-    bool drive(const AxisValues& velocities, SteadyTime commanded);
+    /// command is older than a lease at the last step or at `now`, or a value is outside the envelope or no number. A process that was
+    /// frozen between arrival and this call has made no step in between: it needs `now`, the moment of the call.
+    bool drive(const AxisValues& velocities, SteadyTime commanded, SteadyTime now);
 
     /// The dead-man was released: decelerate, stay enabled.
     void release();

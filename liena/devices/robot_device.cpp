@@ -133,7 +133,7 @@ void RobotDevice::actOnDrives(RobotActions::Drives drives, const MotionCommanded
         m_gate.enable();
         break;
     case Drives::Drive:
-        if (motion && !m_gate.drive(motion->velocities, std::min(m_commanded, now)))
+        if (motion && !m_gate.drive(motion->velocities, std::min(m_commanded, now), now))
             m_machine.countRefusal();
         break;
     case Drives::Release:

@@ -82,7 +82,7 @@ void RobotPart::actOnDrives(RobotActions::Drives drives, const MotionCommanded* 
         m_gate.enable();
         break;
     case Drives::Drive:
-        if (motion != nullptr && !m_gate.drive(motion->velocities, std::min(m_commanded, m_device->now().mono)))
+        if (const auto now = m_device->now().mono; motion != nullptr && !m_gate.drive(motion->velocities, std::min(m_commanded, now), now))
             m_machine.countRefusal();
         break;
     case Drives::Release:

@@ -40,7 +40,7 @@ struct Rig {
     void driveFor(const AxisValues& velocities, int milliseconds)
     {
         for (int passed = 0; passed < milliseconds; ++passed) {
-            gate.drive(velocities, now);
+            gate.drive(velocities, now, now);
             run();
         }
     }
@@ -55,7 +55,7 @@ private slots:
     void movesOnlyWhenEnabledAndDriven()
     {
         Rig rig;
-        QVERIFY(!rig.gate.drive({10, 0, 0, 0}, rig.now));
+        QVERIFY(!rig.gate.drive({10, 0, 0, 0}, rig.now, rig.now));
         QVERIFY(rig.run(20ms).still);
         QVERIFY(rig.gate.enable());
         QVERIFY(rig.run(20ms).still);
@@ -77,7 +77,7 @@ private slots:
         QVERIFY(rig.now - last <= 81ms);
         QVERIFY(rig.stopped == StopCause::LeaseOver);
         QVERIFY(!rig.gate.enabled());
-        QVERIFY(!rig.gate.drive({1, 0, 0, 0}, rig.now));
+        QVERIFY(!rig.gate.drive({1, 0, 0, 0}, rig.now, rig.now));
     }
 
     void endsTheLeaseInTimeHoweverLateTheLoopRuns()
@@ -112,7 +112,7 @@ private slots:
         rig.gate.enable();
         rig.run(1s);
         QVERIFY(rig.stopped == StopCause::Watchdog);
-        QVERIFY(!rig.gate.drive({1, 0, 0, 0}, rig.now));
+        QVERIFY(!rig.gate.drive({1, 0, 0, 0}, rig.now, rig.now));
     }
 
     void refusesWhatIsOutsideTheEnvelope_data()
@@ -136,7 +136,7 @@ private slots:
         rig.gate.enable();
         AxisValues wanted{};
         wanted[static_cast<std::size_t>(axis)] = velocity;
-        QVERIFY(!rig.gate.drive(wanted, rig.now));
+        QVERIFY(!rig.gate.drive(wanted, rig.now, rig.now));
         QVERIFY(rig.run(20ms).still);
     }
 
@@ -146,7 +146,7 @@ private slots:
         rig.gate.enable();
         rig.driveFor({10, 0, 0, 0}, 50);
         for (int passed = 0; passed < 60; ++passed) {
-            rig.gate.drive({50, 0, 0, 0}, rig.now);
+            rig.gate.drive({50, 0, 0, 0}, rig.now, rig.now);
             rig.run();
         }
         QVERIFY(rig.stopped == StopCause::LeaseOver);
@@ -157,8 +157,19 @@ private slots:
         Rig rig;
         rig.gate.enable();
         rig.run(50ms);
-        QVERIFY(!rig.gate.drive({10, 0, 0, 0}, rig.now - 50ms));
-        QVERIFY(rig.gate.drive({10, 0, 0, 0}, rig.now - 49ms));
+        QVERIFY(!rig.gate.drive({10, 0, 0, 0}, rig.now - 50ms, rig.now));
+        QVERIFY(rig.gate.drive({10, 0, 0, 0}, rig.now - 49ms, rig.now));
+    }
+
+    // The process was frozen between the arrival and the call, so that the last step is as old as the command.
+    void commandThatGrewOldBeforeTheCallGivesNoLease()
+    {
+        Rig rig;
+        rig.gate.enable();
+        rig.run(50ms);
+        QVERIFY(!rig.gate.drive({10, 0, 0, 0}, rig.now, rig.now + 50ms));
+        QVERIFY(rig.run(20ms).still);
+        QVERIFY(rig.gate.drive({10, 0, 0, 0}, rig.now, rig.now + 49ms));
     }
 
     void releaseSlowsDownAndStaysEnabled()
@@ -180,7 +191,7 @@ private slots:
         rig.driveFor({40, 0, 0, 0}, 200);
         rig.gate.stop();
         QVERIFY(!rig.gate.enable());
-        QVERIFY(!rig.gate.drive({40, 0, 0, 0}, rig.now));
+        QVERIFY(!rig.gate.drive({40, 0, 0, 0}, rig.now, rig.now));
         rig.run(30ms);
         QVERIFY(rig.gate.still());
         QVERIFY(rig.gate.enable());
@@ -290,7 +301,7 @@ private slots:
             else if (dice < 0.8) {
                 const AxisValues wanted{between(-45, 45), between(-800, 800), between(-45, 45), between(-400, 400)};
                 const SteadyTime commanded = rig.now - std::chrono::microseconds(random() % 60'000);
-                if (rig.gate.drive(wanted, commanded)) {
+                if (rig.gate.drive(wanted, commanded, rig.now)) {
                     QVERIFY(rig.gate.enabled());
                     leaseEnd = std::max(leaseEnd, commanded + limits.lease);
                 }
