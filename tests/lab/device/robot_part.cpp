@@ -90,7 +90,7 @@ void RobotPart::actOnDrives(RobotActions::Drives drives, const MotionCommanded* 
         m_gate.enable();
         break;
     case Drives::Drive:
-        if (motion == nullptr || !m_gate.drive(motion->velocities, std::min(m_arrival, now)))
+        if (motion == nullptr || !m_gate.drive(motion->velocities, std::min(m_arrival, now), now))
             m_machine.countRefusal();
         else
             tell(now, {"applied", motion->permit, motion->sequence, m_arrival.time_since_epoch().count()});

@@ -14,7 +14,7 @@ void Campaign::prepare(Cast cast)
     m_judge.reset();
     m_rig.reset();
     m_cast = cast;
-    m_rig = std::make_unique<Rig>(planOf(cast), RigOptions{m_options.seed, m_options.keep});
+    m_rig = std::make_unique<Rig>(planOf(cast), RigOptions{m_options.seed, m_options.ordinary, m_options.keep});
     m_judge = std::make_unique<Judge>(*m_rig);
     m_rig->startAll();
 }

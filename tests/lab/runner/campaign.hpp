@@ -15,6 +15,7 @@ struct CampaignOptions {
     int repetitions = 5;
     bool repetitionsAsked = false;
     std::uint64_t seed = 1;
+    bool ordinary = false; ///< without real-time priority
     bool keep = false;
 };
 

@@ -85,7 +85,7 @@ bool studyOne(Rig& rig, Judge& judge, const std::string& title, const std::strin
 bool studyLoss(const StudyOptions& options)
 {
     std::printf("\nFalse alarms under loss, 2 ms round trip; the machine's own stalls are among them\n");
-    Rig rig(plans::mesh(devices), {options.seed, options.keep});
+    Rig rig(plans::mesh(devices), {options.seed, options.ordinary, options.keep});
     Judge judge(rig);
     rig.startAll();
     bool holds = studyOne(rig, judge, "no loss", "delay=1", options);

@@ -33,6 +33,7 @@ struct Options {
     bool loss = false;
     bool memory = false;
     bool soak = false;
+    int spin = 0; ///< ms
 
     bool all() const { return faults.empty() && !spread && !loss && !memory && !soak; }
 };
@@ -41,6 +42,15 @@ int listFaults()
 {
     for (const auto& fault : allFaults())
         std::printf("%-15s %-4s %s\n", fault.name.c_str(), fault.row.c_str(), fault.sentence.c_str());
+    return 0;
+}
+
+/// Looks at the clock itself: nothing that would stop it may need the processor that it takes.
+int spin(int milliseconds)
+{
+    const auto end = nowNs() + std::int64_t{milliseconds} * 1'000'000;
+    while (nowNs() < end) {
+    }
     return 0;
 }
 
@@ -99,12 +109,10 @@ void addOptions(CLI::App& app, Options& options)
     app.add_flag("--soak", options.soak, "a random fault every half minute");
     app.add_option("--hours", options.study.soakHours, "of the soak")->check(CLI::Range(0.01, 1000.0));
     app.add_option("--interval", options.study.soakInterval, "seconds from fault to fault of the soak")->check(CLI::Range(5, 3600));
-<<<<<<< HEAD
-=======
     app.add_option("--spin", options.spin, "only keep a processor busy for some ms: what the fault `starve` starts")
         ->check(CLI::Range(1, 900));
->>>>>>> ca30d3b (lab: full disks, no descriptors, slow readers, starving, re-plugging beyond the switch)
     app.add_flag("--list", options.list, "say what the faults are");
+    app.add_flag("--ordinary", options.campaign.ordinary, "without real-time priority for the devices, the wire and the canary");
     app.add_flag("--keep", options.campaign.keep, "keep the folders with topology, certificates and logs");
 }
 
@@ -112,10 +120,14 @@ int run(const Options& options)
 {
     if (options.list)
         return listFaults();
+    if (options.spin > 0)
+        return spin(options.spin);
     if (::geteuid() != 0) {
         std::fputs("lab: this must be run as root: it makes network namespaces and TAP devices of its own\n", stderr);
         return 2;
     }
+    if (!options.campaign.ordinary)
+        makeUrgent(runnerUrgency);
     const bool holds = runAll(options);
     std::printf("lab: %s\n", holds ? "everything that must hold held" : "BROKEN: see the lines above");
     return holds ? 0 : 1;
@@ -136,6 +148,7 @@ int main(int argc, char** argv)
         options.campaign.repetitionsAsked = app.count("--repetitions") > 0;
         options.study.repetitions = options.campaign.repetitions;
         options.study.seed = options.campaign.seed;
+        options.study.ordinary = options.campaign.ordinary;
         options.study.keep = options.campaign.keep;
         return liena::lab::run(options);
     } catch (const CLI::ParseError& error) {

@@ -14,7 +14,7 @@ bool studyMemory(const StudyOptions& options)
     constexpr double aim = 256; // KiB
     auto plan = plans::star(devices);
     plan.flags = {"--quiet"};
-    Rig rig(std::move(plan), {options.seed, options.keep});
+    Rig rig(std::move(plan), {options.seed, options.ordinary, options.keep});
     rig.startAll();
     const auto hub = rig["cockpit"].process->id();
     std::printf("\nMemory of a process with idle TLS sessions (all of its resident set; and what it allocated)\n");

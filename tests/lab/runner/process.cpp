@@ -5,7 +5,6 @@
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,8 +55,9 @@ void becomeChild(const ProcessPlan& plan, int input, int output)
         CPU_SET(*plan.processor, &processors);
         ::sched_setaffinity(0, sizeof processors, &processors);
     }
-    if (plan.nice != 0)
-        ::setpriority(PRIO_PROCESS, 0, plan.nice);
+    const sched_param priority{plan.urgency};
+    if (plan.urgency > 0)
+        ::sched_setscheduler(0, SCHED_RR, &priority);
     ::dup2(input, STDIN_FILENO);
     ::dup2(output, STDOUT_FILENO);
     if (!plan.keepsErrors)
@@ -130,6 +130,13 @@ int Process::waitForEnd()
     if (!m_status && ::waitpid(m_id, &status, 0) == m_id)
         m_status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     return m_status.value_or(-1);
+}
+
+void makeUrgent(int urgency)
+{
+    const sched_param priority{urgency};
+    if (::sched_setscheduler(0, SCHED_RR, &priority) != 0)
+        throw std::system_error(errno, std::generic_category(), "cannot take a real-time priority");
 }
 
 std::pair<int, std::string> runToEnd(const std::vector<std::string>& command, std::optional<int> network)

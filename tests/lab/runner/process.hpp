@@ -15,15 +15,9 @@ struct ProcessPlan {
     std::vector<int> inherited;   ///< descriptors that stay open in it
     std::optional<int> network;   ///< descriptor of its namespace; absent: ours
     std::optional<int> processor; ///< it runs on this one only
-<<<<<<< HEAD
-    int nice = 0;
-    std::string smallDisk;   ///< a folder that is a full-able disk of 64 KiB for it alone
-    bool keepsErrors = true; ///< stderr is ours; else it goes with the output
-=======
     int urgency = 0;              ///< its real-time priority (round robin); 0: as the runner
     std::string smallDisk;        ///< a folder that is a full-able disk of 64 KiB for it alone
     bool keepsErrors = true;      ///< stderr is ours; else it goes with the output
->>>>>>> ca30d3b (lab: full disks, no descriptors, slow readers, starving, re-plugging beyond the switch)
 };
 
 /// Is killed with the object, and by the kernel when the runner dies. Start it from the main thread.
@@ -52,6 +46,9 @@ private:
     int m_output = -1;
     std::optional<int> m_status;
 };
+
+/// The calling thread and those it starts from now on. Throws std::system_error.
+void makeUrgent(int urgency);
 
 /// Status and output (both kinds) of a program that ends by itself.
 std::pair<int, std::string> runToEnd(const std::vector<std::string>& command, std::optional<int> network);

@@ -41,31 +41,33 @@ std::function<void(Scene&)> freeze(const std::string& device, int least, int mos
         scene.rig().settle(Milliseconds(scene.draw(least, most)));
         (void)scene.rig().signal(device, SIGCONT);
         scene.recover();
+        // The frozen one notices its own gap when it goes on; that is no detection of a peer.
+        (device == "robot" ? scene.outcome().robotDetects : scene.outcome().cockpitDetects).reset();
+        if (device == "robot")
+            scene.outcome().stops.reset(); // its drives are in the frozen process
     };
 }
 
-/// The whole computer of a device is busy with something more urgent.
+/// The processor of the robot is busy with something more urgent.
 void starve(Scene& scene)
 {
-    constexpr int processor = 1;
-    if (scene.rig()["robot"].process)
-        (void)runToEnd({"taskset", "-apc", std::to_string(processor), std::to_string(scene.robot().process->id())}, std::nullopt);
+    constexpr int processor = 0;
+    constexpr int moreUrgent = 10;
+    const auto id = std::to_string(scene.robot().process->id());
+    const auto last = std::to_string(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)) - 1);
     scene.engage();
+    (void)runToEnd({"taskset", "-apc", std::to_string(processor), id}, std::nullopt);
     ProcessPlan plan;
-    plan.command = {"chrt", "-f", "10", "timeout", "-s", "KILL", "0.25", "sh", "-c", "while :; do :; done"};
+    plan.command = {"/proc/self/exe", "--spin", "250"};
     plan.processor = processor;
+    plan.urgency = moreUrgent;
     scene.begin(nowNs());
     Process hog(plan);
     scene.rig().settle(Milliseconds(800));
+    (void)runToEnd({"taskset", "-apc", "0-" + last, id}, std::nullopt);
     scene.recover();
-<<<<<<< HEAD
-    (void)runToEnd({"taskset", "-apc", "0-" + std::to_string(std::max(1L, ::sysconf(_SC_NPROCESSORS_ONLN)) - 1),
-                    std::to_string(scene.robot().process->id())},
-                   std::nullopt);
-=======
     scene.outcome().robotDetects.reset(); // its own standing still
     scene.outcome().stops.reset();
->>>>>>> ca30d3b (lab: full disks, no descriptors, slow readers, starving, re-plugging beyond the switch)
 }
 
 /// Both persons press `open` at once: one session, and it works.
@@ -129,7 +131,7 @@ std::vector<Fault> processFaults()
         {"freeze-robot", "F6", "the robot's process is stopped for 150-400 ms", Cast::Pair, freeze("robot", 150, 400)},
         {"freeze-cockpit", "F6", "the cockpit's process is stopped for 150-400 ms", Cast::Pair, freeze("cockpit", 150, 400)},
         {"freeze-long", "F6", "the robot's process is stopped for 1.0-1.5 s", Cast::Pair, freeze("robot", 1000, 1500)},
-        {"starve", "F24", "a program of real-time priority takes the robot's processor for 250 ms", Cast::Pair, starve},
+        {"starve", "F24", "a more urgent program takes the robot's processor for 250 ms", Cast::Pair, starve},
         {"both-open", "F27", "both persons open within 4 ms", Cast::Pair, openBoth},
         {"id-twice", "F29", "a second process with the cockpit's certificate opens to the robot", Cast::WithPictures, idTwice},
     };

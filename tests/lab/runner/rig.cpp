@@ -15,7 +15,6 @@ namespace liena::lab {
 namespace {
 
 constexpr Milliseconds startLimit{10'000};
-constexpr int wireNice = -15; // the wire is the lab's equipment: it should not add stalls of its own
 
 std::string programPath(const std::string& name) { return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string(); }
 
@@ -98,7 +97,7 @@ void Rig::startWire(std::uint64_t seed)
 {
     ProcessPlan plan;
     plan.command = {programPath("lab_wire"), std::to_string(seed)};
-    plan.nice = wireNice;
+    plan.urgency = m_options.ordinary ? 0 : wireUrgency;
     plan.inherited = m_networks.descriptors();
     for (const int descriptor : plan.inherited)
         plan.command.push_back(std::to_string(descriptor));
@@ -117,6 +116,7 @@ void Rig::start(const std::string& name, const Start& how)
     plan.command.insert(plan.command.end(), how.flags.begin(), how.flags.end());
     plan.network = m_networks.descriptors()[device.port];
     plan.processor = how.processor;
+    plan.urgency = m_options.ordinary ? 0 : deviceUrgency;
     if (how.smallDisk)
         plan.smallDisk = m_files.storeOf(name).string();
     device.states.clear();

@@ -47,8 +47,14 @@ private:
     std::string m_unread;
 };
 
+// Real-time priorities. The wire is the lab's equipment and adds no stalls of its own if it can help it; the runner acts in time.
+inline constexpr int wireUrgency = 4;
+inline constexpr int runnerUrgency = 3;
+inline constexpr int deviceUrgency = 2;
+
 struct RigOptions {
     std::uint64_t seed = 1;
+    bool ordinary = false; ///< devices and wire compete with everybody's programs
     bool keep = false;
 };
 

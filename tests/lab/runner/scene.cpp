@@ -10,7 +10,7 @@ namespace {
 constexpr Milliseconds openLimit{4'000};
 constexpr Milliseconds healthyBeforeConfirming{500};
 constexpr Milliseconds armLimit{1'500};
-constexpr int patience = 8;
+constexpr int patience = 12;
 
 double millisecondsSince(std::int64_t from, std::int64_t to) { return static_cast<double>(to - from) / 1e6; }
 
@@ -133,10 +133,7 @@ void Scene::read()
         };
         return went(cockpit(), "robot") || went(robot(), "cockpit");
     };
-    m_outcome.seen = wentTo("stand-by") ? "stand-by"
-                     : wentTo("interrupted")                ? "interrupted"
-                     : wentTo("suspect")                    ? "suspect"
-                                                            : "unnoticed";
+    m_outcome.seen = wentTo("stand-by") ? "stand-by" : wentTo("interrupted") ? "interrupted" : wentTo("suspect") ? "suspect" : "unnoticed";
     const auto* lost = cockpit().first(*m_begin, [](const Record& record) { return record.kind() == "event" && record.word(1) == "lost"; });
     if (lost != nullptr)
         note(lost->word(4));

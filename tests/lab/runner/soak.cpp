@@ -49,7 +49,7 @@ public:
         : m_options(options),
           m_random(options.seed),
           m_faults(soakFaults()),
-          m_rig(plans::withPictures(), {options.seed, options.keep}),
+          m_rig(plans::withPictures(), {options.seed, options.ordinary, options.keep}),
           m_judge(m_rig)
     {}
 

@@ -46,7 +46,7 @@ void measure(Rig& rig, std::int64_t cut, const std::string& dead, Spread& spread
 
 bool studyOne(const std::string& title, SystemPlan plan, const std::string& order, const std::string& dead, const StudyOptions& options)
 {
-    Rig rig(std::move(plan), {options.seed, options.keep});
+    Rig rig(std::move(plan), {options.seed, options.ordinary, options.keep});
     Judge judge(rig);
     Canary canary;
     Spread spread;

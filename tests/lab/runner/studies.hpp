@@ -12,6 +12,7 @@ struct StudyOptions {
     double soakHours = 1;
     int soakInterval = 30; ///< seconds from fault to fault
     std::uint64_t seed = 1;
+    bool ordinary = false; ///< without real-time priority
     bool keep = false;
 };
 

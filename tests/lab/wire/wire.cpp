@@ -106,6 +106,7 @@ std::string Wire::obey(const WireOrder& order)
         return "ok";
     }
     if (const auto* carrier = std::get_if<CarrierOrder>(&order)) {
+        m_ports[carrier->port].plugged = carrier->on; // a TAP takes frames without a carrier, a network card does not
         m_taps[carrier->port].setCarrier(carrier->on);
         return "ok";
     }
@@ -157,7 +158,7 @@ void Wire::forward(std::size_t from, std::size_t to, const Frame& frame, Protoco
 {
     Pair& way = pair(from, to);
     const auto decision = way.draw.decide(way.impairment, protocol, frame->size(), now);
-    if (decision.drop) {
+    if (decision.drop || !m_ports[from].plugged || !m_ports[to].plugged) {
         ++way.lost;
         return;
     }
@@ -181,6 +182,8 @@ void Wire::forward(std::size_t from, std::size_t to, const Frame& frame, Protoco
 void Wire::enqueue(std::size_t to, const Frame& frame, SteadyTime now)
 {
     Port& port = m_ports[to];
+    if (!port.plugged)
+        return;
     if (port.rate == 0)
         return m_taps[to].write(*frame);
     if (port.queued + frame->size() > port.queueLimit)
@@ -201,7 +204,8 @@ void Wire::deliverDue(SteadyTime now)
             continue;
         }
         m_ports[next.port].queued -= next.frame->size();
-        m_taps[next.port].write(*next.frame);
+        if (m_ports[next.port].plugged)
+            m_taps[next.port].write(*next.frame);
     }
 }
 

@@ -28,6 +28,7 @@ private:
         std::size_t queueLimit = 0;
         std::size_t queued = 0;
         SteadyTime free; ///< when the last frame has left
+        bool plugged = true;
     };
     struct Pair {
         explicit Pair(std::uint64_t seed) : draw(seed) {}
