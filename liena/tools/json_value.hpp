@@ -1,36 +1,39 @@
-// Reads the JSON lines that devices write: small, bounded, strict.
+// Reads JSON that may be anything: what is missing, or of another kind, reads as nothing.
 #pragma once
 
-#include <map>
+#include <nlohmann/json_fwd.hpp>
+
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace liena::tools {
 
+/// A value of a JSON text; it keeps the whole text's values alive.
 class JsonValue {
 public:
-    using Array = std::vector<JsonValue>;
-    using Object = std::map<std::string, JsonValue, std::less<>>;
+    JsonValue() = default; ///< null
 
-    /// A whole text of at most 1 MiB and 16 levels; nothing when it is no JSON.
+    /// Nothing when it is no JSON.
     static std::optional<JsonValue> parse(std::string_view text);
 
     /// A field of an object; null when this is none or has no such field.
-    const JsonValue& operator[](std::string_view name) const;
+    JsonValue operator[](std::string_view name) const;
 
-    bool isNull() const { return std::holds_alternative<std::monostate>(m_value); }
+    bool isNull() const;
     std::optional<double> number() const;
     double numberOr(double other) const { return number().value_or(other); }
     bool truth() const;
     std::string text() const; ///< empty when it is no string
-    const Array& items() const;
+    std::vector<JsonValue> items() const;
 
 private:
-    friend class JsonParser;
-    std::variant<std::monostate, bool, double, std::string, Array, Object> m_value;
+    explicit JsonValue(std::shared_ptr<const nlohmann::json> value) : m_value(std::move(value)) {}
+    JsonValue within(const nlohmann::json& part) const { return JsonValue(std::shared_ptr<const nlohmann::json>(m_value, &part)); }
+
+    std::shared_ptr<const nlohmann::json> m_value;
 };
 
 } // namespace liena::tools

@@ -27,7 +27,7 @@ std::string bytesPerSecond(double bytes)
 
 std::string rateOf(const JsonValue& link, const char* messages, const char* bytes)
 {
-    const auto& rates = link["rates"];
+    const auto rates = link["rates"];
     if (rates.isNull())
         return "-";
     return fmt::format("{:.0f}/s {}", rates[messages].numberOr(0), bytesPerSecond(rates[bytes].numberOr(0)));
