@@ -23,7 +23,8 @@ DevicePlan cockpitPlan() { return {"cockpit", "0x40018208", "siat-cockpit"}; }
 DevicePlan robotPlan(std::size_t index)
 {
     constexpr std::string_view lastDigits = "89abcde"; // seven devices of one type
-    return {index == 0 ? "robot" : "robot" + std::to_string(index + 1), "0x0000820" + std::string(1, lastDigits.at(index)), "vascular-robot"};
+    return {index == 0 ? "robot" : "robot" + std::to_string(index + 1), "0x0000820" + std::string(1, lastDigits.at(index)),
+            "vascular-robot"};
 }
 
 fs::path makeFolder()
