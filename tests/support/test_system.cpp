@@ -29,6 +29,13 @@ bool isFree(int kind, std::uint16_t port)
     return bound;
 }
 
+std::string linkElement(const std::string& link)
+{
+    const auto bar = link.find('|');
+    const auto start = "  <link between=\"" + link.substr(0, bar);
+    return bar == std::string::npos ? start + "\"/>\n" : start + "\"><timing " + link.substr(bar + 1) + "/></link>\n";
+}
+
 } // namespace
 
 std::uint16_t freePort()
@@ -55,7 +62,7 @@ TestSystem::TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string>
                "\" host=\"127.0.0.1\" port=\"" + std::to_string(m_ports.back()) + "\"/>\n";
     }
     for (const auto& link : links)
-        xml += "  <link between=\"" + link + "\"/>\n";
+        xml += linkElement(link);
     xml += "</topology>\n";
     QFile file(QString::fromStdString(topology().string()));
     if (!file.open(QIODevice::WriteOnly) || file.write(xml.data(), static_cast<qint64>(xml.size())) < 0)

@@ -49,7 +49,7 @@ public:
         std::string timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
     };
 
-    /// `links` are as in the topology: "cockpit robot".
+    /// `links` are as in the topology: "cockpit robot", or with a timing of their own: R"(cockpit robot|heartbeat="20ms")".
     TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links)
         : TestSystem(std::move(devices), std::move(links), Options())
     {}

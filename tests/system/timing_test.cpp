@@ -1,0 +1,136 @@
+// What is late, missing or stalled in whole devices, and the timing of a single link.
+#include "test_system.hpp"
+
+#include <QTest>
+
+#include <semaphore>
+
+using namespace liena;
+using namespace liena::test;
+using Kind = SessionEvent::Kind;
+
+namespace {
+
+Result<void> sendMotion(TestDevice& cockpit, DeviceId robot, std::uint32_t sequence)
+{
+    auto message = cockpit->command(robot, "MotionCommand").value();
+    message.set("sequence", sequence).set("engaged", true).set("guidewire_velocity", 2.5);
+    return cockpit->send(robot, message);
+}
+
+std::vector<std::uint32_t> motionsHeard(TestDevice& robot)
+{
+    std::vector<std::uint32_t> sequences;
+    for (const auto& message : robot.messages("MotionCommand"))
+        sequences.push_back(message.get<std::uint32_t>("sequence"));
+    return sequences;
+}
+
+std::uint64_t heartbeatsFrom(TestDevice& device, DeviceId peer)
+{
+    for (const auto& link : device->links())
+        if (link.peer == peer)
+            return link.heartbeatsReceived;
+    return 0;
+}
+
+} // namespace
+
+class TimingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aMissedDeadlineIsToldOncePerGap()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto robotId = system.idOf("robot");
+        TestDevice robot(system.settingsOf("robot"));
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        QVERIFY(cockpit->openChannel(robotId));
+        QTRY_VERIFY2(robot.heard(Kind::Opened), robot.story().c_str());
+        const auto missed = [&] { return cockpit.events(Kind::DeadlineMissed, robotId); };
+
+        const auto beats = heartbeatsFrom(cockpit, robotId);
+        QTRY_VERIFY(heartbeatsFrom(cockpit, robotId) >= beats + 5); // a stream that has not begun misses nothing
+        QVERIFY2(missed().empty(), cockpit.story().c_str());
+        for (std::size_t gap = 1; gap <= 2; ++gap) {
+            const auto status = robot->report("RobotStatus").value(); // deadline 50 ms
+            QCOMPARE(robot->publish(status), std::size_t{1});
+            QTRY_COMPARE(cockpit.messages("RobotStatus").size(), gap);
+            QTRY_COMPARE(missed().size(), gap);
+            QCOMPARE(missed().back().message, std::string("RobotStatus"));
+            const auto later = heartbeatsFrom(cockpit, robotId);
+            QTRY_VERIFY(heartbeatsFrom(cockpit, robotId) >= later + 5);
+            QCOMPARE(missed().size(), gap);
+        }
+    }
+
+    void aLinkMayHaveATimingOfItsOwn()
+    {
+        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {R"(cockpit robot|heartbeat="10ms")", "cockpit arm"});
+        TestDevice robot(system.settingsOf("robot"));
+        TestDevice arm(system.settingsOf("arm"));
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        const auto robotId = system.idOf("robot");
+        const auto armId = system.idOf("arm");
+        QVERIFY(cockpit->openChannel(robotId));
+        QVERIFY(cockpit->openChannel(armId));
+        QTRY_VERIFY2(cockpit.heard(Kind::Opened, robotId) && cockpit.heard(Kind::Opened, armId), cockpit.story().c_str());
+        const auto before = std::pair(heartbeatsFrom(cockpit, robotId), heartbeatsFrom(cockpit, armId));
+        QTRY_VERIFY(heartbeatsFrom(cockpit, armId) >= before.second + 10);
+        const auto ofRobot = heartbeatsFrom(cockpit, robotId) - before.first;
+        const auto ofArm = heartbeatsFrom(cockpit, armId) - before.second;
+        QVERIFY2(ofRobot > 2 * ofArm, (std::to_string(ofRobot) + " of the robot, " + std::to_string(ofArm) + " of the arm").c_str());
+    }
+
+    /// The robot's process stands still: what came meanwhile is never delivered, and the stall is told.
+    void whatCameWhileThisProcessStoodStillIsNotDelivered()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"},
+                          {"tls", R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="20s")"});
+        const auto robotId = system.idOf("robot");
+        const auto cockpitId = system.idOf("cockpit");
+        TestDevice robot(system.settingsOf("robot"));
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        QVERIFY(cockpit->openChannel(robotId));
+        QTRY_VERIFY2(robot.heard(Kind::Opened), robot.story().c_str());
+        QTRY_VERIFY(sendMotion(cockpit, robotId, 1).has_value());
+        QTRY_COMPARE(motionsHeard(robot), (std::vector<std::uint32_t>{1}));
+
+        std::binary_semaphore stands{0};
+        std::binary_semaphore goOn{0};
+        robot->post([&] {
+            stands.release();
+            goOn.acquire();
+        });
+        stands.acquire();
+        QVERIFY(sendMotion(cockpit, robotId, 2).has_value()); // the cockpit does not know yet
+        QTRY_COMPARE(words(cockpit.state(robotId)), words(SessionState::Reconnecting));
+        goOn.release();
+        QTRY_VERIFY2(robot.heard(Kind::LocalStall), robot.story().c_str());
+        QVERIFY(robot.events(Kind::LocalStall)[0].duration >= std::chrono::milliseconds(500));
+        QTRY_VERIFY2(cockpit.heard(Kind::Interrupted, robotId), cockpit.story().c_str());
+        QTRY_VERIFY2(robot.heard(Kind::Interrupted, cockpitId), robot.story().c_str());
+        QTRY_VERIFY2(sendMotion(cockpit, robotId, 3).has_value(), cockpit.story().c_str());
+        QTRY_VERIFY2(motionsHeard(robot).size() >= 2, (cockpit.story() + robot.story()).c_str());
+        QCOMPARE(motionsHeard(robot), (std::vector<std::uint32_t>{1, 3}));
+    }
+
+    void noSecurityIsSaidLoudly()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"}, {"none"});
+        auto settings = system.settingsOf("robot");
+        std::vector<std::string> warnings;
+        settings.log = [&](const LogLine& line) {
+            if (line.level >= LogLevel::Warning)
+                warnings.emplace_back(line.text);
+        };
+        QVERIFY(DistributedSystem::create(settings));
+        QVERIFY2(std::any_of(warnings.begin(), warnings.end(),
+                             [](const std::string& text) { return text.find("NO SECURITY") != std::string::npos; }),
+                 warnings.empty() ? "nothing was said" : warnings[0].c_str());
+    }
+};
+
+QTEST_GUILESS_MAIN(TimingTest)
+#include "timing_test.moc"
