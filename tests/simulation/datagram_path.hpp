@@ -24,6 +24,8 @@ public:
         m_token = token;
     }
 
+    std::uint64_t token() const { return m_token; }
+
     std::vector<std::byte> packet(std::span<const std::byte> datagram)
     {
         std::vector<std::byte> bytes(prefix + datagram.size());

@@ -87,7 +87,12 @@ void SimulatedModule::setIncident(IncidentId incident)
 
 void SimulatedModule::handle(const session::SessionInput& input)
 {
-    perform(m_machine.handle(input, m_device.now()));
+    auto actions = m_machine.handle(input, m_device.now());
+    if (m_machine.token() != m_datagrams.token()) { // an attempt may replace another without leaving Opening
+        m_datagrams.begin(m_machine.token());
+        m_newestByPath.clear(); // a peer that was restarted may have set its clock back
+    }
+    perform(std::move(actions));
     armTimer();
 }
 
@@ -155,6 +160,7 @@ struct SimulatedModule::Doer {
     }
     void operator()(const session::SessionLost& lost)
     {
+        module.m_device.observe(Lost{module.m_device.host(), module.m_peer, lost.incident});
         module.tell(SessionEvent::Kind::Lost, lost.incident);
         module.m_device.sessionLost(module.m_peer, lost);
     }
@@ -206,8 +212,6 @@ void SimulatedModule::sendSession(const protocol::SessionMessage& message, Devic
 void SimulatedModule::entered(const session::Entered& change)
 {
     m_device.observe(Entered{m_device.host(), m_peer, change.from, change.to, m_machine.token(), silence()});
-    if (change.to == SessionState::Opening || change.to == SessionState::Reopening)
-        m_datagrams.begin(m_machine.token());
     SessionEvent event;
     event.kind = SessionEvent::Kind::StateChanged;
     event.peer = m_device.surroundings().idOf(m_peer);
