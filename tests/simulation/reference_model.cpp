@@ -65,10 +65,19 @@ void ReferenceModel::on(const Requested& o)
 {
     require(!m_dialogues.contains(o.token), "I3", "a token was drawn twice");
     m_dialogues[o.token] = {o.device, o.reopen, o.byPerson, o.incident, {}};
-    // A person confirms what is on the screen now; after a restart there is nothing to show.
+}
+
+/// What a person asks for may come too late; what then begins may not.
+void ReferenceModel::judgeConfirmation(const Entered& o)
+{
+    const auto found = m_dialogues.find(o.token);
+    if (found == m_dialogues.end() || found->second.device != o.device)
+        return; // the peer's person confirmed
+    const auto& dialogue = found->second;
+    require(dialogue.reopen, "I4", "an opening was begun as a re-opening");
+    // A device that was restarted has no incident to show: its peer holds the one.
     const auto& held = m_devices[o.device].incidents;
-    require(!o.reopen || !o.byPerson || o.incident == 0 || held.contains(o.incident), "I4",
-            "the confirmation was for an incident that is over");
+    require(dialogue.incident == 0 || held.contains(dialogue.incident), "I4", "the confirmation was for an incident that is over");
 }
 
 void ReferenceModel::on(const Entered& o)
@@ -77,6 +86,8 @@ void ReferenceModel::on(const Entered& o)
     require(o.from == end.state, "I3", "a state was left in which the session was not");
     const bool wasOpen = open(end);
     end.state = o.to;
+    if (o.to == SessionState::Reopening)
+        judgeConfirmation(o);
     if (wasOpen && !open(end)) {
         end.permitted = m_now;
         m_devices[o.device].closedSince[o.peer] = m_now;

@@ -104,6 +104,7 @@ private:
 
     void require(bool holds, const char* invariant, const std::string& what);
     void judgeControl(const Delivered& o, const Sent* sent);
+    void judgeConfirmation(const Entered& o);
     void judgeOpening(const Opened& o);
     void drained(HostIndex device, HostIndex target, const MessageName& name);
     void forgetOld();
