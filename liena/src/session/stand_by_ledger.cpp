@@ -94,9 +94,9 @@ LedgerActions StandByLedger::reopened(DeviceId peer, std::uint64_t token, Incide
     remember(token);
     std::vector<IncidentId> ids;
     for (const auto& [id, incident] : m_incidents)
-        if (incident.a == a && incident.b == b)
+        if (incident.a == a && incident.b == b && id != token)
             ids.push_back(id);
-    if (!m_incidents.contains(named) || std::find(ids.begin(), ids.end(), named) != ids.end())
+    if (named != token && (!m_incidents.contains(named) || std::find(ids.begin(), ids.end(), named) != ids.end()))
         rememberEnded(named, message, now);
     for (const auto id : ids)
         end(id, message, m_self, false, {}, actions, now);

@@ -311,6 +311,12 @@ void StandByLedgerTest::reopeningNeverEndsTheLossOfItsOwnSession()
     ledger.heard(xray, protocol::ChannelReOpened{8, 7, robot, cockpit}, Timestamp{1000}, now);
     QVERIFY(ledger.find(8) != nullptr);
     QVERIFY(ledger.standsBy());
+    // Nor does an end of the pair, which is told of the loss before it reads of the opening.
+    StandByLedger own(robot);
+    own.heard(arm, standBy(8, robot, cockpit, 900), now);
+    own.reopened(cockpit, 8, 8, now);
+    QVERIFY(own.find(8) != nullptr);
+    QVERIFY(answers<protocol::ChannelReOpened>(own.heard(arm, standBy(8, robot, cockpit, 900), now), arm).empty());
 }
 
 void StandByLedgerTest::answerAboutAnOldIncidentDoesNotEndANewerOne()
