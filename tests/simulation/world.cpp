@@ -146,7 +146,9 @@ void World::measure(const Observation& observation)
         ++m_outcome.standBys;
         m_firstStandBy.try_emplace(lost->incident, m_time.now());
     } else if (const auto* opened = std::get_if<Opened>(&observation); opened != nullptr && !opened->healed) {
-        m_channels.erase({opened->peer, opened->device}); // TLS keeps what a session said out of the next one
+        // TLS keeps what a session said out of the next one, which may begin at either end.
+        m_channels.erase({opened->peer, opened->device});
+        m_channels.erase({opened->device, opened->peer});
     } else if (const auto* requested = std::get_if<Requested>(&observation)) {
         m_oldTokens.push_back(requested->token);
     } else if (const auto* raised = std::get_if<Raised>(&observation)) {
