@@ -243,7 +243,7 @@ void SessionMachine::on(const IncidentHeld& input)
         m_incident = input.incident;
         abandonAttempt(RejectReason::StandBy, ProbeResult::NotProbed, "this link is in stand-by: it has to be re-opened by a person",
                        m_outgoingUp);
-    } else if (m_incident == 0) {
+    } else if (m_incident == 0 || m_incident == input.ended) {
         m_incident = input.incident;
         if (m_state == SessionState::Closed)
             enter(SessionState::StandBy);

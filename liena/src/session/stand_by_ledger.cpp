@@ -237,7 +237,7 @@ void StandByLedger::end(IncidentId id, const protocol::SessionMessage& by, Devic
     if (const auto peer = otherEnd(incident)) {
         const auto other = std::find_if(m_incidents.begin(), m_incidents.end(),
                                         [&](const auto& entry) { return entry.second.a == incident.a && entry.second.b == incident.b; });
-        actions.push_back(PairChanged{*peer, other != m_incidents.end() ? other->first : 0});
+        actions.push_back(PairChanged{*peer, other != m_incidents.end() ? other->first : 0, id});
     }
     auto event = eventOf(SessionEvent::Kind::IncidentEnded, incident, now);
     event.peer = teller;

@@ -33,6 +33,7 @@ struct Tell {
 struct PairChanged {
     DeviceId peer;
     IncidentId incident = 0;
+    IncidentId ended = 0; ///< the one that is over now, if one is
 };
 /// A neighbour told of an incident that cannot be.
 struct LedgerViolation {

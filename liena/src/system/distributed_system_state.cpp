@@ -330,7 +330,7 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
                 one->sendSession(answer->message, DeviceId::broadcast());
         } else if (const auto* changed = std::get_if<session::PairChanged>(&action)) {
             if (auto* one = module(changed->peer))
-                one->setIncident(changed->incident);
+                one->setIncident(changed->incident, changed->ended);
         } else if (const auto* told = std::get_if<session::Tell>(&action)) {
             logIncident(told->event);
             tell(told->event);

@@ -28,6 +28,7 @@ private slots:
     void plainHandshakeIsRefusedInStandBy();
     void incidentHeardWhileOpeningEndsTheOpening();
     void lossOfTheSessionHeardBeforeItOpensEndsTheReopening();
+    void incidentThatIsOverIsNotShownAnyMore();
     void incidentHeardInSessionOutlivesItsClose();
     void closeTakesAtMostASecond();
     void bothMayCloseAtOnce();
@@ -260,6 +261,20 @@ void SessionEndingTest::lossOfTheSessionHeardBeforeItOpensEndsTheReopening()
     QCOMPARE(side.machine.incident(), IncidentId{200});
     QCOMPARE(find<SessionOpened>(side.hear(protocol::ChannelReOpened{200, 100, robotId, cockpitId})), nullptr);
     QVERIFY(side.machine.state() == SessionState::StandBy);
+}
+
+void SessionEndingTest::incidentThatIsOverIsNotShownAnyMore()
+{
+    Side side;
+    side.becomeStandBy();
+    side.handle(IncidentHeld{55});
+    QCOMPARE(side.machine.incident(), IncidentId{100});
+    side.handle(IncidentHeld{55, 44});
+    QCOMPARE(side.machine.incident(), IncidentId{100});
+    side.handle(IncidentHeld{55, 100});
+    QCOMPARE(side.machine.incident(), IncidentId{55});
+    QVERIFY(side.handle(ReopenRequested{200, 100}).empty());
+    QVERIFY(!side.handle(ReopenRequested{200, 55}).empty());
 }
 
 void SessionEndingTest::incidentHeardInSessionOutlivesItsClose()

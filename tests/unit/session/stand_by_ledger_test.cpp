@@ -353,6 +353,7 @@ void StandByLedgerTest::dismissalEndsOneIncident()
     const auto ended = all<Tell>(actions)[0].event;
     QVERIFY(ended.dismissed && ended.detail == "sent to repair" && ended.incident.id == 7);
     QCOMPARE(all<PairChanged>(actions).front().incident, IncidentId{6}); // the link still has one
+    QCOMPARE(all<PairChanged>(actions).front().ended, IncidentId{7});
 }
 
 void StandByLedgerTest::dismissingWhatIsNotHeldDoesNothing()
