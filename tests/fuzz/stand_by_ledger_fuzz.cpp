@@ -99,7 +99,7 @@ private:
             return check(m_ledger.heard(from, message, m_now), from);
         }
         const protocol::ChannelReOpened message{1 + incident(input), incident(input), any(input), any(input)};
-        check(m_ledger.heard(from, message, stamp(input), m_now), from);
+        check(m_ledger.heard(from, message, m_now), from);
     }
 
     void check(const LedgerActions& actions, std::optional<DeviceId> from = std::nullopt)

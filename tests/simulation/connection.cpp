@@ -44,7 +44,7 @@ void Connection::pump()
     while (m_sentBytes < m_stream.size() && m_sentBytes - m_readBytes < window) {
         const auto size = std::min(m_stream.size() - m_sentBytes, largestPacket);
         m_sentBytes += size;
-        add({size, 0, false, false});
+        add({size, 0, false, false, false});
     }
     if (m_writerWaits && m_stream.size() - m_sentBytes <= sendBuffer) {
         m_writerWaits = false;
@@ -72,12 +72,18 @@ void Connection::transmit(std::uint64_t id)
     const auto tries = ++sent.tries;
     const bool swallowed = sent.ends && m_network.path(m_maker.host, m_acceptor.host).keepsEnds;
     const auto arrives = swallowed ? std::nullopt : m_network.arrival(m_maker.host, m_acceptor.host, sent.bytes);
+    sent.lost = !arrives;
     if (arrives)
         return m_network.time().at(*arrives, [network = &m_network, number = m_number, id] {
             if (auto* self = network->find(number))
                 self->arrived(id);
         });
-    m_network.time().after(firstTimeout * (1 << std::min(tries - 1, mostDoublings)), [network = &m_network, number = m_number, id, tries] {
+    retryLater(id, tries, firstTimeout * (1 << std::min(tries - 1, mostDoublings)));
+}
+
+void Connection::retryLater(std::uint64_t id, int tries, Nanoseconds wait)
+{
+    m_network.time().after(wait, [network = &m_network, number = m_number, id, tries] {
         if (auto* self = network->find(number))
             self->retry(id, tries);
     });
@@ -96,16 +102,13 @@ void Connection::arrived(std::uint64_t id)
     if (came == nullptr || came->arrived)
         return;
     if (m_network.isCut(m_maker.host, m_acceptor.host) || m_network.programs().reception(m_acceptor.host) == Reception::Silent) {
-        const auto tries = came->tries;
-        return m_network.time().after(firstTimeout * (1 << std::min(tries - 1, mostDoublings)), [this, number = m_number, id, tries] {
-            if (auto* self = m_network.find(number))
-                self->retry(id, tries);
-        });
+        came->lost = true;
+        return retryLater(id, came->tries, firstTimeout * (1 << std::min(came->tries - 1, mostDoublings)));
     }
     if (m_acceptor.closed)
         return tellAcross(m_acceptor, m_maker, "connection reset by the peer");
     came->arrived = true;
-    repairBefore(id);
+    repairAround(id);
     while (!m_packets.empty() && m_packets.front().arrived) {
         m_arrivedBytes += m_packets.front().bytes;
         m_endArrived = m_endArrived || m_packets.front().ends;
@@ -115,18 +118,17 @@ void Connection::arrived(std::uint64_t id)
     deliver();
 }
 
-/// The acknowledgement of a later packet shows the gap.
-void Connection::repairBefore(std::uint64_t id)
+/// The acknowledgement of a later packet shows the gap, once; that of a packet which was sent again shows every gap.
+void Connection::repairAround(std::uint64_t id)
 {
-    const auto back = m_network.path(m_acceptor.host, m_maker.host).delay;
-    for (auto missing = m_firstPacket; missing < id; ++missing) {
+    if (m_network.isCut(m_acceptor.host, m_maker.host))
+        return;
+    const bool again = packet(id)->tries > 1;
+    const auto end = again ? m_firstPacket + m_packets.size() : id;
+    for (auto missing = m_firstPacket; missing < end; ++missing) {
         const auto* candidate = packet(missing);
-        if (candidate->arrived || candidate->tries != 1 || m_network.isCut(m_acceptor.host, m_maker.host))
-            continue;
-        m_network.time().after(back, [network = &m_network, number = m_number, missing] {
-            if (auto* self = network->find(number))
-                self->retry(missing, 1);
-        });
+        if (!candidate->arrived && candidate->lost && (again || candidate->tries == 1))
+            retryLater(missing, candidate->tries, m_network.path(m_acceptor.host, m_maker.host).delay);
     }
 }
 
@@ -203,7 +205,7 @@ void Connection::close(HostIndex end)
     if (&mine == &m_acceptor)
         tellAcross(m_acceptor, m_maker, "connection reset by the peer");
     else if (!m_maker.told)
-        add({0, 0, false, true});
+        add({0, 0, false, false, true});
     released();
 }
 

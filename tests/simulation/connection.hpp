@@ -52,6 +52,7 @@ private:
         std::size_t bytes = 0;
         int tries = 0;
         bool arrived = false;
+        bool lost = false; ///< as it was sent last
         bool ends = false;
     };
     enum class Chunks : std::uint8_t { Whole, Mixed, Small };
@@ -61,8 +62,9 @@ private:
     void add(Packet packet);
     void transmit(std::uint64_t id);
     void retry(std::uint64_t id, int tries);
+    void retryLater(std::uint64_t id, int tries, Nanoseconds wait);
     void arrived(std::uint64_t id);
-    void repairBefore(std::uint64_t id);
+    void repairAround(std::uint64_t id);
     void deliver();
     bool deliverOnce();
     void tellOver(End& end, const char* detail);

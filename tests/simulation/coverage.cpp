@@ -23,7 +23,7 @@ constexpr std::array possible{
     std::pair(S::Suspect, S::Reconnecting), std::pair(S::Suspect, S::StandBy),      std::pair(S::Suspect, S::Closing),
     std::pair(S::Reconnecting, S::Open),    std::pair(S::Reconnecting, S::StandBy), std::pair(S::Reconnecting, S::Closing),
     std::pair(S::StandBy, S::Reopening),    std::pair(S::StandBy, S::Closed),       std::pair(S::Closing, S::Closed),
-    std::pair(S::Closing, S::StandBy)};
+    std::pair(S::Closing, S::StandBy),      std::pair(S::Reopening, S::Opening)};
 
 bool isPossible(std::size_t from, std::size_t to)
 {

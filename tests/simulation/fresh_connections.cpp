@@ -1,6 +1,8 @@
 // From Attach to the handshake, or to the refusal.
 #include "fresh_connections.hpp"
 
+#include "protocol/header_judge.hpp"
+
 #include <algorithm>
 
 namespace liena::simulation {
@@ -45,15 +47,11 @@ void SimulatedFresh::close()
 
 Judgement SimulatedFresh::judge(std::uint8_t /*lane*/, const protocol::DatagramHeader& header)
 {
-    const auto number = header.message.number;
-    const bool handshake = number == protocol::Handshake::number || number == protocol::DiagnosisHandshake::number;
-    const auto maximum = protocol::maximumSessionBody(number).value_or(0);
-    if (m_heard || !handshake || header.message.origin != m_peer || header.target != m_self || header.moreSegments ||
-        header.length > maximum) {
+    if (m_heard || !protocol::isHandshakeHeader(m_self, m_peer, header)) {
         m_handlers.ended();
         return {protocol::HeaderVerdict::Refuse, 0};
     }
-    return {protocol::HeaderVerdict::Take, maximum};
+    return {protocol::HeaderVerdict::Take, header.length};
 }
 
 void SimulatedFresh::received(std::uint8_t /*lane*/, const protocol::DatagramHeader& header, std::span<const std::byte> part)
@@ -82,9 +80,9 @@ void SimulatedCouriers::send(std::unique_ptr<SimulatedFresh> refused, const prot
         end(m_trips.front().get());
     auto* place = &m_trips.emplace_back();
     SimulatedLane::Handlers handlers;
-    handlers.up = [this, place, message = std::move(rejected)] {
+    handlers.up = [this, place, message = std::make_shared<const protocol::EncodedMessage>(std::move(rejected))] {
         auto& trip = **place;
-        trip.lane.push({message, tasks::Rank::Safety, 0, std::nullopt, {}});
+        trip.lane.push({*message, tasks::Rank::Safety, 0, std::nullopt, {}});
         trip.timer.after(100ms, [this, one = &trip] { end(one); });
     };
     handlers.failed = [this, place](const ConnectFailure&) { end(place->get()); };

@@ -18,7 +18,7 @@ constexpr auto reconnectLimit = 250ms;
 SimulatedLane::Handlers SimulatedModule::laneZeroHandlers()
 {
     SimulatedLane::Handlers handlers;
-    handlers.up = [this] { handle(session::OutgoingUp{}); };
+    handlers.up = [this] { laneZeroUp(); };
     handlers.failed = [this](const ConnectFailure& failure) { handle(session::OutgoingFailed{failure.probe, failure.detail}); };
     handlers.lost = [this](const std::string& detail) { handle(session::OutgoingLost{ProbeResult::NotProbed, detail}); };
     handlers.dropped = [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { unsent(entry, fate); };
@@ -54,11 +54,18 @@ void SimulatedModule::leaving(std::vector<std::byte>& bytes, std::size_t begin)
     m_device.surroundings().leaving(m_device.host(), m_peer, bytes, begin);
 }
 
-void SimulatedModule::sendDatagram(const protocol::EncodedMessage& message)
+bool SimulatedModule::sendPacket(const protocol::EncodedMessage& message)
 {
-    std::vector<std::byte> datagram;
-    protocol::DatagramEncoder().appendSegment(message, protocol::maximumBody, datagram);
-    m_device.network().sendDatagram(m_device.host(), m_peer, m_datagrams.packet(datagram));
+    auto packet = m_device.settings().datagrams ? m_datagrams.packet(message) : std::nullopt;
+    if (packet)
+        m_device.network().sendDatagram(m_device.host(), m_peer, std::move(*packet));
+    return packet.has_value();
+}
+
+void SimulatedModule::laneZeroUp()
+{
+    m_datagrams.outgoingUp(m_machine.token(), m_laneZero.connection());
+    handle(session::OutgoingUp{});
 }
 
 void SimulatedModule::connectLaneZero()
@@ -86,6 +93,7 @@ void SimulatedModule::closeLanes(Nanoseconds grace)
     m_laneZero.close(grace);
     m_bulk.close(0ns);
     m_bulkRetry.cancel();
+    m_datagrams.end();
     std::vector<std::shared_ptr<SimulatedReception>> ended;
     if (m_incoming)
         ended.push_back(std::move(m_incoming));
@@ -115,6 +123,7 @@ void SimulatedModule::adopt(session::ConnectionNumber number)
     m_device.observe(LaneTaken{m_device.host(), m_peer, fresh->second->token(), m_machine.token()});
     m_incoming = fresh->second->release();
     m_incoming->setOwner(*this);
+    m_datagrams.incomingUp(m_machine.token(), m_incoming->connection(), m_device.now().mono);
     m_device.bury(std::move(fresh->second));
     m_fresh.erase(fresh);
     m_device.post([this, reception = m_incoming.get()] {
@@ -165,6 +174,7 @@ void SimulatedModule::attached(AttachedConnection connection)
     m_incoming = std::make_unique<SimulatedReception>(m_device, connection.connection, std::move(connection.decoder), m_device.budget(),
                                                       std::uint8_t{0}, *this);
     auto* reception = m_incoming.get();
+    m_datagrams.incomingUp(m_machine.token(), reception->connection(), m_device.now().mono);
     handle(session::IncomingUp{});
     if (m_incoming.get() == reception)
         reception->start();
@@ -208,6 +218,8 @@ void SimulatedModule::handshakeHeard(session::ConnectionNumber number, const pro
         input.diagnosis = true;
         input.previous = diagnosis.previous;
     }
+    if (m_device.isTokenUsed(m_peer, input.handshake.token))
+        return endFresh(number);
     input.standing = m_device.standingOf(m_peer, input.handshake.set);
     if (input.standing == session::SetStanding::Held)
         m_peerSet = m_device.heldSet(m_peer, input.handshake.set);

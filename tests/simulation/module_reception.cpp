@@ -12,11 +12,9 @@ using protocol::HeaderVerdict;
 
 void SimulatedModule::turned() { m_device.turned(); }
 
-const MessageDefinition* SimulatedModule::definitionOf(std::uint16_t number) const
+protocol::Ends SimulatedModule::ends() const
 {
-    if (number >= 0x0100 && number <= 0x01FF)
-        return m_device.settings().set->find(number);
-    return m_peerSet ? m_peerSet->find(number) : nullptr;
+    return {m_device.surroundings().idOf(m_peer), m_device.settings().id, m_device.settings().set.get(), m_peerSet.get()};
 }
 
 Judgement SimulatedModule::violation(const std::string& detail)
@@ -25,59 +23,32 @@ Judgement SimulatedModule::violation(const std::string& detail)
     return {HeaderVerdict::Refuse, 0};
 }
 
-Judgement SimulatedModule::skip(std::string_view cause, const protocol::DatagramHeader& header)
-{
-    drop(cause, header);
-    return {HeaderVerdict::Skip, 0};
-}
-
 void SimulatedModule::drop(std::string_view cause, const protocol::DatagramHeader& header)
 {
     m_device.observe(Dropped{m_device.host(), m_peer, nameOf(header), cause});
 }
 
+protocol::HeaderJudgement SimulatedModule::judgeHeader(std::uint8_t lane, protocol::DatagramHeader header) const
+{
+    const auto between = ends();
+    if (m_device.settings().mutant == Mutant::OriginNotCompared)
+        header.message.origin = between.peer;
+    auto judgement = protocol::judgeOnLane(between, lane, header);
+    if (m_device.settings().mutant == Mutant::LimitAfterAllocation && judgement.verdict == HeaderVerdict::Take)
+        judgement.maximum = std::size_t{1} << 40U;
+    return judgement;
+}
+
 Judgement SimulatedModule::judge(std::uint8_t lane, const protocol::DatagramHeader& header)
 {
-    const bool believed = m_device.settings().mutant == Mutant::OriginNotCompared;
-    if (header.message.origin != m_device.surroundings().idOf(m_peer) && !believed)
-        return violation("origin " + header.message.origin.toString() + " on the connection of another");
-    if (header.target != m_device.settings().id && !header.target.isBroadcast())
-        return skip("target is another device", header);
-    if (header.message.number == 0 || header.message.number >= 0x1000)
-        return skip("reserved message number", header);
-    return header.message.isSessionManagement() ? judgeSession(lane, header) : judgeApplication(lane, header);
-}
-
-Judgement SimulatedModule::judgeSession(std::uint8_t lane, const protocol::DatagramHeader& header)
-{
-    const auto maximum = protocol::maximumSessionBody(header.message.number);
-    if (!maximum)
-        return skip("unknown session message", header);
-    if (lane != 0 && header.message.number != protocol::Abandon::number)
-        return violation("session management on a bulk lane");
-    if (header.length > *maximum)
-        return violation("a session message is longer than it can be");
-    handle(session::LifeHeard{lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane});
-    return {HeaderVerdict::Take, *maximum};
-}
-
-Judgement SimulatedModule::judgeApplication(std::uint8_t lane, const protocol::DatagramHeader& header)
-{
-    const auto* definition = definitionOf(header.message.number);
-    if (definition == nullptr)
-        return skip("unknown message number", header);
-    if ((definition->priority == Priority::Bulk) != (lane > 0))
-        return violation("a message on the wrong kind of lane");
-    if (header.target.isBroadcast() && (definition->role == Role::Command || definition->priority == Priority::Control))
-        return skip("a command or control message that is broadcast", header);
-    const bool unbounded = m_device.settings().mutant == Mutant::LimitAfterAllocation;
-    const auto maximum = unbounded ? std::size_t{1} << 40U : definition->maximumSize();
-    if (header.length > maximum)
-        return violation("a message is longer than its definition allows");
-    if (definition->priority == Priority::Control && header.moreSegments)
-        return violation("a control message in several segments");
-    handle(session::LifeHeard{lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane});
-    return {HeaderVerdict::Take, maximum};
+    const auto judgement = judgeHeader(lane, header);
+    if (judgement.verdict == HeaderVerdict::Refuse)
+        return violation(judgement.why);
+    if (judgement.verdict == HeaderVerdict::Skip)
+        drop("by its header", header);
+    else
+        handle(session::LifeHeard{lane == 0 ? session::LifePath::LaneZero : session::LifePath::BulkLane});
+    return {judgement.verdict, judgement.maximum};
 }
 
 void SimulatedModule::received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part)
@@ -102,10 +73,7 @@ void SimulatedModule::receivedSession(std::uint8_t lane, const protocol::Datagra
     } else if (const auto* answer = std::get_if<protocol::MessageSetAnswer>(&*message)) {
         setHeard(*answer);
     } else if (header.target.isBroadcast()) {
-        const bool known =
-            std::holds_alternative<protocol::StandBy>(*message) || std::holds_alternative<protocol::StandByReport>(*message) ||
-            std::holds_alternative<protocol::IncidentDismissed>(*message) || std::holds_alternative<protocol::ChannelReOpened>(*message);
-        if (!known || !shares)
+        if (!shares)
             return (void)violation("what cannot be broadcast now");
         m_device.heardBroadcast(m_peer, *message, header.timestamp);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
@@ -114,41 +82,33 @@ void SimulatedModule::receivedSession(std::uint8_t lane, const protocol::Datagra
         if (reception != nullptr)
             reception->abandon(abandon->message, Timestamp{abandon->timestamp});
     } else {
-        if (const auto* heartbeat = std::get_if<protocol::Heartbeat>(&*message))
-            m_datagrams.peerHears(heartbeat->datagramsHeard);
         handle(session::SessionMessageHeard{*message});
     }
 }
 
 void SimulatedModule::datagramArrived(std::span<const std::byte> packet)
 {
-    const auto state = m_machine.state();
-    if (!m_device.settings().datagrams || state == SessionState::Closed || state == SessionState::StandBy)
+    const auto opened = m_datagrams.open(packet, m_device.now().mono);
+    if (!opened || opened->size() < protocol::headerSize)
         return;
-    const auto datagram = m_datagrams.open(packet, m_device.network().time().now(), m_timing.heartbeat);
-    if (!datagram || datagram->size() < protocol::headerSize)
+    const auto header = protocol::decodeHeader(opened->first<protocol::headerSize>());
+    const auto part = opened->subspan(protocol::headerSize);
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    if (dialogue && header.message.number != protocol::Heartbeat::number)
         return;
-    const auto header = protocol::decodeHeader(datagram->first<protocol::headerSize>());
-    const auto part = datagram->subspan(protocol::headerSize);
-    if (header.message.origin != m_device.surroundings().idOf(m_peer))
-        return (void)violation("another origin on the datagram path");
-    const bool dialogue = state == SessionState::Opening || state == SessionState::Reopening;
-    const bool heartbeat = header.message.number == protocol::Heartbeat::number;
-    if (header.moreSegments || header.length != part.size() || header.target != m_device.settings().id || (dialogue && !heartbeat))
-        return drop("what does not belong on the datagram path", header);
-    const auto* definition = heartbeat ? nullptr : definitionOf(header.message.number);
-    if (!heartbeat && (definition == nullptr || definition->path != liena::Path::Datagram))
-        return drop("what does not belong on the datagram path", header);
-    if (definition != nullptr && header.length > definition->maximumSize())
-        return (void)violation("a message is longer than its definition allows");
+    const auto judgement = protocol::judgeInPacket(ends(), header, part.size());
+    if (judgement.verdict == HeaderVerdict::Refuse)
+        return (void)violation(judgement.why);
+    if (judgement.verdict == HeaderVerdict::Skip)
+        return drop("by its header", header);
     handle(session::LifeHeard{session::LifePath::Packet});
-    if (!heartbeat)
-        return receivedApplication(header, part);
-    const auto message = protocol::decodeSessionMessage(header.message.number, part);
-    if (!message)
-        return drop("session message that does not decode", header);
-    m_datagrams.peerHears(std::get<protocol::Heartbeat>(*message).datagramsHeard);
-    handle(session::SessionMessageHeard{*message});
+    received(0, header, part);
+}
+
+bool SimulatedModule::isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const
+{
+    const auto newest = m_newest.find(definition.number);
+    return definition.path != liena::Path::Datagram || newest == m_newest.end() || header.timestamp > newest->second;
 }
 
 void SimulatedModule::commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous)
@@ -161,30 +121,42 @@ void SimulatedModule::commitHeard(const protocol::HandshakeCommit& commit, bool 
 
 void SimulatedModule::setHeard(const protocol::MessageSetAnswer& answer)
 {
-    const auto state = m_machine.state();
-    if (state != SessionState::Opening && state != SessionState::Reopening)
-        return (void)violation("a message set outside an opening");
-    const auto heard = m_device.learn(m_peer, answer.set, answer.xml);
+    if (!m_machine.awaitsSet())
+        return (void)violation("a message set that nobody asked for");
+    if (answer.set != m_machine.announcedSet())
+        return handle(session::SetHeard{session::SetStanding::Invalid, "the message set sent is not the one that was announced"});
+    m_incoming->pause(); // what follows the set may depend on it
+    m_device.post([this, token = m_machine.token(), set = answer.set, heard = m_device.learn(m_peer, answer.set, answer.xml)] {
+        setLearnt(token, set, heard);
+    });
+}
+
+void SimulatedModule::setLearnt(std::uint64_t token, const Sha256& set, const session::SetHeard& heard)
+{
+    m_device.turned();
+    const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
+    if (!dialogue || token != m_machine.token())
+        return;
     if (heard.standing == session::SetStanding::Held)
-        m_peerSet = m_device.heldSet(m_peer, answer.set);
+        m_peerSet = m_device.heldSet(m_peer, set);
     handle(heard);
+    if (m_incoming)
+        m_incoming->start();
 }
 
 void SimulatedModule::receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part)
 {
-    const auto* definition = definitionOf(header.message.number);
+    const auto* definition = ends().definitionOf(header.message.number);
+    if (definition == nullptr)
+        return drop("unknown message number", header);
     const auto state = m_machine.state();
     const bool control = definition->priority == Priority::Control;
     if (!carriesMessages(state) && (control || (state != SessionState::Reconnecting && state != SessionState::Closing)))
         return drop("session not open", header);
+    if (!isNewest(*definition, header))
+        return drop("a newer one was delivered before", header);
     if (control && !passesGuard(*definition, header, part))
         return;
-    if (m_device.settings().datagrams && definition->path == liena::Path::Datagram) {
-        auto& newest = m_newestByPath[header.message.number];
-        if (header.timestamp <= newest)
-            return drop("a newer one came on the other path", header);
-        newest = header.timestamp;
-    }
     if (!definition->allowedInStandBy && m_device.standsBy())
         return drop("the system stands by", header);
     if (const auto fault = protocol::checkFields(*definition, part.subspan(definition->recordSize())))
@@ -210,9 +182,16 @@ bool SimulatedModule::isForgiven(session::ControlFault fault) const
 bool SimulatedModule::passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header,
                                   std::span<const std::byte> part)
 {
-    if (part.size() < protocol::safetyRecordSize) {
-        drop("no safety record", header);
+    const auto now = m_device.now().mono;
+    const auto judgeExcess = [&] {
+        if (m_machine.guard().isExceeded(now))
+            handle(session::ViolationFound{"more than ten control messages refused in one second"});
         return false;
+    };
+    if (part.size() < protocol::safetyRecordSize) {
+        m_machine.guard().noteWithoutRecord(now);
+        drop("no safety record", header);
+        return judgeExcess();
     }
     auto record = protocol::decodeSafetyRecord(part.first<protocol::safetyRecordSize>());
     const auto fields = part.subspan(protocol::safetyRecordSize);
@@ -220,14 +199,11 @@ bool SimulatedModule::passesGuard(const MessageDefinition& definition, const pro
         record.epoch = m_machine.guard().epoch();
         record.crc = protocol::safetyCrc(header, record, fields);
     }
-    const auto now = m_device.now().mono;
     const auto fault = m_machine.guard().judge(header, record, fields, definition.maxAge.value_or(m_timing.lost), now);
     if (fault == session::ControlFault::None || isForgiven(fault))
         return true;
     drop(session::toString(fault), header);
-    if (m_machine.guard().isExceeded(now))
-        handle(session::ViolationFound{"more than ten control messages refused in one second"});
-    return false;
+    return judgeExcess();
 }
 
 void SimulatedModule::deliver(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part)
@@ -235,9 +211,11 @@ void SimulatedModule::deliver(const MessageDefinition& definition, const protoco
     const auto now = m_device.now();
     std::optional<Nanoseconds> latency;
     if (const auto offset = m_machine.clock().offset())
-        latency = Nanoseconds(static_cast<std::int64_t>(now.wall.ns - header.timestamp.ns)) + *offset;
+        latency = session::difference(now.wall, header.timestamp) + *offset;
     if (definition.lifespan && latency && *latency > *definition.lifespan + m_machine.clock().uncertainty())
         return drop("older than its lifespan", header);
+    if (definition.path == liena::Path::Datagram)
+        m_newest[definition.number] = header.timestamp;
     Delivered delivered{m_device.host(), m_peer, nameOf(header)};
     delivered.control = definition.priority == Priority::Control;
     delivered.refusedInStandBy = !definition.allowedInStandBy;

@@ -20,6 +20,7 @@ struct Fields {
     {
         v("device", o.device), v("peer", o.peer), v("from", o.from), v("to", o.to), v("token", o.token);
     }
+    void operator()(const Lost& o, auto&& v) const { v("device", o.device), v("peer", o.peer), v("incident", o.incident); }
     void operator()(const LaneTaken& o, auto&& v) const { v("device", o.device), v("peer", o.peer), v("token", o.attachToken); }
     void operator()(const Opened& o, auto&& v) const
     {
@@ -70,9 +71,9 @@ struct Fields {
     static void name(const MessageName& name, auto&& v) { v("origin", name.origin), v("number", name.number), v("stamp", name.stamp); }
 };
 
-constexpr const char* kindNames[] = {"started", "ended",   "requested", "entered",  "lane-taken", "opened", "revoked",
-                                     "raised",  "over",    "dismissed", "composed", "left",       "unsent", "delivered",
-                                     "dropped", "applied", "drove",     "holds",    "settled",    "paused", "lies"};
+constexpr const char* kindNames[] = {"started", "ended", "requested", "entered",  "lost",   "lane-taken", "opened",    "revoked",
+                                     "raised",  "over",  "dismissed", "composed", "left",   "unsent",     "delivered", "dropped",
+                                     "applied", "drove", "holds",     "settled",  "paused", "lies"};
 
 } // namespace
 

@@ -48,6 +48,12 @@ struct Entered {
     std::uint64_t token = 0;
     Nanoseconds silence{}; ///< since the peer was heard last
 };
+/// The session is given up; its token names the incident.
+struct Lost {
+    HostIndex device = 0;
+    HostIndex peer = 0;
+    IncidentId incident = 0;
+};
 /// A lane of the peer is read from now on as one of the session's.
 struct LaneTaken {
     HostIndex device = 0;
@@ -165,8 +171,8 @@ struct Lies {
     HostIndex device = 0;
 };
 
-using Observation = std::variant<Started, Ended, Requested, Entered, LaneTaken, Opened, Revoked, Raised, Over, Dismissed, Composed, Left,
-                                 Unsent, Delivered, Dropped, Applied, Drove, Holdings, Settled, Paused, Lies>;
+using Observation = std::variant<Started, Ended, Requested, Entered, Lost, LaneTaken, Opened, Revoked, Raised, Over, Dismissed, Composed,
+                                 Left, Unsent, Delivered, Dropped, Applied, Drove, Holdings, Settled, Paused, Lies>;
 
 /// One line for a person.
 std::string describe(const Observation& observation);

@@ -34,7 +34,7 @@ void Person::thinkOf(SimulatedModule& module, Prompt& prompt)
     const bool isNew = standsBy && (!prompt.standsBy || prompt.shown != module.machine().incident());
     prompt.standsBy = standsBy;
     if (isNew) {
-        if (m_plan.manner != Manner::Stale || m_polite)
+        if (m_plan.manner != Manner::Stale || m_polite || prompt.shown == 0)
             prompt.shown = module.machine().incident();
         prompt.answers = 0;
         prompt.answerAt = now + (m_plan.manner == Manner::Late ? m_random.between(Nanoseconds(1s), Nanoseconds(4s))

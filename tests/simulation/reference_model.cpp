@@ -67,12 +67,27 @@ void ReferenceModel::on(const Requested& o)
     m_dialogues[o.token] = {o.device, o.reopen, o.byPerson, o.incident, {}};
 }
 
+/// What a person asks for may come too late; what then begins may not.
+void ReferenceModel::judgeConfirmation(const Entered& o)
+{
+    const auto found = m_dialogues.find(o.token);
+    if (found == m_dialogues.end() || found->second.device != o.device)
+        return; // the peer's person confirmed
+    const auto& dialogue = found->second;
+    require(dialogue.reopen, "I4", "an opening was begun as a re-opening");
+    // A device that was restarted has no incident to show: its peer holds the one.
+    const auto& held = m_devices[o.device].incidents;
+    require(dialogue.incident == 0 || held.contains(dialogue.incident), "I4", "the confirmation was for an incident that is over");
+}
+
 void ReferenceModel::on(const Entered& o)
 {
     auto& end = m_ends[{o.device, o.peer}];
     require(o.from == end.state, "I3", "a state was left in which the session was not");
     const bool wasOpen = open(end);
     end.state = o.to;
+    if (o.to == SessionState::Reopening)
+        judgeConfirmation(o);
     if (wasOpen && !open(end)) {
         end.permitted = m_now;
         m_devices[o.device].closedSince[o.peer] = m_now;
@@ -81,9 +96,9 @@ void ReferenceModel::on(const Entered& o)
     }
     if (!open(end) && o.to != SessionState::Opening && o.to != SessionState::Reopening)
         require(m_waitingControl[{o.device, o.peer}].empty(), "I8", "control that was queued before the end was neither sent nor reported");
-    if (o.to == SessionState::StandBy && o.token != 0)
-        m_lost.try_emplace(o.token, IncidentFacts{pairOf(o.device, o.peer), false});
 }
+
+void ReferenceModel::on(const Lost& o) { m_lost.try_emplace(o.incident, IncidentFacts{pairOf(o.device, o.peer), false}); }
 
 void ReferenceModel::on(const LaneTaken& o)
 {
@@ -96,10 +111,12 @@ void ReferenceModel::on(const Opened& o)
     auto& end = m_ends[{o.device, o.peer}];
     require(o.epoch > end.epoch || !end.openedBefore, "I3", "control flows again in an epoch that was opened before");
     require(open(end), "I3", "opened, and not in the state for it");
-    if (end.openedBefore || o.healed)
-        end.permitted = m_now;
-    if (!o.healed)
+    if (!o.healed) { // what heals was interrupted before, and its peer may know already
+        if (end.openedBefore)
+            end.permitted = m_now;
+        end.stamps.clear(); // a peer that was restarted may have set its clock back
         judgeOpening(o);
+    }
     end.openedBefore = true;
     end.epoch = o.epoch;
 }
@@ -120,11 +137,6 @@ void ReferenceModel::judgeOpening(const Opened& o)
     if (!o.reopened)
         return;
     require(dialogue.byPerson || lies, "I4", "re-opened, and no person confirmed it");
-    // The person was shown an incident of this pair, and it was not over; after a restart there was none to show.
-    const auto shown = m_lost.find(dialogue.incident);
-    if (shown != m_lost.end() && dialogue.opened.size() == 1)
-        require(shown->second.pair == pairOf(o.device, o.peer) && !shown->second.over, "I4",
-                "the confirmation was for an incident that is over");
     for (auto& [incident, facts] : m_lost)
         if (facts.pair == pairOf(o.device, o.peer) && incident != o.token)
             facts.over = true;
@@ -285,7 +297,9 @@ void ReferenceModel::on(const Settled& o)
     if (m_settled.contains({o.peer, o.device})) {
         const auto& other = m_settled.at({o.peer, o.device});
         require(other.token == o.token, "I11", "two ends are open in two sessions");
-        require(other.epoch == o.peerEpoch && other.peerEpoch == o.epoch, "I11", "the ends do not agree on an epoch");
+        const auto rose = std::max(end.permitted, m_ends[{o.peer, o.device}].permitted);
+        const bool agree = other.epoch == o.peerEpoch && other.peerEpoch == o.epoch;
+        require(agree || m_now - rose < m_rules.agreement, "I11", "the ends do not agree on an epoch");
         m_settled.erase({o.peer, o.device});
     } else {
         m_settled[{o.device, o.peer}] = o;

@@ -24,7 +24,8 @@ struct Rules {
     Nanoseconds lost = std::chrono::milliseconds(110);
     Nanoseconds motionAge = std::chrono::milliseconds(50);
     Nanoseconds lease = std::chrono::milliseconds(50);
-    Nanoseconds ramp = std::chrono::milliseconds(25); ///< from any speed to standstill
+    Nanoseconds ramp = std::chrono::milliseconds(25);      ///< from any speed to standstill
+    Nanoseconds agreement = std::chrono::milliseconds(60); ///< two heartbeats and a round trip
     std::size_t partialBytes = std::size_t{4} << 20U;
     std::size_t queuedBytes = std::size_t{64} << 20U; ///< of one lane
 };
@@ -82,6 +83,7 @@ private:
     void on(const Ended& o);
     void on(const Requested& o);
     void on(const Entered& o);
+    void on(const Lost& o);
     void on(const LaneTaken& o);
     void on(const Opened& o);
     void on(const Revoked& o);
@@ -102,6 +104,7 @@ private:
 
     void require(bool holds, const char* invariant, const std::string& what);
     void judgeControl(const Delivered& o, const Sent* sent);
+    void judgeConfirmation(const Entered& o);
     void judgeOpening(const Opened& o);
     void drained(HostIndex device, HostIndex target, const MessageName& name);
     void forgetOld();

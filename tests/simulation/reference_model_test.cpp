@@ -54,6 +54,7 @@ public:
     {
         enter(SessionState::Open, SessionState::Reconnecting, token);
         enter(SessionState::Reconnecting, SessionState::StandBy, token);
+        note(Lost{robot, cockpit, token}).note(Lost{cockpit, robot, token});
         note(Raised{robot, token, robot, cockpit});
         return note(Raised{cockpit, token, robot, cockpit});
     }
@@ -147,15 +148,15 @@ void ReferenceModelTest::finds_data()
         [](Trace& t) { t.open().carry(1, 1).apply(1).enter(SessionState::Open, SessionState::Reconnecting).pass(40ms).drive(); });
     row("motion in stand-by", "I1", [](Trace& t) {
         t.open().carry(1, 1).apply(1);
-        t.note(Entered{stranger, cockpit, SessionState::Closed, SessionState::StandBy, 9, 0ns});
+        t.note(Lost{stranger, cockpit, 9});
         t.note(Raised{robot, 9, cockpit, stranger}).pass(40ms).drive();
     });
     row("applied in stand-by", "I1", [](Trace& t) {
-        t.note(Entered{stranger, cockpit, SessionState::Closed, SessionState::StandBy, 9, 0ns});
+        t.note(Lost{stranger, cockpit, 9});
         t.open().carry(1, 1).note(Raised{robot, 9, cockpit, stranger}).apply(1);
     });
     row("delivered in stand-by", "I1", [](Trace& t) {
-        t.note(Entered{stranger, cockpit, SessionState::Closed, SessionState::StandBy, 9, 0ns});
+        t.note(Lost{stranger, cockpit, 9});
         t.open().note(Raised{robot, 9, cockpit, stranger}).carry(1, 1);
     });
     row("delivered while reconnecting", "I1", [](Trace& t) {
@@ -204,7 +205,7 @@ void ReferenceModelTest::finds_data()
         t.note(Opened{robot, cockpit, 8, false, false, 3});
     });
     row("a confirmation for what is over", "I4", [](Trace& t) {
-        t.open().lose().note(Dismissed{robot, 7}).note(Requested{cockpit, robot, 8, true, true, 7});
+        t.open().lose().note(Dismissed{cockpit, 7}).note(Over{cockpit, 7, true, cockpit}).note(Requested{cockpit, robot, 8, true, true, 7});
         t.enter(SessionState::StandBy, SessionState::Reopening, 8).enter(SessionState::Reopening, SessionState::Open, 8);
         t.note(Opened{robot, cockpit, 8, true, false, 3});
     });

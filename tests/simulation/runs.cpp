@@ -111,7 +111,8 @@ std::string table(const Tally& tally, double wallSeconds)
     row("seeds that failed", fmt::format("{}", tally.failed));
     row("violations", fmt::format("{}", total.violations.size()));
     row("longest silence before a loss", fmt::format("{:.3f} ms", milliseconds(total.longestDetection)));
-    row("longest until a stand-by is known", fmt::format("{:.3f} ms", milliseconds(total.longestKnowing)));
+    if (total.longestKnowing.count() != 0)
+        row("longest until a stand-by is known", fmt::format("{:.3f} ms", milliseconds(total.longestKnowing)));
     row("longest until all is open again", fmt::format("{:.3f} ms", milliseconds(total.longestHeal)));
     row("hash of all traces", fmt::format("{:016x}", total.hash));
     row("wall time", fmt::format("{:.1f} s", wallSeconds));

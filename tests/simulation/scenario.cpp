@@ -112,6 +112,19 @@ Nanoseconds drawDuration(SeededRandom& random)
     }
 }
 
+/// From a fault now and then to a hail of them.
+Nanoseconds drawPace(SeededRandom& random)
+{
+    switch (random.below(3)) {
+    case 0:
+        return random.between(Nanoseconds(1ms), Nanoseconds(6ms));
+    case 1:
+        return random.between(Nanoseconds(4ms), Nanoseconds(30ms));
+    default:
+        return random.between(Nanoseconds(20ms), Nanoseconds(200ms));
+    }
+}
+
 std::array<std::uint64_t, faultKinds> drawWeights(SeededRandom& random, const Scenario& scenario)
 {
     std::array<std::uint64_t, faultKinds> weights{};
@@ -192,7 +205,7 @@ Scenario Scenario::chaotic(std::uint64_t seed)
     std::uint64_t total = 0;
     for (const auto weight : weights)
         total += weight;
-    const auto mean = faults.between(Nanoseconds(8ms), Nanoseconds(300ms)) / static_cast<std::int64_t>(1 + scenario.links.size() / 3);
+    const auto mean = drawPace(faults) / static_cast<std::int64_t>(1 + scenario.links.size() / 3);
     for (auto at = faults.between(Nanoseconds(0), Nanoseconds(1500ms)); at < scenario.chaos;) {
         auto fault = drawFault(faults, scenario, weights, total);
         fault.at = at;
@@ -240,7 +253,8 @@ Scenario Scenario::single(std::uint64_t seed)
     scenario.commandPeriod = 10ms;
     scenario.statusPeriod = 20ms;
     scenario.delay = random.between(Nanoseconds(100us), Nanoseconds(2ms));
-    scenario.chaos = 4s;
+    scenario.chaos = 2500ms;
+    scenario.everybodyKnows = true;
     constexpr std::array kinds{FaultKind::Cut, FaultKind::PowerCut, FaultKind::Pause, FaultKind::Crash};
     Fault fault;
     fault.kind = kinds[random.below(kinds.size())];
@@ -248,7 +262,7 @@ Scenario Scenario::single(std::uint64_t seed)
     fault.a = a;
     fault.b = fault.kind == FaultKind::Cut ? b : a;
     fault.at = random.between(Nanoseconds(1s), Nanoseconds(1200ms));
-    fault.duration = 2s;
+    fault.duration = 10s; // it lasts until everything is healed
     scenario.faults.push_back(fault);
     return scenario;
 }

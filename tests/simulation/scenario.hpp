@@ -89,6 +89,7 @@ struct Scenario {
     std::optional<HostIndex> liar;
     Nanoseconds chaos = std::chrono::seconds(8);
     std::vector<Fault> faults;
+    bool everybodyKnows = false; ///< at the end of chaos each incident must be known wherever word can reach
     Mutant mutant = Mutant::None;
 
     bool linked(HostIndex a, HostIndex b) const;

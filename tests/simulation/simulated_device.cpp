@@ -100,8 +100,17 @@ void SimulatedDevice::attached(AttachedConnection connection)
 void SimulatedDevice::datagramArrived(HostIndex from, std::span<const std::byte> packet)
 {
     turned();
-    if (auto* one = module(from))
+    const auto prefix = protocol::decodePacketPrefix(packet);
+    auto* one = module(from);
+    if (one != nullptr && prefix && one->owns(prefix->token))
         one->datagramArrived(packet);
+}
+
+bool SimulatedDevice::isTokenUsed(HostIndex asking, std::uint64_t token)
+{
+    return m_ledger.knows(token, now()) || std::any_of(m_modules.begin(), m_modules.end(), [&](const auto& entry) {
+               return entry.first != asking && entry.second->owns(token);
+           });
 }
 
 SetStanding SimulatedDevice::standingOf(HostIndex peer, const Sha256& set)

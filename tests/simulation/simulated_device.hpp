@@ -77,6 +77,7 @@ public:
     Timestamp stamp() { return m_stamps.next(now().wall); }
     void observe(const Observation& observation) { m_surroundings.observe(observation); }
     void turned();
+    bool isTokenUsed(HostIndex asking, std::uint64_t token);
     session::SetStanding standingOf(HostIndex peer, const Sha256& set);
     std::shared_ptr<const MessageSet> heldSet(HostIndex peer, const Sha256& set);
     session::SetHeard learn(HostIndex peer, const Sha256& set, std::span<const std::byte> xml);

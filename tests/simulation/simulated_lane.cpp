@@ -123,6 +123,7 @@ void SimulatedLane::established(ConnectionNumber connection)
     }
     m_queue->restart();
     m_writer = std::make_shared<Writer>(*this, *m_queue, connection);
+    m_connection = connection;
     m_writer->sendFirst(m_attach);
     m_handlers.up();
 }

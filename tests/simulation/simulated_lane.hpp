@@ -38,6 +38,7 @@ public:
 
     void connect(const protocol::EncodedMessage& attach, Nanoseconds limit);
     bool isUp() const { return m_writer != nullptr; }
+    ConnectionNumber connection() const { return m_connection; }
     bool isConnecting() const { return m_attempt != 0; }
     bool push(tasks::OutputQueue::Entry entry);
     tasks::OutputQueue& queue() { return *m_queue; }
@@ -57,6 +58,7 @@ private:
     Handlers m_handlers;
     std::unique_ptr<tasks::OutputQueue> m_queue;
     std::shared_ptr<Writer> m_writer;
+    ConnectionNumber m_connection = 0; ///< of the writer
     std::uint64_t m_attempt = 0;
     protocol::EncodedMessage m_attach;
 

@@ -47,12 +47,12 @@ bool SimulatedModule::open(bool byPerson)
 
 bool SimulatedModule::reopen(bool byPerson, IncidentId shown)
 {
-    const bool bound = m_device.settings().mutant == Mutant::ConfirmNotBound || shown == m_machine.incident();
-    if (m_machine.state() != SessionState::StandBy || !bound)
+    if (m_machine.state() != SessionState::StandBy)
         return false;
     const auto token = m_device.surroundings().freshToken();
     m_device.observe(Requested{m_device.host(), m_peer, token, true, byPerson, shown});
-    handle(session::ReopenRequested{token});
+    const auto unbound = m_device.settings().mutant == Mutant::ConfirmNotBound;
+    handle(session::ReopenRequested{token, unbound ? IncidentId{0} : shown});
     return true;
 }
 
@@ -102,6 +102,12 @@ void SimulatedModule::armTimer()
         m_device.turned();
         handle(session::Tick{});
     });
+}
+
+bool SimulatedModule::owns(std::uint64_t token) const
+{
+    const auto state = m_machine.state();
+    return token != 0 && token == m_machine.token() && state != SessionState::Closed && state != SessionState::StandBy;
 }
 
 Nanoseconds SimulatedModule::silence() const
@@ -155,6 +161,7 @@ struct SimulatedModule::Doer {
     }
     void operator()(const session::SessionLost& lost)
     {
+        module.m_device.observe(Lost{module.m_device.host(), module.m_peer, lost.incident});
         module.tell(SessionEvent::Kind::Lost, lost.incident);
         module.m_device.sessionLost(module.m_peer, lost);
     }
@@ -168,23 +175,23 @@ void SimulatedModule::perform(session::SessionActions actions)
 
 void SimulatedModule::sendMessage(const session::Send& send)
 {
-    const auto peer = m_device.surroundings().idOf(m_peer);
-    auto message = send.message;
-    auto* heartbeat = std::get_if<protocol::Heartbeat>(&message);
-    if (heartbeat != nullptr) {
-        if (m_device.settings().datagrams)
-            heartbeat->datagramsHeard = m_datagrams.heard(m_device.network().time().now(), m_timing.heartbeat);
-        if (m_device.settings().mutant == Mutant::HeartbeatStateless)
-            heartbeat->state = SessionState::Open;
-        if (m_firstEpoch == 0)
-            m_firstEpoch = heartbeat->epoch;
-        if (m_device.settings().mutant == Mutant::SameEpoch)
-            heartbeat->epoch = m_firstEpoch;
-    }
-    auto encoded = encode(message, peer);
-    if (heartbeat != nullptr && m_device.settings().datagrams)
-        sendDatagram(encoded);
-    m_laneZero.push({std::move(encoded), send.afterOutput ? tasks::Rank::Last : tasks::Rank::Safety, 0, std::nullopt, {}});
+    if (const auto* heartbeat = std::get_if<protocol::Heartbeat>(&send.message))
+        return sendHeartbeat(*heartbeat);
+    const auto rank = send.afterOutput ? tasks::Rank::Last : tasks::Rank::Safety;
+    m_laneZero.push({encode(send.message, m_device.surroundings().idOf(m_peer)), rank, 0, std::nullopt, {}});
+}
+
+void SimulatedModule::sendHeartbeat(protocol::Heartbeat heartbeat)
+{
+    if (m_device.settings().mutant == Mutant::HeartbeatStateless)
+        heartbeat.state = SessionState::Open;
+    if (m_firstEpoch == 0)
+        m_firstEpoch = heartbeat.epoch;
+    if (m_device.settings().mutant == Mutant::SameEpoch)
+        heartbeat.epoch = m_firstEpoch;
+    auto encoded = encode(heartbeat, m_device.surroundings().idOf(m_peer));
+    sendPacket(encoded);
+    m_laneZero.push({std::move(encoded), tasks::Rank::Safety, 1, std::nullopt, {}});
 }
 
 protocol::EncodedMessage SimulatedModule::encode(const protocol::SessionMessage& message, DeviceId target)
@@ -206,8 +213,6 @@ void SimulatedModule::sendSession(const protocol::SessionMessage& message, Devic
 void SimulatedModule::entered(const session::Entered& change)
 {
     m_device.observe(Entered{m_device.host(), m_peer, change.from, change.to, m_machine.token(), silence()});
-    if (change.to == SessionState::Opening || change.to == SessionState::Reopening)
-        m_datagrams.begin(m_machine.token());
     SessionEvent event;
     event.kind = SessionEvent::Kind::StateChanged;
     event.peer = m_device.surroundings().idOf(m_peer);
@@ -221,6 +226,7 @@ void SimulatedModule::entered(const session::Entered& change)
 
 void SimulatedModule::opened(const session::SessionOpened& opened)
 {
+    m_newest.clear();
     m_device.observe(Opened{m_device.host(), m_peer, opened.token, opened.reopened, false, m_machine.guard().epoch()});
     m_device.sessionOpened(m_peer, opened);
     tell(opened.reopened ? SessionEvent::Kind::ReOpened : SessionEvent::Kind::Opened, opened.incident);
@@ -241,7 +247,7 @@ void SimulatedModule::housekeeping()
     const auto now = m_device.now().mono;
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
         m_nextReport = now + reportPeriod;
-        sendSession(protocol::LinkReport{}, m_device.surroundings().idOf(m_peer));
+        m_laneZero.push({encode(protocol::LinkReport{}, m_device.surroundings().idOf(m_peer)), tasks::Rank::Safety, 1, std::nullopt, {}});
     }
     if (m_device.settings().mutant == Mutant::AutoResume && m_machine.state() == SessionState::StandBy)
         reopen(false, m_machine.incident());
@@ -274,8 +280,7 @@ bool SimulatedModule::send(const Message& message)
     const auto engagedField = control ? definition.indexOf("engaged") : std::nullopt;
     m_device.observe(
         Composed{m_device.host(), m_peer, name, control, engagedField && message.get<bool>(*engagedField), protocol::crc32c(fields)});
-    if (m_device.settings().datagrams && definition.path == liena::Path::Datagram && m_datagrams.works()) {
-        sendDatagram(encoded);
+    if (definition.path == liena::Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && sendPacket(encoded)) {
         m_device.observe(Left{m_device.host(), m_peer, name});
         return true;
     }

@@ -6,6 +6,7 @@
 #include "observation.hpp"
 
 #include "liena/message.hpp"
+#include "protocol/header_judge.hpp"
 #include "session/session_machine.hpp"
 
 #include <map>
@@ -38,6 +39,7 @@ public:
     void stalled(Nanoseconds gap);
     void housekeeping();
 
+    bool owns(std::uint64_t token) const;
     SessionState state() const { return m_machine.state(); }
     HostIndex peer() const { return m_peer; }
     const LinkTiming& timing() const { return m_timing; }
@@ -55,14 +57,14 @@ private:
     void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part) override;
     void violated(std::uint8_t lane, const std::string& detail) override { violation(std::to_string(lane) + ": " + detail); }
     void laneLost(std::uint8_t lane, const std::string& detail) override;
-    Judgement judgeSession(std::uint8_t lane, const protocol::DatagramHeader& header);
-    Judgement judgeApplication(std::uint8_t lane, const protocol::DatagramHeader& header);
+    protocol::HeaderJudgement judgeHeader(std::uint8_t lane, protocol::DatagramHeader header) const;
+    protocol::Ends ends() const;
+    bool isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const;
     Judgement violation(const std::string& detail);
-    Judgement skip(std::string_view cause, const protocol::DatagramHeader& header);
-    const MessageDefinition* definitionOf(std::uint16_t number) const;
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
     void commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous);
     void setHeard(const protocol::MessageSetAnswer& answer);
+    void setLearnt(std::uint64_t token, const Sha256& set, const session::SetHeard& heard);
     void receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part);
     bool passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part);
     bool isForgiven(session::ControlFault fault) const;
@@ -74,6 +76,7 @@ private:
     void perform(session::SessionActions actions);
     void armTimer();
     void sendMessage(const session::Send& send);
+    void sendHeartbeat(protocol::Heartbeat heartbeat);
     void opened(const session::SessionOpened& opened);
     void entered(const session::Entered& change);
     void tell(SessionEvent::Kind kind, IncidentId incident = 0);
@@ -92,7 +95,8 @@ private:
     void admitBulk(AttachedConnection connection);
     void endFresh(session::ConnectionNumber number);
     void handshakeHeard(session::ConnectionNumber number, const protocol::SessionMessage& message);
-    void sendDatagram(const protocol::EncodedMessage& message);
+    bool sendPacket(const protocol::EncodedMessage& message);
+    void laneZeroUp();
     void unsent(const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate);
     void leaving(std::vector<std::byte>& bytes, std::size_t begin);
 
@@ -113,7 +117,7 @@ private:
     session::ConnectionNumber m_nextConnection = 0;
     SimulatedCouriers m_couriers;
     DatagramPath m_datagrams;
-    std::map<std::uint16_t, Timestamp> m_newestByPath; ///< of the messages that may come on either path
+    std::map<std::uint16_t, Timestamp> m_newest; ///< of the messages that may come on either path
 
     Program::Timer m_timer;
     std::optional<Instant> m_armed;

@@ -68,6 +68,8 @@ bool SimulatedReception::take(const protocol::DatagramHeader& header, std::span<
     auto outcome = m_reassembler.take(header, body, m_maximum);
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_owner->violated(m_lane, violation->what);
+    else if (std::holds_alternative<protocol::Reassembler::OverBudget>(outcome))
+        m_owner->overBudget(header);
     else if (std::holds_alternative<protocol::Reassembler::Whole>(outcome))
         m_owner->received(m_lane, header, body);
     else if (auto* assembled = std::get_if<protocol::Reassembler::Assembled>(&outcome))

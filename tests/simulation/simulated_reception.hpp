@@ -24,6 +24,7 @@ public:
     virtual void turned() = 0;
     virtual Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) = 0;
     virtual void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part) = 0;
+    virtual void overBudget(const protocol::DatagramHeader&) {}
     virtual void violated(std::uint8_t lane, const std::string& detail) = 0;
     virtual void laneLost(std::uint8_t lane, const std::string& detail) = 0;
 };
@@ -37,6 +38,7 @@ public:
     SimulatedReception(const SimulatedReception&) = delete;
     SimulatedReception& operator=(const SimulatedReception&) = delete;
 
+    ConnectionNumber connection() const { return m_connection; }
     void start();
     void pause() { m_paused = true; }
     void setOwner(ReceptionOwner& owner) { m_owner = &owner; }

@@ -1,6 +1,8 @@
 // From accept to Attach.
 #include "simulated_server.hpp"
 
+#include "protocol/header_judge.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -50,7 +52,7 @@ public:
         const auto judge = [&](const protocol::DatagramHeader& header) {
             if (attached)
                 return protocol::HeaderVerdict::Refuse;
-            wrong = !isAttachHeader(header);
+            wrong = !protocol::isAttachHeader(m_server.m_self, m_peer, header);
             return wrong ? protocol::HeaderVerdict::Refuse : protocol::HeaderVerdict::Take;
         };
         const auto take = [&](const protocol::DatagramHeader& header, std::span<const std::byte> body) {
@@ -74,12 +76,6 @@ public:
 
 private:
     Connection* find() { return m_server.m_program.network().find(m_connection); }
-
-    bool isAttachHeader(const protocol::DatagramHeader& header) const
-    {
-        return header.message.number == protocol::Attach::number && !header.moreSegments && header.target == m_server.m_self &&
-               header.message.origin == m_peer && header.length == protocol::maximumSessionBody(protocol::Attach::number);
-    }
 
     void handOver()
     {

@@ -59,6 +59,7 @@ private:
         std::vector<VirtualTime::Event> waiting; ///< while the program is paused
         std::uint32_t boot = 0;
         int pauses = 0;
+        Instant resumed;
         int refusals = 0;
         int downs = 0;
         int lies = 0;
@@ -103,7 +104,8 @@ private:
     void settle();
     Outcome outcome();
     void measure(const Observation& observation);
-    void measureKnowing();
+    void judgeKnowing();
+    bool isAlive(HostIndex host) const { return m_hosts[host].device && m_hosts[host].pauses == 0; }
 
     const Scenario m_scenario;
     Onlooker m_onlooker;

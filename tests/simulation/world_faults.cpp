@@ -189,12 +189,12 @@ void World::flood(HostIndex host)
         for (const auto& definition : set->messages())
             if (definition.role == Role::Report && definition.priority == Priority::Status) {
                 Message message(set, definition);
-                for (int i = 0; i < 20; ++i)
+                for (int i = 0; i < 10; ++i)
                     target.device->publish(message);
                 break;
             }
     });
-    m_time.after(1ms, [this, host, &target] {
+    m_time.after(5ms, [this, host, &target] {
         if (target.floods > 0 && !m_peace)
             flood(host);
     });
@@ -211,6 +211,7 @@ void World::resume(HostIndex host)
     auto& target = m_hosts[host];
     if (target.pauses == 0 || --target.pauses > 0)
         return;
+    target.resumed = m_time.now();
     observe(Paused{host, false});
     const auto boot = target.boot;
     auto waiting = std::exchange(target.waiting, {});
@@ -276,7 +277,7 @@ void World::heal()
             path = Path();
             path.delay = m_scenario.delay;
             path.jitter = m_scenario.jitter;
-            path.loss = m_scenario.loss;
+            path.loss = m_scenario.chaos > 0ns ? 0 : m_scenario.loss; // what is healed loses nothing
         }
     for (HostIndex host = 0; host < m_hosts.size(); ++host) {
         auto& target = m_hosts[host];

@@ -238,11 +238,12 @@ void SessionMachine::on(const IncidentHeld& input)
 {
     if (isLive() && input.incident == m_token) {
         enterStandBy(LossCause::ConnectionLost, "the other end says that this session is lost");
-    } else if (m_state == SessionState::Opening) {
+    } else if (m_state == SessionState::Opening || (m_state == SessionState::Reopening && input.incident == m_token)) {
+        // Where this session is lost already, it was open at the other end: what is still to be read of it opens nothing here.
         m_incident = input.incident;
         abandonAttempt(RejectReason::StandBy, ProbeResult::NotProbed, "this link is in stand-by: it has to be re-opened by a person",
                        m_outgoingUp);
-    } else if (m_incident == 0) {
+    } else if (m_incident == 0 || m_incident == input.ended) {
         m_incident = input.incident;
         if (m_state == SessionState::Closed)
             enter(SessionState::StandBy);

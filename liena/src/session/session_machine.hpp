@@ -88,6 +88,7 @@ struct Stalled {
 /// An incident of this pair is held, or none is any more.
 struct IncidentHeld {
     IncidentId incident = 0;
+    IncidentId ended = 0; ///< another one, which is over now
 };
 struct IncidentGone {};
 /// Time has passed.

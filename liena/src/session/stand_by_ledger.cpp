@@ -90,17 +90,24 @@ LedgerActions StandByLedger::reopened(DeviceId peer, std::uint64_t token, Incide
 {
     LedgerActions actions;
     const auto [a, b] = std::minmax(m_self, peer);
-    const protocol::ChannelReOpened message{token, named, a, b};
-    remember(token);
     std::vector<IncidentId> ids;
     for (const auto& [id, incident] : m_incidents)
-        if (incident.a == a && incident.b == b)
+        if (incident.a == a && incident.b == b && id != token)
             ids.push_back(id);
-    if (!m_incidents.contains(named) || std::find(ids.begin(), ids.end(), named) != ids.end())
-        rememberEnded(named, message, now);
+    std::vector<protocol::ChannelReOpened> messages;
     for (const auto id : ids)
-        end(id, message, m_self, false, {}, actions, now);
-    actions.push_back(Broadcast{message, std::nullopt});
+        messages.push_back({token, id, a, b});
+    // A device that was restarted, or holds another one than its peer, knows this one by its name alone.
+    if (named != token && !m_incidents.contains(named) && (named != 0 || messages.empty()))
+        messages.push_back({token, named, a, b});
+    for (const auto& message : messages) {
+        remember(message);
+        rememberEnded(message.incident, message, now);
+        if (m_incidents.contains(message.incident))
+            end(message.incident, message, m_self, false, {}, actions, now);
+    }
+    for (const auto& message : messages)
+        actions.push_back(Broadcast{message, std::nullopt});
     return actions;
 }
 
@@ -206,24 +213,17 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::IncidentDismis
     return actions;
 }
 
-LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpened& message, Timestamp stamp, Now now)
+/// It ends the one that it names and no other: wall clocks of two devices cannot say which loss of a pair came first.
+LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpened& message, Now now)
 {
     LedgerActions actions;
-    const bool isNews = remember(message.token);
+    const bool isNews = remember(message);
     const auto* named = find(message.incident);
-    if (!isNews && named == nullptr) // both ends tell of one re-opening, and may name different incidents
+    if (message.incident == message.token || (!isNews && named == nullptr))
         return actions;
-    // An answer about an incident that ended long ago carries a fresh stamp: it must not end what the pair lost since then.
-    const auto limit = named != nullptr ? std::min(named->since, stamp) : stamp;
-    std::vector<IncidentId> ids;
-    for (const auto& [id, incident] : m_incidents) {
-        const bool pair = incident.a == message.peerA && incident.b == message.peerB;
-        if (pair && (id == message.incident || (isNews && id != message.token && incident.since < limit)))
-            ids.push_back(id);
-    }
     rememberEnded(message.incident, message, now);
-    for (const auto id : ids)
-        end(id, message, from, false, {}, actions, now);
+    if (named != nullptr && named->a == message.peerA && named->b == message.peerB)
+        end(message.incident, message, from, false, {}, actions, now);
     actions.push_back(Broadcast{message, from});
     return actions;
 }
@@ -237,7 +237,7 @@ void StandByLedger::end(IncidentId id, const protocol::SessionMessage& by, Devic
     if (const auto peer = otherEnd(incident)) {
         const auto other = std::find_if(m_incidents.begin(), m_incidents.end(),
                                         [&](const auto& entry) { return entry.second.a == incident.a && entry.second.b == incident.b; });
-        actions.push_back(PairChanged{*peer, other != m_incidents.end() ? other->first : 0});
+        actions.push_back(PairChanged{*peer, other != m_incidents.end() ? other->first : 0, id});
     }
     auto event = eventOf(SessionEvent::Kind::IncidentEnded, incident, now);
     event.peer = teller;
@@ -255,9 +255,6 @@ void StandByLedger::rememberEnded(IncidentId id, const protocol::SessionMessage&
     while (!m_ended.empty() && (m_ended.size() >= mostEnded || now.mono - m_ended.front().at > endedLife))
         m_ended.pop_front();
     m_ended.push_back({id, by, now.mono});
-    // Who still holds this one may know the re-opening already: the answer has to name what it ends.
-    if (auto* reopened = std::get_if<protocol::ChannelReOpened>(&m_ended.back().by))
-        reopened->incident = id;
 }
 
 const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id, Now now) const
@@ -268,13 +265,14 @@ const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id, Now now) con
 }
 
 /// False when it was known.
-bool StandByLedger::remember(std::uint64_t token)
+bool StandByLedger::remember(const protocol::ChannelReOpened& message)
 {
-    if (std::find(m_reopenings.begin(), m_reopenings.end(), token) != m_reopenings.end())
+    const std::pair known(message.token, message.incident);
+    if (std::find(m_reopenings.begin(), m_reopenings.end(), known) != m_reopenings.end())
         return false;
     if (m_reopenings.size() >= mostEnded)
         m_reopenings.pop_front();
-    m_reopenings.push_back(token);
+    m_reopenings.push_back(known);
     return true;
 }
 

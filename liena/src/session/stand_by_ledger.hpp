@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Tell {
 struct PairChanged {
     DeviceId peer;
     IncidentId incident = 0;
+    IncidentId ended = 0; ///< the one that is over now, if one is
 };
 /// A neighbour told of an incident that cannot be.
 struct LedgerViolation {
@@ -78,7 +80,7 @@ public:
     LedgerActions heard(DeviceId from, const protocol::StandBy& message, Now now);
     LedgerActions heard(DeviceId from, const protocol::StandByReport& message, Now now);
     LedgerActions heard(DeviceId from, const protocol::IncidentDismissed& message, Now now);
-    LedgerActions heard(DeviceId from, const protocol::ChannelReOpened& message, Timestamp stamp, Now now);
+    LedgerActions heard(DeviceId from, const protocol::ChannelReOpened& message, Now now);
 
 private:
     struct Ended {
@@ -95,7 +97,7 @@ private:
     void report(IncidentId id, LedgerActions& actions) const;
     void rememberEnded(IncidentId id, const protocol::SessionMessage& by, Now now);
     const Ended* findEnded(IncidentId id, Now now) const;
-    bool remember(std::uint64_t token);
+    bool remember(const protocol::ChannelReOpened& message);
     std::optional<DeviceId> otherEnd(const Incident& incident) const;
 
     static constexpr std::size_t mostIncidents = 256;
@@ -105,7 +107,7 @@ private:
     DeviceId m_self;
     std::map<IncidentId, Incident> m_incidents;
     std::deque<Ended> m_ended;
-    std::deque<std::uint64_t> m_reopenings; ///< tokens of the ChannelReOpened already handed on
+    std::deque<std::pair<std::uint64_t, IncidentId>> m_reopenings; ///< ChannelReOpened already handed on: token and what it ends
     bool m_holding = false;
     Timestamp m_holdingSince;
 };

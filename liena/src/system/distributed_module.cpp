@@ -109,10 +109,10 @@ void DistributedModule::stalled(session::Nanoseconds gap)
         handle(session::Stalled{gap});
 }
 
-void DistributedModule::setIncident(IncidentId incident)
+void DistributedModule::setIncident(IncidentId incident, IncidentId ended)
 {
     if (incident != 0)
-        handle(session::IncidentHeld{incident});
+        handle(session::IncidentHeld{incident, ended});
     else
         handle(session::IncidentGone{});
 }

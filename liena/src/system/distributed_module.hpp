@@ -51,7 +51,7 @@ public:
     void sendSession(const protocol::SessionMessage& message, DeviceId target);
 
     /// This pair's incident, 0 when it has none any more.
-    void setIncident(IncidentId incident);
+    void setIncident(IncidentId incident, IncidentId ended);
     void setIncidentCount(std::size_t count);
 
     /// A set of the peer is in the store, or why not; `token` is that of the attempt in which it was sent.

@@ -299,7 +299,7 @@ void DistributedSystem::State::sessionLost(DeviceId peer, const session::Session
     perform(ledger.lost(peer, lost.incident, lost.diagnosis.cause, lost.diagnosis.since, now()));
 }
 
-void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamped)
+void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::SessionMessage& message)
 {
     if (const auto* standBy = std::get_if<protocol::StandBy>(&message))
         perform(ledger.heard(from, *standBy, now()));
@@ -308,7 +308,7 @@ void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::Ses
     else if (const auto* dismissed = std::get_if<protocol::IncidentDismissed>(&message))
         perform(ledger.heard(from, *dismissed, now()));
     else if (const auto* reopened = std::get_if<protocol::ChannelReOpened>(&message)) {
-        const auto actions = ledger.heard(from, *reopened, stamped, now());
+        const auto actions = ledger.heard(from, *reopened, now());
         if (actions.size() > 1) // else it is handed on and ends nothing here, and there may be many
             log(LogLevel::Info, "channel-reopened",
                 fmt::format("{} says that {} and {} re-opened their channel", from.toString(), reopened->peerA.toString(),
@@ -330,7 +330,7 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
                 one->sendSession(answer->message, DeviceId::broadcast());
         } else if (const auto* changed = std::get_if<session::PairChanged>(&action)) {
             if (auto* one = module(changed->peer))
-                one->setIncident(changed->incident);
+                one->setIncident(changed->incident, changed->ended);
         } else if (const auto* told = std::get_if<session::Tell>(&action)) {
             logIncident(told->event);
             tell(told->event);

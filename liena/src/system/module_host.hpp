@@ -56,7 +56,7 @@ public:
     virtual void sessionOpened(DeviceId peer, const session::SessionOpened& opened) = 0;
     virtual void sessionHealed(DeviceId peer) = 0;
     virtual void sessionLost(DeviceId peer, const session::SessionLost& lost) = 0;
-    virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message, Timestamp stamp) = 0;
+    virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) = 0;
 
     virtual void deliver(Message message) = 0;
     virtual void tell(SessionEvent event) = 0;

@@ -61,7 +61,7 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
     } else if (header.target.isBroadcast()) {
         if (!shares)
             return (void)violation(fmt::format("{} cannot be broadcast now", protocol::nameOf(*message)));
-        m_host.heardBroadcast(m_peer.id, *message, header.timestamp);
+        m_host.heardBroadcast(m_peer.id, *message);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
         auto* task = lane == 0 ? m_incoming.get() : m_incomingBulk[lane].get();
         if (task != nullptr)

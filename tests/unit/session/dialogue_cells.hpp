@@ -195,7 +195,7 @@ SetHeard                   StandBy       Rejected CloseLanes Failed:ProtocolViol
 LifeHeard                  Reopening
 ViolationFound             StandBy       Rejected CloseLanes Failed:ProtocolViolation
 Stalled                    Reopening
-IncidentHeld-this-session  Reopening
+IncidentHeld-this-session  StandBy       Rejected CloseLanes Failed:StandBy
 IncidentHeld-an-older      Reopening
 IncidentGone               Reopening
 Tick-nothing-due           Reopening
@@ -237,7 +237,7 @@ SetHeard                   StandBy       Rejected CloseLanes Failed:ProtocolViol
 LifeHeard                  Reopening
 ViolationFound             StandBy       Rejected CloseLanes Failed:ProtocolViolation
 Stalled                    Reopening
-IncidentHeld-this-session  Reopening
+IncidentHeld-this-session  StandBy       Rejected CloseLanes Failed:StandBy
 IncidentHeld-an-older      Reopening
 IncidentGone               Reopening
 Tick-nothing-due           Reopening

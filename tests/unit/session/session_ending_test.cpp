@@ -27,6 +27,8 @@ private slots:
     void confirmationCountsForTheIncidentThatWasSeen();
     void plainHandshakeIsRefusedInStandBy();
     void incidentHeardWhileOpeningEndsTheOpening();
+    void lossOfTheSessionHeardBeforeItOpensEndsTheReopening();
+    void incidentThatIsOverIsNotShownAnyMore();
     void incidentHeardInSessionOutlivesItsClose();
     void closeTakesAtMostASecond();
     void bothMayCloseAtOnce();
@@ -248,6 +250,31 @@ void SessionEndingTest::incidentHeardWhileOpeningEndsTheOpening()
     QCOMPARE(side.machine.incident(), IncidentId{55});
     side.handle(IncidentGone{});
     QVERIFY(side.machine.state() == SessionState::Closed);
+}
+
+void SessionEndingTest::lossOfTheSessionHeardBeforeItOpensEndsTheReopening()
+{
+    // This device was frozen: a third one tells that the session was opened and lost at the other end before its ChannelReOpened is read.
+    Side side;
+    side.becomeReopeningResponder();
+    QCOMPARE(wordsOf(side.handle(IncidentHeld{200})), std::string("Rejected CloseLanes Failed:StandBy"));
+    QCOMPARE(side.machine.incident(), IncidentId{200});
+    QCOMPARE(find<SessionOpened>(side.hear(protocol::ChannelReOpened{200, 100, robotId, cockpitId})), nullptr);
+    QVERIFY(side.machine.state() == SessionState::StandBy);
+}
+
+void SessionEndingTest::incidentThatIsOverIsNotShownAnyMore()
+{
+    Side side;
+    side.becomeStandBy();
+    side.handle(IncidentHeld{55});
+    QCOMPARE(side.machine.incident(), IncidentId{100});
+    side.handle(IncidentHeld{55, 44});
+    QCOMPARE(side.machine.incident(), IncidentId{100});
+    side.handle(IncidentHeld{55, 100});
+    QCOMPARE(side.machine.incident(), IncidentId{55});
+    QVERIFY(side.handle(ReopenRequested{200, 100}).empty());
+    QVERIFY(!side.handle(ReopenRequested{200, 55}).empty());
 }
 
 void SessionEndingTest::incidentHeardInSessionOutlivesItsClose()

@@ -80,7 +80,7 @@ private slots:
     void answerNamesTheIncidentThatWasAskedAbout();
     void endedIncidentIsForgottenAfterADay();
     void ownReopeningEndsEveryIncidentOfThePair();
-    void heardReopeningEndsOlderIncidentsOfThePair();
+    void heardReopeningEndsTheIncidentThatItNames();
     void reopeningIsHandedOnOnce();
     void reopeningNeverEndsTheLossOfItsOwnSession();
     void answerAboutAnOldIncidentDoesNotEndANewerOne();
@@ -235,7 +235,7 @@ void StandByLedgerTest::answerNamesTheIncidentThatWasAskedAbout()
     // of 8 comes to the robot after all: the cockpit's answer has to end 8 there, although 9 is known.
     StandByLedger cockpitLedger(cockpit);
     cockpitLedger.lost(robot, 8, LossCause::ConnectionLost, Timestamp{200}, now);
-    cockpitLedger.heard(robot, protocol::ChannelReOpened{9, 7, robot, cockpit}, Timestamp{1000}, now);
+    cockpitLedger.reopened(robot, 9, 7, now);
     QVERIFY(!cockpitLedger.standsBy());
     StandByLedger robotLedger(robot);
     robotLedger.lost(cockpit, 7, LossCause::HeartbeatLost, Timestamp{100}, now);
@@ -245,7 +245,7 @@ void StandByLedgerTest::answerNamesTheIncidentThatWasAskedAbout()
     const auto answer = answers<protocol::ChannelReOpened>(cockpitLedger.heard(robot, standBy(8, robot, cockpit, 200), now), robot);
     QCOMPARE(answer.size(), std::size_t{1});
     QVERIFY((answer[0] == protocol::ChannelReOpened{9, 8, robot, cockpit}));
-    robotLedger.heard(cockpit, answer[0], Timestamp{2000}, now);
+    robotLedger.heard(cockpit, answer[0], now);
     QVERIFY(!robotLedger.standsBy());
 }
 
@@ -271,36 +271,43 @@ void StandByLedgerTest::ownReopeningEndsEveryIncidentOfThePair()
     const auto actions = ledger.reopened(cockpit, 8, 7, now);
     QCOMPARE(ledger.size(), std::size_t{1});
     QVERIFY(ledger.find(9) != nullptr);
-    const auto sent = broadcasts<protocol::ChannelReOpened>(actions);
-    QVERIFY(sent.size() == 1 && !sent[0].second);
-    QVERIFY((sent[0].first == protocol::ChannelReOpened{8, 7, robot, cockpit}));
+    const auto sent = broadcasts<protocol::ChannelReOpened>(actions); // one for each that ended
+    QVERIFY(sent.size() == 2 && !sent[0].second && !sent[1].second);
+    QVERIFY((sent[0].first == protocol::ChannelReOpened{8, 6, robot, cockpit}));
+    QVERIFY((sent[1].first == protocol::ChannelReOpened{8, 7, robot, cockpit}));
     QVERIFY(all<PairChanged>(actions).back().incident == 0);
+    StandByLedger restarted(robot); // it holds nothing, and was told what the peer holds
+    const auto told = broadcasts<protocol::ChannelReOpened>(restarted.reopened(cockpit, 8, 7, now));
+    QVERIFY(told.size() == 1 && told[0].first == (protocol::ChannelReOpened{8, 7, robot, cockpit}));
 }
 
-void StandByLedgerTest::heardReopeningEndsOlderIncidentsOfThePair()
+void StandByLedgerTest::heardReopeningEndsTheIncidentThatItNames()
 {
+    // The loss 5 came after the re-opening of 6, by a clock that is an hour behind: no wall clock says which was first.
     StandByLedger ledger(arm);
-    ledger.heard(xray, standBy(6, robot, cockpit, 100), now);
-    ledger.heard(xray, standBy(5, robot, cockpit, 5000), now); // raised after the re-opening was said
+    ledger.heard(xray, standBy(6, robot, cockpit, 5000), now);
+    ledger.heard(xray, standBy(5, robot, cockpit, 100), now);
     ledger.heard(xray, standBy(9, robot, xray, 100), now);
-    const auto actions = ledger.heard(xray, protocol::ChannelReOpened{8, 4, robot, cockpit}, Timestamp{1000}, now);
+    const auto actions = ledger.heard(xray, protocol::ChannelReOpened{8, 6, robot, cockpit}, now);
     QVERIFY(ledger.find(6) == nullptr);
     QVERIFY(ledger.find(5) != nullptr);
     QVERIFY(ledger.find(9) != nullptr);
     QVERIFY(broadcasts<protocol::ChannelReOpened>(actions).front().second == xray);
     QVERIFY(all<Tell>(actions)[0].event.peer == xray);
     QVERIFY(!all<Tell>(actions)[0].event.dismissed);
+    ledger.heard(xray, protocol::ChannelReOpened{8, 9, robot, cockpit}, now); // of another pair
+    QVERIFY(ledger.find(9) != nullptr);
 }
 
 void StandByLedgerTest::reopeningIsHandedOnOnce()
 {
     StandByLedger ledger(arm);
     const protocol::ChannelReOpened message{8, 7, robot, cockpit};
-    QCOMPARE(broadcasts<protocol::ChannelReOpened>(ledger.heard(xray, message, Timestamp{1000}, now)).size(), std::size_t{1});
-    QVERIFY(ledger.heard(robot, message, Timestamp{1100}, now).empty());
+    QCOMPARE(broadcasts<protocol::ChannelReOpened>(ledger.heard(xray, message, now)).size(), std::size_t{1});
+    QVERIFY(ledger.heard(robot, message, now).empty());
     StandByLedger own(robot);
     own.reopened(cockpit, 8, 7, now);
-    QVERIFY(own.heard(arm, message, Timestamp{1000}, now).empty());
+    QVERIFY(own.heard(arm, message, now).empty());
 }
 
 void StandByLedgerTest::reopeningNeverEndsTheLossOfItsOwnSession()
@@ -308,9 +315,15 @@ void StandByLedgerTest::reopeningNeverEndsTheLossOfItsOwnSession()
     // The session with token 8 was re-opened and lost again before the news of its opening came here, on a clock that is ahead.
     StandByLedger ledger(arm);
     ledger.heard(xray, standBy(8, robot, cockpit, 900), now);
-    ledger.heard(xray, protocol::ChannelReOpened{8, 7, robot, cockpit}, Timestamp{1000}, now);
+    ledger.heard(xray, protocol::ChannelReOpened{8, 7, robot, cockpit}, now);
     QVERIFY(ledger.find(8) != nullptr);
     QVERIFY(ledger.standsBy());
+    // Nor does an end of the pair, which is told of the loss before it reads of the opening.
+    StandByLedger own(robot);
+    own.heard(arm, standBy(8, robot, cockpit, 900), now);
+    own.reopened(cockpit, 8, 8, now);
+    QVERIFY(own.find(8) != nullptr);
+    QVERIFY(answers<protocol::ChannelReOpened>(own.heard(arm, standBy(8, robot, cockpit, 900), now), arm).empty());
 }
 
 void StandByLedgerTest::answerAboutAnOldIncidentDoesNotEndANewerOne()
@@ -319,7 +332,7 @@ void StandByLedgerTest::answerAboutAnOldIncidentDoesNotEndANewerOne()
     StandByLedger ledger(arm);
     ledger.heard(xray, standBy(6, robot, cockpit, 100), now);
     ledger.heard(xray, standBy(7, robot, cockpit, 5000), now);
-    ledger.heard(robot, protocol::ChannelReOpened{77, 6, robot, cockpit}, Timestamp{9000}, now);
+    ledger.heard(robot, protocol::ChannelReOpened{77, 6, robot, cockpit}, now);
     QVERIFY(ledger.find(6) == nullptr);
     QVERIFY(ledger.find(7) != nullptr);
 }
@@ -329,11 +342,11 @@ void StandByLedgerTest::bothEndsMayNameDifferentIncidents()
     StandByLedger ledger(arm);
     ledger.heard(xray, standBy(6, robot, cockpit, 100), now);
     ledger.heard(xray, standBy(7, robot, cockpit, 200), now);
-    ledger.heard(robot, protocol::ChannelReOpened{77, 6, robot, cockpit}, Timestamp{9000}, now);
-    const auto second = ledger.heard(cockpit, protocol::ChannelReOpened{77, 7, robot, cockpit}, Timestamp{9000}, now);
+    ledger.heard(robot, protocol::ChannelReOpened{77, 6, robot, cockpit}, now);
+    const auto second = ledger.heard(cockpit, protocol::ChannelReOpened{77, 7, robot, cockpit}, now);
     QVERIFY(!ledger.standsBy());
     QCOMPARE(broadcasts<protocol::ChannelReOpened>(second).size(), std::size_t{1});
-    QVERIFY(ledger.heard(cockpit, protocol::ChannelReOpened{77, 7, robot, cockpit}, Timestamp{9100}, now).empty());
+    QVERIFY(ledger.heard(cockpit, protocol::ChannelReOpened{77, 7, robot, cockpit}, now).empty());
 }
 
 void StandByLedgerTest::dismissalEndsOneIncident()
@@ -347,6 +360,7 @@ void StandByLedgerTest::dismissalEndsOneIncident()
     const auto ended = all<Tell>(actions)[0].event;
     QVERIFY(ended.dismissed && ended.detail == "sent to repair" && ended.incident.id == 7);
     QCOMPARE(all<PairChanged>(actions).front().incident, IncidentId{6}); // the link still has one
+    QCOMPARE(all<PairChanged>(actions).front().ended, IncidentId{7});
 }
 
 void StandByLedgerTest::dismissingWhatIsNotHeldDoesNothing()
