@@ -3,6 +3,8 @@
 
 #include "fuzz_target.hpp"
 
+#include <algorithm>
+
 namespace liena::fuzz {
 
 using namespace liena::session;
@@ -187,7 +189,9 @@ void CheckedMachine::checkState(State before)
         expect(!m_machine.isOutgoingUp() && !m_machine.isIncomingUp(), "a session that is over has no lane");
         expect(!m_machine.nextDeadline(), "a session that is over waits for nothing");
     } else {
-        expect(m_machine.nextDeadline().has_value(), "a session never waits for ever");
+        const auto next = m_machine.nextDeadline();
+        expect(next.has_value(), "a session never waits for ever");
+        expect(*next <= latestTick(), "a Tick is asked for when something is due");
     }
     if (m_state == State::Open && before == State::Reconnecting)
         expect(m_machine.isOutgoingUp() && m_machine.isIncomingUp(), "a session heals with both lanes");
@@ -201,24 +205,38 @@ void CheckedMachine::checkState(State before)
     expect(m_machine.jitter() >= 0ns, "a jitter is no less than nothing");
 }
 
+Instant CheckedMachine::latestTick() const
+{
+    switch (m_state) {
+    case State::Opening:
+    case State::Reopening:
+        return std::min(m_since + longestDialogue, m_laneLost.value_or(Instant::max() - longestRejectedWait) + longestRejectedWait);
+    case State::Closing:
+        return m_since + longestClosing;
+    case State::Reconnecting:
+        return m_since + m_timing.reconnect;
+    case State::Open:
+    case State::Suspect: {
+        const auto silence = m_machine.monitor().lastHeard() + (m_state == State::Open ? m_timing.suspect : m_timing.lost);
+        return m_unanswered.empty() ? silence : std::min(silence, m_waitsSince + m_timing.heartbeat * 3 / 2);
+    }
+    default:
+        return Instant::max();
+    }
+}
+
 void CheckedMachine::checkTick() const
 {
     const auto deadline = m_machine.nextDeadline();
     expect(!deadline || *deadline > m_now.mono, "after a Tick the next one lies ahead");
-    const auto age = m_now.mono - m_since;
     if (isDialogue(m_state))
-        expect(age < longestDialogue && (!m_laneLost || m_now.mono - *m_laneLost < longestRejectedWait),
-               "a dialogue takes 3 s at most, and 200 ms without its lanes");
-    if (carriesMessages(m_state) && !m_unanswered.empty())
-        expect(m_now.mono - m_waitsSince < m_timing.heartbeat * 3 / 2, "a handshake waits for the proof of life of one heartbeat");
-    if (m_state == State::Closing)
-        expect(age < longestClosing, "a closing takes 1 s at most");
-    if (m_state == State::Reconnecting)
-        expect(age < m_timing.reconnect, "a loss heals within `reconnect` or is stand-by");
-    if (m_state == State::Open)
-        expect(m_now.mono - m_machine.monitor().lastHeard() < m_timing.suspect, "silence for `suspect` is seen");
-    if (m_state == State::Suspect)
-        expect(m_now.mono - m_machine.monitor().lastHeard() < m_timing.lost, "silence for `lost` is acted on");
+        expect(m_now.mono < latestTick(), "a dialogue takes 3 s at most, and 200 ms without its lanes");
+    else if (m_state == State::Closing)
+        expect(m_now.mono < latestTick(), "a closing takes 1 s at most");
+    else if (m_state == State::Reconnecting)
+        expect(m_now.mono < latestTick(), "a loss heals within `reconnect` or is stand-by");
+    else if (carriesMessages(m_state))
+        expect(m_now.mono < latestTick(), "silence is acted on, and a handshake waits for the proof of life of one heartbeat");
 }
 
 void CheckedMachine::endsInSilence()

@@ -42,6 +42,7 @@ private:
     void answered(session::ConnectionNumber connection);
     void checkState(SessionState before);
     void checkTick() const;
+    session::Instant latestTick() const; ///< of the state in hand: what is due then changes it
 
     LinkTiming m_timing;
     session::SessionMachine m_machine;
