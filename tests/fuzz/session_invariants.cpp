@@ -3,6 +3,8 @@
 
 #include "fuzz_target.hpp"
 
+#include <algorithm>
+
 namespace liena::fuzz {
 
 using namespace liena::session;
@@ -14,6 +16,7 @@ namespace {
 constexpr std::size_t mostActions = 24;
 constexpr auto longestDialogue = 3s;
 constexpr auto longestClosing = 1s;
+constexpr auto longestRejectedWait = 200ms;
 
 bool isDialogue(State state) { return state == State::Opening || state == State::Reopening; }
 bool isOver(State state) { return state == State::Closed || state == State::StandBy; }
@@ -59,12 +62,44 @@ void CheckedMachine::passToDeadline()
 
 void CheckedMachine::handle(const SessionInput& input)
 {
-    if (const auto* handshake = std::get_if<HandshakeHeard>(&input))
-        m_unanswered.insert(handshake->connection);
     const auto before = m_state;
+    noteBefore(input);
     check(m_machine.handle(input, m_now), before);
+    checkConsequences(input, before);
     if (std::holds_alternative<Tick>(input))
         checkTick();
+}
+
+void CheckedMachine::noteBefore(const SessionInput& input)
+{
+    if (const auto* handshake = std::get_if<HandshakeHeard>(&input)) {
+        m_unanswered.insert(handshake->connection);
+        m_waitsSince = m_now.mono;
+    }
+    if (const auto* request = std::get_if<ReopenRequested>(&input))
+        m_mayReopen = m_state == State::StandBy && (request->seen == 0 || request->seen == m_machine.incident());
+    const bool lost = (std::holds_alternative<OutgoingLost>(input) && m_machine.isOutgoingUp()) ||
+                      std::holds_alternative<IncomingLost>(input) ||
+                      (std::holds_alternative<IncomingUp>(input) && m_machine.isIncomingUp());
+    if (isDialogue(m_state) && lost && !m_laneLost)
+        m_laneLost = m_now.mono;
+}
+
+void CheckedMachine::checkConsequences(const SessionInput& input, State before) const
+{
+    if (std::holds_alternative<ReopenRequested>(input))
+        expect((m_state != before) == m_mayReopen, "a confirmation re-opens after the incident that was seen, and after no other");
+    if (m_state == State::Open && before == State::Reconnecting) {
+        const auto* heard = std::get_if<SessionMessageHeard>(&input);
+        const auto* heartbeat = heard == nullptr ? nullptr : std::get_if<protocol::Heartbeat>(&heard->message);
+        expect(heartbeat != nullptr && (carriesMessages(heartbeat->state) || heartbeat->state == State::Reconnecting),
+               "a session heals with a peer that says it is in it");
+    }
+    if (before == State::StandBy && (m_state == State::Opening || m_state == State::Reopening)) {
+        const auto* handshake = std::get_if<HandshakeHeard>(&input);
+        expect(std::holds_alternative<ReopenRequested>(input) || (handshake != nullptr && handshake->diagnosis),
+               "after a loss only a person opens, here or there");
+    }
 }
 
 void CheckedMachine::revoke()
@@ -98,6 +133,8 @@ void CheckedMachine::checkAction(const SessionAction& action)
         sent(*send);
     else if (const auto* adopted = std::get_if<Adopt>(&action)) {
         m_since = m_now.mono; // a newer attempt may replace the one in hand
+        m_laneLost.reset();
+        m_sentSequence = 0;
         answered(adopted->connection);
     } else if (const auto* refused = std::get_if<Refuse>(&action))
         answered(refused->connection);
@@ -119,6 +156,11 @@ void CheckedMachine::entered(const Entered& change)
     expect(isLegal(change.from, change.to), "the diagram has this arrow");
     if (carriesMessages(change.from) && !carriesMessages(change.to))
         m_left = true;
+    expect(change.to != State::Open || !m_laneLost, "a dialogue that lost a lane opens nothing");
+    if (!isDialogue(change.to) || !isDialogue(change.from))
+        m_laneLost.reset();
+    if (isDialogue(change.to))
+        m_sentSequence = 0;
     const bool lost = change.to == State::Reconnecting || (change.to == State::StandBy && isLive(change.from));
     if (lost)
         expect(m_machine.guard().epoch() > m_epoch, "a loss raises the epoch");
@@ -131,10 +173,6 @@ void CheckedMachine::sent(const Send& send)
     const auto* heartbeat = std::get_if<protocol::Heartbeat>(&send.message);
     if (heartbeat == nullptr)
         return;
-    if (m_sentToken != m_machine.token()) {
-        m_sentToken = m_machine.token();
-        m_sentSequence = 0;
-    }
     expect(heartbeat->sequence == m_sentSequence + 1, "heartbeats of a session are numbered without gaps");
     m_sentSequence = heartbeat->sequence;
     expect(heartbeat->epoch >= m_epoch && heartbeat->epoch <= m_machine.guard().epoch(), "a heartbeat says an epoch that holds");
@@ -151,7 +189,9 @@ void CheckedMachine::checkState(State before)
         expect(!m_machine.isOutgoingUp() && !m_machine.isIncomingUp(), "a session that is over has no lane");
         expect(!m_machine.nextDeadline(), "a session that is over waits for nothing");
     } else {
-        expect(m_machine.nextDeadline().has_value(), "a session never waits for ever");
+        const auto next = m_machine.nextDeadline();
+        expect(next.has_value(), "a session never waits for ever");
+        expect(*next <= latestTick(), "a Tick is asked for when something is due");
     }
     if (m_state == State::Open && before == State::Reconnecting)
         expect(m_machine.isOutgoingUp() && m_machine.isIncomingUp(), "a session heals with both lanes");
@@ -165,21 +205,38 @@ void CheckedMachine::checkState(State before)
     expect(m_machine.jitter() >= 0ns, "a jitter is no less than nothing");
 }
 
+Instant CheckedMachine::latestTick() const
+{
+    switch (m_state) {
+    case State::Opening:
+    case State::Reopening:
+        return std::min(m_since + longestDialogue, m_laneLost.value_or(Instant::max() - longestRejectedWait) + longestRejectedWait);
+    case State::Closing:
+        return m_since + longestClosing;
+    case State::Reconnecting:
+        return m_since + m_timing.reconnect;
+    case State::Open:
+    case State::Suspect: {
+        const auto silence = m_machine.monitor().lastHeard() + (m_state == State::Open ? m_timing.suspect : m_timing.lost);
+        return m_unanswered.empty() ? silence : std::min(silence, m_waitsSince + m_timing.heartbeat * 3 / 2);
+    }
+    default:
+        return Instant::max();
+    }
+}
+
 void CheckedMachine::checkTick() const
 {
     const auto deadline = m_machine.nextDeadline();
     expect(!deadline || *deadline > m_now.mono, "after a Tick the next one lies ahead");
-    const auto age = m_now.mono - m_since;
     if (isDialogue(m_state))
-        expect(age < longestDialogue, "a dialogue takes 3 s at most");
-    if (m_state == State::Closing)
-        expect(age < longestClosing, "a closing takes 1 s at most");
-    if (m_state == State::Reconnecting)
-        expect(age < m_timing.reconnect, "a loss heals within `reconnect` or is stand-by");
-    if (m_state == State::Open)
-        expect(m_now.mono - m_machine.monitor().lastHeard() < m_timing.suspect, "silence for `suspect` is seen");
-    if (m_state == State::Suspect)
-        expect(m_now.mono - m_machine.monitor().lastHeard() < m_timing.lost, "silence for `lost` is acted on");
+        expect(m_now.mono < latestTick(), "a dialogue takes 3 s at most, and 200 ms without its lanes");
+    else if (m_state == State::Closing)
+        expect(m_now.mono < latestTick(), "a closing takes 1 s at most");
+    else if (m_state == State::Reconnecting)
+        expect(m_now.mono < latestTick(), "a loss heals within `reconnect` or is stand-by");
+    else if (carriesMessages(m_state))
+        expect(m_now.mono < latestTick(), "silence is acted on, and a handshake waits for the proof of life of one heartbeat");
 }
 
 void CheckedMachine::endsInSilence()

@@ -33,6 +33,8 @@ public:
     void endsInSilence();
 
 private:
+    void noteBefore(const session::SessionInput& input);
+    void checkConsequences(const session::SessionInput& input, SessionState before) const;
     void check(const session::SessionActions& actions, SessionState before);
     void checkAction(const session::SessionAction& action);
     void entered(const session::Entered& change);
@@ -40,6 +42,7 @@ private:
     void answered(session::ConnectionNumber connection);
     void checkState(SessionState before);
     void checkTick() const;
+    session::Instant latestTick() const; ///< of the state in hand: what is due then changes it
 
     LinkTiming m_timing;
     session::SessionMachine m_machine;
@@ -51,12 +54,14 @@ private:
     session::Instant m_since;                    ///< of that state, or of the newest attempt in it
     std::uint64_t m_token = 0;                   ///< of the session before the event in hand
     std::uint32_t m_epoch = 1;
-    std::uint32_t m_sentSequence = 0;
-    std::uint64_t m_sentToken = 0;
-    bool m_discarded = false; ///< in the actions in hand: control that was queued is thrown away
-    bool m_left = false;      ///< in the actions in hand: the session stopped carrying messages
-    int m_outcomes = 0;       ///< in the actions in hand: opened, failed, closed, interrupted or lost
+    std::uint32_t m_sentSequence = 0; ///< of the newest heartbeat of the attempt or session in hand
+    bool m_discarded = false;         ///< in the actions in hand: control that was queued is thrown away
+    bool m_left = false;              ///< in the actions in hand: the session stopped carrying messages
+    int m_outcomes = 0;               ///< in the actions in hand: opened, failed, closed, interrupted or lost
     std::set<session::ConnectionNumber> m_unanswered;
+    session::Instant m_waitsSince;              ///< of the newest handshake that is unanswered
+    std::optional<session::Instant> m_laneLost; ///< in the dialogue in hand
+    bool m_mayReopen = false;                   ///< the person was shown the incident that is held
 };
 
 } // namespace liena::fuzz

@@ -34,7 +34,7 @@ public:
         case 3:
             return m_machine.handle(OpenRequested{m_machine.freshToken()});
         case 4:
-            return m_machine.handle(ReopenRequested{m_machine.freshToken()});
+            return m_machine.handle(ReopenRequested{m_machine.freshToken(), seen()});
         case 5:
             return m_machine.handle(CloseRequested{"closed"});
         case 6:
@@ -77,6 +77,13 @@ public:
 
 private:
     SetStanding standing() { return static_cast<SetStanding>(m_input.below(4)); }
+
+    /// What the person was shown: nothing, what is held, or what was held before.
+    IncidentId seen()
+    {
+        const auto choice = m_input.below(4);
+        return choice == 0 ? 0 : choice < 3 ? m_machine->incident() : 900 + m_input.below(3);
+    }
     std::uint64_t someToken() { return m_input.below(4) == 0 ? 7 : m_machine->token(); }
 
     /// The shell reads lane 0 of a living session only.
@@ -98,8 +105,9 @@ private:
         heard.connection = m_machine.freshConnection();
         heard.handshake = {m_machine.freshToken(), (choice & 7U) == 7 ? peerSet : topologyHash, peerSet, {"peer"}};
         heard.diagnosis = (choice & 8U) != 0;
-        heard.previous = (choice & 16U) != 0 ? m_machine->incident() : 0;
+        heard.previous = (choice & 16U) == 0 ? 0 : (choice & 32U) == 0 ? m_machine->incident() : m_machine->token();
         heard.standing = static_cast<SetStanding>((choice & 0x80U) != 0 ? choice >> 5U & 3U : 0);
+        heard.notAdmitted = choice == 0x07 ? "not now" : "";
         m_machine.handle(heard);
     }
 

@@ -22,7 +22,7 @@ class World {
 public:
     void step(FuzzInput& input)
     {
-        switch (input.below(9)) {
+        switch (input.below(10)) {
         case 0:
             return pass(input);
         case 1:
@@ -39,6 +39,8 @@ public:
             return standBy(input);
         case 7:
             return report(input);
+        case 8:
+            return flood(input);
         default:
             return end(input);
         }
@@ -91,6 +93,23 @@ private:
         check(m_ledger.heard(from, message, m_now), from);
     }
 
+    /// A neighbour that does not stop: as many incidents, or as many holders of one, as would go over the bounds.
+    void flood(FuzzInput& input)
+    {
+        const auto from = other(input);
+        const auto first = incident(input);
+        const bool ofHolders = input.flag();
+        const unsigned count = std::exchange(m_flooded, true) ? 0 : 2U * input.number<std::uint8_t>();
+        for (unsigned i = 0; i < count; ++i) {
+            const auto device = DeviceId(0x00108000U + i);
+            const protocol::StandBy incident{first + i, devices[1], devices[2], LossCause::HeartbeatLost, m_now.wall.ns, devices[1]};
+            const protocol::StandByReport holder{first, device, true, m_now.wall.ns};
+            checkActions(ofHolders ? m_ledger.heard(from, holder, m_now) : m_ledger.heard(from, incident, m_now), from);
+        }
+        checkState();
+        checkEach();
+    }
+
     void end(FuzzInput& input)
     {
         const auto from = other(input);
@@ -104,13 +123,28 @@ private:
 
     void check(const LedgerActions& actions, std::optional<DeviceId> from = std::nullopt)
     {
-        const auto before = m_held;
+        checkActions(actions, from);
+        checkState();
+        if (m_held.size() <= 32) // else it takes too long for each step
+            checkEach();
+    }
+
+    void checkActions(const LedgerActions& actions, std::optional<DeviceId> from)
+    {
+        expect(actions.size() <= 8 + 6 * (m_held.size() + 1), "news has a bounded number of consequences");
         for (const auto& action : actions)
             checkAction(action, from);
-        expect(actions.size() <= 8 + 6 * (before.size() + 1), "news has a bounded number of consequences");
+    }
+
+    void checkState() const
+    {
         expect(m_ledger.size() == m_held.size(), "the application hears of every incident that begins and ends");
         expect(m_ledger.size() <= mostIncidents + m_own, "a neighbour cannot fill the memory");
         expect(m_ledger.standsBy() == !m_held.empty() && m_standsBy == m_ledger.standsBy(), "who holds an incident stands by");
+    }
+
+    void checkEach() const
+    {
         for (const auto& held : m_ledger.incidents()) {
             expect(held.id != 0 && m_held.contains(held.id) && m_ledger.find(held.id) != nullptr, "an incident is found by its name");
             expect(held.holds.size() <= mostIncidents + 1, "nor can reports");
@@ -159,6 +193,7 @@ private:
     std::set<IncidentId> m_held;
     std::size_t m_own = 0; ///< incidents of this device's own sessions, as many as it lost
     bool m_standsBy = false;
+    bool m_flooded = false; ///< once is enough, and slow
 };
 
 } // namespace
