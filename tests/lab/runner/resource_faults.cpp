@@ -54,8 +54,7 @@ void fullDisk(Scene& scene)
     restartCockpit(scene, small);
     const auto store = diskOf(scene.cockpit().process->id(), rig.files().storeOf("cockpit"));
     fillDisk(store);
-    scene.reopen("robot");
-    scene.engage();
+    scene.engage(With::Robot);
     scene.begin(nowNs());
     rig.say("cockpit", "open xray");
     const auto failed = [](const Record& record) {

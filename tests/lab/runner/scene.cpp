@@ -67,11 +67,12 @@ void Scene::reopen(const std::string& peer)
         m_outcome.reopens = millisecondsSince(pressed, std::max(here->at, there->at));
 }
 
-void Scene::openAll()
+void Scene::open(With with)
 {
     for (const auto& link : m_rig.plan().links) {
         const auto peer = link.substr(link.find(' ') + 1);
-        if (!link.starts_with("cockpit ") || (cockpit().isOpenTo(peer) && m_rig[peer].isOpenTo("cockpit")))
+        if (!link.starts_with("cockpit ") || (with == With::Robot && peer != "robot") ||
+            (cockpit().isOpenTo(peer) && m_rig[peer].isOpenTo("cockpit")))
             continue;
         await([&] { return settled(peer); }, openLimit,
               "the ends of cockpit-" + peer + " did not settle: " + cockpit().stateOf(peer) + ", " + m_rig[peer].stateOf("cockpit"));
@@ -80,10 +81,10 @@ void Scene::openAll()
     }
 }
 
-void Scene::engage()
+void Scene::engage(With with)
 {
     for (int attempt = 0; attempt < patience; ++attempt) {
-        openAll();
+        open(with);
         if (robot().moving && robot().robotState == "Engaged")
             break;
         if (!m_rig.until([&] { return cockpit().heard["robot"] == "Ready" && robot().robotState == "Ready"; }, armLimit))

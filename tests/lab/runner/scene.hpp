@@ -27,6 +27,9 @@ struct Stuck {
     std::string what;
 };
 
+/// Whose sessions have to be open before the robot is armed.
+enum class With { Everybody, Robot };
+
 class Scene {
 public:
     Scene(Rig& rig, std::mt19937_64& random) : m_rig(rig), m_random(random) {}
@@ -39,8 +42,8 @@ public:
     /// Whole numbers in [least, most], from the lab's seed.
     int draw(int least, int most);
 
-    /// Opens, arms and presses until the robot moves, as a patient person would; then a random moment more. Throws Stuck.
-    void engage();
+    /// Opens what is not open, arms and presses until the robot moves, as a patient person would; then a random moment more. Throws Stuck.
+    void engage(With with = With::Everybody);
 
     /// The fault is in force since `at`.
     void begin(std::int64_t at);
@@ -74,7 +77,7 @@ public:
 
 private:
     bool settled(const std::string& peer);
-    void openAll();
+    void open(With with);
     std::optional<double> detection(const RigDevice& device, const std::string& peer) const;
 
     Rig& m_rig;
