@@ -32,11 +32,13 @@
 
 mtype = { StandBy, ReOpened, Dismissed };
 
-chan wire[6] = [5] of { mtype, byte, byte, byte }; /* kind, incident or new token, incident named, what was raised before the stamp */
+chan wire[6] = [5] of { mtype, byte, byte }; /* kind, incident or new token, incident named */
 byte open[6];    /* the session that this end has open */
 byte mine[6];    /* the incident that this end's session machine knows */
-byte due[3], dueNamed[3]; bool dueAgain[3]; /* opened by the one end, not yet by the other */
-byte held[3], ended[3], told[3]; /* bits by token */
+byte due[3], dueAt[3], dueNamed[3]; bool dueAgain[3]; /* opened by the one end, not yet by the other */
+#define DUE(l, d) (due[l] != 0 && dueAt[l] == (d))
+byte held[3], ended[3]; /* bits by token */
+byte told[3 * 8];    /* by token: the incidents that a known re-opening of that token named, as bits */
 byte byToken[3 * 8]; /* the re-opening that ended an incident; 0: it was dismissed */
 #ifdef MUT_ANSWERS_ANOTHER
 byte byNamed[3 * 8];
@@ -50,7 +52,7 @@ byte next = 1;
 bool moving;     /* device 0 is the robot */
 byte losses = LOSSES, restarts = RESTARTS, dismissals = DISMISSALS;
 
-byte raised, over; /* ghosts: incidents that were raised, and those that a person ended */
+byte over; /* ghost: the incidents that a person ended */
 
 #define BIT(t) (1 << (t))
 #define MEMORY(d, t) ((d) * 8 + (t))
@@ -67,7 +69,7 @@ byte raised, over; /* ghosts: incidents that were raised, and those that a perso
 #endif
 
 inline tell(onLink, kind, about, naming) {
-  if :: open[WAY(onLink, d)] != 0 -> wire[WAY(onLink, d)]!kind,about,naming,raised :: else -> skip fi
+  if :: open[WAY(onLink, d)] != 0 -> wire[WAY(onLink, d)]!kind,about,naming :: else -> skip fi
 }
 
 /* To every open session but that on link `except`. */
@@ -97,6 +99,12 @@ inline endAll(by, byName) {
          l = pair[t];
          if
          :: END(l, d) && !(held[d] & ofLink[l]) -> mine[WAY(l, d)] = 0
+#ifndef MUT_SHOWS_ENDED
+         :: END(l, d) && (held[d] & ofLink[l]) && mine[WAY(l, d)] == t ->
+              x = 1;
+              do :: held[d] & ofLink[l] & BIT(x) -> break :: else -> x++ od;
+              mine[WAY(l, d)] = x; x = 0
+#endif
          :: else -> skip
          fi
     :: else -> skip
@@ -109,12 +117,12 @@ inline endAll(by, byName) {
 inline lose(its) {
   x = open[WAY(its, d)];
   open[WAY(its, d)] = 0; mine[WAY(its, d)] = x;
-  do :: len(wire[WAY(its, OTHER(its, d))]) > 0 -> wire[WAY(its, OTHER(its, d))]?_,_,_,_ :: else -> break od
+  do :: len(wire[WAY(its, OTHER(its, d))]) > 0 -> wire[WAY(its, OTHER(its, d))]?_,_,_ :: else -> break od
 }
 
 /* StandByLedger::raise */
 inline raise(fresh, notTo) {
-  held[d] = held[d] | BIT(fresh); raised = raised | BIT(fresh);
+  held[d] = held[d] | BIT(fresh);
 #ifndef MUT_LEASE_KEPT
   if :: d == 0 -> moving = false :: else -> skip fi;
 #endif
@@ -133,7 +141,12 @@ inline heardStandBy() {
        y = pair[id];
        if
        :: END(y, d) && open[WAY(y, d)] == id -> lose(y)
+#ifndef MUT_OPENS_LOST
+       :: END(y, d) && DUE(y, d) && due[y] == id -> due[y] = 0; mine[WAY(y, d)] = id /* open and lost at the other end already */
+       :: END(y, d) && !(DUE(y, d) && due[y] == id) && open[WAY(y, d)] != id && mine[WAY(y, d)] == 0 -> mine[WAY(y, d)] = id
+#else
        :: END(y, d) && open[WAY(y, d)] != id && mine[WAY(y, d)] == 0 -> mine[WAY(y, d)] = id
+#endif
        :: else -> skip
        fi;
        y = 0; x = 0;
@@ -146,19 +159,13 @@ inline heardStandBy() {
 }
 
 inline heardReOpened() {
-  news = !(told[d] & BIT(id)); told[d] = told[d] | BIT(id);
+  news = !(told[MEMORY(d, id)] & BIT(named)); told[MEMORY(d, id)] = told[MEMORY(d, id)] | BIT(named);
   if
-  :: news || (held[d] & BIT(named)) ->
+  :: named != id && (news || (held[d] & BIT(named))) ->
        which = BIT(named) & held[d];
-       if
-       :: news -> for (t : 1 .. TOKENS) {
-            if
-            :: t != id && pair[t] == pair[id] && (which & BIT(named) -> t < named : stamp & BIT(t)) -> which = which | (BIT(t) & held[d])
-            :: else -> skip
-            fi }
-       :: else -> skip
-       fi;
-       t = 0;
+#ifdef MUT_ENDS_OLDER /* whatever of the pair seems older, by clocks that nobody set */
+       if :: news -> which = which | (held[d] & ofLink[pair[id]] & ~BIT(id)) :: else -> skip fi;
+#endif
        rememberEnded(named, id, named);
        endAll(id, named);
        broadcast(ReOpened, id, named, link)
@@ -182,13 +189,15 @@ inline opened(token) {
        if :: x == 0 -> x = mine[WAY(link, OTHER(link, d))] :: else -> skip fi;
        if :: x == 0 -> x = named :: else -> skip fi;
        named = x;
-       told[d] = told[d] | BIT(token);
-       which = held[d] & ofLink[link];
-       if :: !(held[d] & BIT(named)) || (which & BIT(named)) -> rememberEnded(named, token, named) :: else -> skip fi;
-       mine[WAY(link, d)] = 0;
+       which = held[d] & ofLink[link] & ~BIT(token);
+       if :: named != token && !(held[d] & BIT(named)) && (named != 0 || which == 0) -> which = which | BIT(named) :: else -> skip fi;
+       told[MEMORY(d, token)] = told[MEMORY(d, token)] | which;
+       rememberEnded(named, token, named);
+       mine[WAY(link, d)] = (held[d] & BIT(token) -> token : 0);
+       y = which; which = which & held[d];
        endAll(token, named);
-       which = 0;
-       broadcast(ReOpened, token, named, LINKS)
+       for (t : 0 .. TOKENS) { if :: y & BIT(t) -> broadcast(ReOpened, token, t, LINKS) :: else -> skip fi }
+       which = 0; y = 0
   :: else -> skip
   fi;
   for (t : 1 .. TOKENS) { if :: held[d] & BIT(t) -> tell(link, StandBy, t, 0) :: else -> skip fi }
@@ -198,30 +207,30 @@ inline opened(token) {
 #define GONE(l, d) (open[WAY(l, d)] != 0 && due[l] != open[WAY(l, d)] && open[WAY(l, OTHER(l, d))] != open[WAY(l, d)])
 
 proctype Device(byte d) {
-  mtype k; byte id, named, stamp, l, t, x, y, link, which; bool news, again;
+  mtype k; byte id, named, l, t, x, y, link, which; bool news, again;
 end: do
   :: atomic {
        if :: link = FIRST(d) :: SECOND(d) < LINKS -> link = SECOND(d) fi;
        if
        :: len(wire[WAY(link, OTHER(link, d))]) > 0 && open[WAY(link, d)] != 0 ->
-            wire[WAY(link, OTHER(link, d))]?k,id,named,stamp;
+            wire[WAY(link, OTHER(link, d))]?k,id,named;
             if :: k == StandBy -> heardStandBy() :: k == ReOpened -> heardReOpened() :: k == Dismissed -> heardDismissed() fi
        /* Lost: at both ends, each in its time. */
        :: open[WAY(link, d)] != 0 && (losses > 0 || GONE(link, d)) ->
             if :: GONE(link, d) -> skip :: else -> losses-- fi;
-            if :: due[link] == open[WAY(link, d)] -> due[link] = 0 :: else -> skip fi;
-            lose(link);
+            lose(link); /* the other end may yet read what opens it there */
             if :: held[d] & BIT(x) -> skip :: else -> y = x; raise(y, LINKS) fi
        /* A person opens or re-opens; the other end follows, or its session is lost first. */
-       :: open[WAY(link, d)] == 0 && open[WAY(link, OTHER(link, d))] == 0 && due[link] == 0 && next <= TOKENS ->
+       :: open[WAY(link, d)] == 0 && open[WAY(link, OTHER(link, d))] == 0 && next <= TOKENS ->
             again = (mine[WAY(link, d)] != 0 || mine[WAY(link, OTHER(link, d))] != 0);
             if :: again -> over = over | ofLink[link] :: else -> skip fi;
-            pair[next] = link; ofLink[link] = ofLink[link] | BIT(next); due[link] = next; next++;
-            do :: len(wire[2 * link]) > 0 -> wire[2 * link]?_,_,_,_ :: else -> break od; /* connections of the session before */
-            do :: len(wire[2 * link + 1]) > 0 -> wire[2 * link + 1]?_,_,_,_ :: else -> break od;
+            pair[next] = link; ofLink[link] = ofLink[link] | BIT(next); due[link] = next; dueAt[link] = OTHER(link, d); next++;
+            do :: len(wire[2 * link]) > 0 -> wire[2 * link]?_,_,_ :: else -> break od; /* connections of the session before */
+            do :: len(wire[2 * link + 1]) > 0 -> wire[2 * link + 1]?_,_,_ :: else -> break od;
             dueAgain[link] = again; dueNamed[link] = (mine[WAY(link, d)] != 0 -> mine[WAY(link, d)] : mine[WAY(link, OTHER(link, d))]);
             opened(due[link])
-       :: due[link] != 0 && open[WAY(link, d)] == 0 ->
+       :: DUE(link, d) && open[WAY(link, OTHER(link, d))] != due[link] -> due[link] = 0 /* the attempt ends in its time */
+       :: DUE(link, d) ->
             again = dueAgain[link]; named = dueNamed[link]; id = due[link]; due[link] = 0; dueAgain[link] = false; dueNamed[link] = 0;
             opened(id)
        :: dismissals > 0 && held[d] != 0 -> dismissals--;
@@ -235,17 +244,18 @@ end: do
             for (y : 0 .. LINKS - 1) {
               if
               :: END(y, d) ->
-                   if :: due[y] == open[WAY(y, d)] -> due[y] = 0 :: else -> skip fi;
+                   if :: DUE(y, d) -> due[y] = 0 :: else -> skip fi;
                    lose(y); mine[WAY(y, d)] = 0
               :: else -> skip
               fi
             }
             for (y : 1 .. TOKENS) { byToken[MEMORY(d, y)] = 0; KEEP_NAME(d, y, 0) }
-            held[d] = 0; ended[d] = 0; told[d] = 0; if :: d == 0 -> moving = false :: else -> skip fi
+            for (y : 1 .. TOKENS) { told[MEMORY(d, y)] = 0 }
+            held[d] = 0; ended[d] = 0; if :: d == 0 -> moving = false :: else -> skip fi
        :: d == 0 && held[0] == 0 && !moving -> moving = true
        :: else -> skip
        fi;
-       k = 0; id = 0; named = 0; stamp = 0; l = 0; t = 0; x = 0; y = 0; link = 0; which = 0; news = false; again = false;
+       k = 0; id = 0; named = 0; l = 0; t = 0; x = 0; y = 0; link = 0; which = 0; news = false; again = false;
        assert(!moving || held[0] == 0)
      }
   od
