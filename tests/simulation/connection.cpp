@@ -11,8 +11,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::size_t largestPacket = 14480;
-constexpr std::size_t window = 256 << 10;
-constexpr std::size_t sendBuffer = 64 << 10;
+constexpr std::size_t windowBuffers = 4; ///< what may be on the way, in send buffers
 constexpr std::size_t tidyAbove = 64 << 10;
 constexpr auto firstTimeout = 200ms;
 constexpr int mostDoublings = 3;
@@ -35,18 +34,18 @@ bool Connection::write(std::span<const std::byte> bytes)
         return true;
     m_stream.insert(m_stream.end(), bytes.begin(), bytes.end());
     pump();
-    m_writerWaits = m_stream.size() - m_sentBytes > sendBuffer;
+    m_writerWaits = m_stream.size() - m_sentBytes > m_network.sendBuffer();
     return !m_writerWaits;
 }
 
 void Connection::pump()
 {
-    while (m_sentBytes < m_stream.size() && m_sentBytes - m_readBytes < window) {
+    while (m_sentBytes < m_stream.size() && m_sentBytes - m_readBytes < windowBuffers * m_network.sendBuffer()) {
         const auto size = std::min(m_stream.size() - m_sentBytes, largestPacket);
         m_sentBytes += size;
         add({size, 0, false, false, false});
     }
-    if (m_writerWaits && m_stream.size() - m_sentBytes <= sendBuffer) {
+    if (m_writerWaits && m_stream.size() - m_sentBytes <= m_network.sendBuffer()) {
         m_writerWaits = false;
         m_network.programs().whenRunning(m_maker.host, [network = &m_network, number = m_number] {
             if (auto* self = network->find(number); self != nullptr && self->m_maker.listener != nullptr)

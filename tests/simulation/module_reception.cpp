@@ -59,6 +59,11 @@ void SimulatedModule::received(std::uint8_t lane, const protocol::DatagramHeader
         receivedApplication(header, part);
 }
 
+void SimulatedModule::kept(std::uint8_t lane, const protocol::DatagramHeader& header, std::size_t bytes)
+{
+    m_device.observe(Kept{m_device.host(), m_peer, lane, nameOf(header), bytes});
+}
+
 void SimulatedModule::receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part)
 {
     const auto message = protocol::decodeSessionMessage(header.message.number, part);
@@ -75,7 +80,7 @@ void SimulatedModule::receivedSession(std::uint8_t lane, const protocol::Datagra
     } else if (header.target.isBroadcast()) {
         if (!shares)
             return (void)violation("what cannot be broadcast now");
-        m_device.heardBroadcast(m_peer, *message, header.timestamp);
+        m_device.heardBroadcast(m_peer, *message);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
         const auto bulk = m_incomingBulk.find(lane);
         auto* reception = lane == 0 ? m_incoming.get() : bulk != m_incomingBulk.end() ? bulk->second.get() : nullptr;

@@ -60,6 +60,9 @@ public:
     Network(VirtualTime& time, HostPrograms& programs, SeededRandom random, std::size_t hosts);
     ~Network();
 
+    void setSendBuffer(std::size_t bytes) { m_sendBuffer = bytes; }
+    std::size_t sendBuffer() const { return m_sendBuffer; }
+
     Path& path(HostIndex from, HostIndex to) { return m_paths[from * m_hosts + to]; }
 
     /// TCP and TLS within `limit`; the number names the attempt.
@@ -111,6 +114,7 @@ private:
     std::vector<Path> m_paths;
     std::map<ConnectionNumber, std::unique_ptr<Connection>> m_connections;
     std::map<std::uint64_t, Attempt> m_attempts;
+    std::size_t m_sendBuffer = 64 << 10; ///< of every connection
     std::uint64_t m_numbers = 0;
     std::uint64_t m_lost = 0;
 };

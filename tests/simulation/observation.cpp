@@ -41,6 +41,14 @@ struct Fields {
     {
         v("device", o.device), v("target", o.target), name(o.name, v), v("content", o.content);
     }
+    void operator()(const Beat& o, auto&& v) const
+    {
+        v("device", o.device), v("target", o.target), v("state", o.state), v("epoch", o.epoch);
+    }
+    void operator()(const Kept& o, auto&& v) const
+    {
+        v("device", o.device), v("peer", o.peer), v("lane", o.lane), name(o.name, v), v("bytes", o.bytes);
+    }
     void operator()(const Left& o, auto&& v) const { v("device", o.device), v("target", o.target), name(o.name, v); }
     void operator()(const Unsent& o, auto&& v) const { v("device", o.device), v("target", o.target), name(o.name, v), v("fate", o.fate); }
     void operator()(const Delivered& o, auto&& v) const
@@ -71,9 +79,10 @@ struct Fields {
     static void name(const MessageName& name, auto&& v) { v("origin", name.origin), v("number", name.number), v("stamp", name.stamp); }
 };
 
-constexpr const char* kindNames[] = {"started", "ended", "requested", "entered",  "lost",   "lane-taken", "opened",    "revoked",
-                                     "raised",  "over",  "dismissed", "composed", "left",   "unsent",     "delivered", "dropped",
-                                     "applied", "drove", "holds",     "settled",  "paused", "lies"};
+constexpr const char* kindNames[] = {"started",   "ended",   "requested", "entered",  "lost",  "lane-taken", "opened", "revoked",
+                                     "raised",    "over",    "dismissed", "composed", "beat",  "left",       "unsent", "kept",
+                                     "delivered", "dropped", "applied",   "drove",    "holds", "settled",    "paused", "lies"};
+static_assert(std::size(kindNames) == std::variant_size_v<Observation>);
 
 } // namespace
 

@@ -98,6 +98,13 @@ struct Composed {
     bool engaged = false; ///< asks a robot to move
     std::uint32_t content = 0;
 };
+/// A heartbeat leaves: what this end says of itself.
+struct Beat {
+    HostIndex device = 0;
+    HostIndex target = 0;
+    SessionState state = SessionState::Closed;
+    std::uint32_t epoch = 0;
+};
 /// Its last byte was written to a connection, or it went out as a packet.
 struct Left {
     HostIndex device = 0;
@@ -110,6 +117,14 @@ struct Unsent {
     HostIndex target = 0;
     MessageName name;
     Fate fate = Fate::Superseded;
+};
+/// A segment of a message that is not whole yet was taken.
+struct Kept {
+    HostIndex device = 0;
+    HostIndex peer = 0;
+    std::uint8_t lane = 0;
+    MessageName name;
+    std::size_t bytes = 0; ///< with those before it
 };
 struct Delivered {
     HostIndex device = 0;
@@ -172,7 +187,7 @@ struct Lies {
 };
 
 using Observation = std::variant<Started, Ended, Requested, Entered, Lost, LaneTaken, Opened, Revoked, Raised, Over, Dismissed, Composed,
-                                 Left, Unsent, Delivered, Dropped, Applied, Drove, Holdings, Settled, Paused, Lies>;
+                                 Beat, Left, Unsent, Kept, Delivered, Dropped, Applied, Drove, Holdings, Settled, Paused, Lies>;
 
 /// One line for a person.
 std::string describe(const Observation& observation);

@@ -197,6 +197,13 @@ void ReferenceModel::drained(HostIndex device, HostIndex target, const MessageNa
     waiting.erase(name);
 }
 
+void ReferenceModel::on(const Beat& o)
+{
+    const auto& end = m_ends[{o.device, o.target}];
+    require(o.state == end.state, "I11", "a heartbeat says a state in which its session is not");
+    require(o.epoch >= end.epoch, "I11", "a heartbeat says an epoch that is over");
+}
+
 void ReferenceModel::on(const Left& o)
 {
     const auto sent = m_sent.find(o.name);
@@ -208,6 +215,13 @@ void ReferenceModel::on(const Left& o)
 }
 
 void ReferenceModel::on(const Unsent& o) { drained(o.device, o.target, o.name); }
+
+void ReferenceModel::on(const Kept& o)
+{
+    const bool command = o.name.number < 0x0200;
+    const auto most = m_rules.largest.find({command ? o.device : o.peer, o.name.number});
+    require(most == m_rules.largest.end() || o.bytes <= most->second, "I9", "a partial message is longer than it may become");
+}
 
 void ReferenceModel::on(const Delivered& o)
 {

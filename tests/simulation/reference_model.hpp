@@ -24,8 +24,9 @@ struct Rules {
     Nanoseconds lost = std::chrono::milliseconds(110);
     Nanoseconds motionAge = std::chrono::milliseconds(50);
     Nanoseconds lease = std::chrono::milliseconds(50);
-    Nanoseconds ramp = std::chrono::milliseconds(25);      ///< from any speed to standstill
-    Nanoseconds agreement = std::chrono::milliseconds(60); ///< two heartbeats and a round trip
+    Nanoseconds ramp = std::chrono::milliseconds(25);                   ///< from any speed to standstill
+    Nanoseconds agreement = std::chrono::milliseconds(60);              ///< two heartbeats and a round trip
+    std::map<std::pair<HostIndex, std::uint16_t>, std::size_t> largest; ///< of each message, by the device whose set defines it
     std::size_t partialBytes = std::size_t{4} << 20U;
     std::size_t queuedBytes = std::size_t{64} << 20U; ///< of one lane
 };
@@ -91,8 +92,10 @@ private:
     void on(const Over& o);
     void on(const Dismissed& o);
     void on(const Composed& o);
+    void on(const Beat& o);
     void on(const Left& o);
     void on(const Unsent& o);
+    void on(const Kept& o);
     void on(const Delivered& o);
     void on(const Dropped&) {}
     void on(const Applied& o);

@@ -94,6 +94,7 @@ private:
         Rules rules;
         rules.links = {{robot, cockpit}};
         rules.ids = {{robot, robotId}, {cockpit, cockpitId}, {stranger, 0x60008208U}};
+        rules.largest = {{{robot, 0x0101}, 43}};
         return rules;
     }
 
@@ -226,6 +227,9 @@ void ReferenceModelTest::finds_data()
     row("queued before a loss, sent after it", "I8", [](Trace& t) { t.open().compose(1).pass(1ms).note(Revoked{cockpit}).leave(1); });
     row("accepted for a closed session", "I8", [](Trace& t) { t.compose(1); });
     row("more than the budget", "I9", [](Trace& t) { t.note(Holdings{robot, (std::size_t{4} << 20U) + 1, 0, 0, 0, 0, 0ns}); });
+    row("a message longer than its definition", [](Trace& t) {
+        t.open().note(Kept{robot, cockpit, 0, Trace::command(1), 43}).note(Kept{robot, cockpit, 0, Trace::command(1), 44});
+    });
     row("too many fresh connections", "I9", [](Trace& t) { t.note(Holdings{robot, 0, 0, 5, 0, 0, 0ns}); });
     row("an incident from nowhere", "I10", [](Trace& t) { t.note(Raised{robot, 5, robot, cockpit}); });
     row("an incident that ends by itself", "I10", [](Trace& t) { t.open().lose().note(Over{robot, 7, false, cockpit}); });
@@ -237,6 +241,13 @@ void ReferenceModelTest::finds_data()
     row("no agreement on an epoch", "I11", [](Trace& t) {
         t.open().note(Settled{robot, cockpit, SessionState::Open, 7, 2, 1, 0});
         t.note(Settled{cockpit, robot, SessionState::Open, 7, 1, 1, 0});
+    });
+    row("a heartbeat that says another state", "I11", [](Trace& t) {
+        t.open().enter(SessionState::Open, SessionState::Suspect).note(Beat{robot, cockpit, SessionState::Open, 1});
+    });
+    row("a heartbeat that says an epoch that is over", "I11", [](Trace& t) {
+        t.open().enter(SessionState::Open, SessionState::Reconnecting).enter(SessionState::Reconnecting, SessionState::Open);
+        t.note(Opened{robot, cockpit, 7, false, true, 2}).note(Beat{robot, cockpit, SessionState::Open, 1});
     });
     row("not open again", "G19", [](Trace& t) { t.note(Settled{robot, cockpit, SessionState::StandBy, 7, 1, 1, 0}); });
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace liena::simulation {
 
@@ -44,6 +45,10 @@ void Tally::add(const Outcome& outcome)
     total.observations += outcome.observations;
     total.events += outcome.events;
     total.faults += outcome.faults;
+    for (std::size_t kind = 0; kind < faultKinds; ++kind)
+        total.faultsOfKind[kind] += outcome.faultsOfKind[kind];
+    total.commandsSent += outcome.commandsSent;
+    total.falseStandBys += outcome.falseStandBys;
     total.packetsLost += outcome.packetsLost;
     total.commandsJudged += outcome.commandsJudged;
     total.commandsDelivered += outcome.commandsDelivered;
@@ -93,6 +98,31 @@ std::string report(const Scenario& scenario, const Outcome& outcome)
     return text;
 }
 
+std::optional<Caught> caught(Mutant mutant, std::uint64_t most)
+{
+    const bool onlyByLies = mutant == Mutant::OriginNotCompared || mutant == Mutant::LimitAfterAllocation;
+    for (std::uint64_t seed = 1; seed <= most; ++seed) {
+        const auto sound = onlyByLies ? Scenario::lying(seed) : Scenario::chaotic(seed);
+        auto scenario = sound;
+        scenario.mutant = mutant;
+        const auto outcome = runScenario(scenario);
+        if (!outcome.violations.empty() && runScenario(sound).violations.empty())
+            return Caught{seed, outcome.violations.front()};
+    }
+    return std::nullopt;
+}
+
+std::map<std::uint64_t, std::uint64_t> readHashes(const std::string& path)
+{
+    std::map<std::uint64_t, std::uint64_t> hashes;
+    std::ifstream file(path);
+    std::uint64_t seed = 0;
+    std::uint64_t hash = 0;
+    while (file >> std::dec >> seed >> std::hex >> hash)
+        hashes[seed] = hash;
+    return hashes;
+}
+
 std::string table(const Tally& tally, double wallSeconds)
 {
     const auto& total = tally.total;
@@ -101,13 +131,18 @@ std::string table(const Tally& tally, double wallSeconds)
     row("seeds", fmt::format("{}", tally.seeds));
     row("simulated time", fmt::format("{:.2f} h", static_cast<double>(total.simulated.count()) / 3.6e12));
     row("faults injected", fmt::format("{}", total.faults));
+    for (std::size_t kind = 0; kind < faultKinds; ++kind)
+        if (total.faultsOfKind[kind] != 0)
+            row(fmt::format("  {}", nameOf(static_cast<FaultKind>(kind))), fmt::format("{}", total.faultsOfKind[kind]));
     row("packets lost", fmt::format("{}", total.packetsLost));
     row("events", fmt::format("{}", total.events));
     row("observations judged", fmt::format("{}", total.observations));
-    row("commands judged", fmt::format("{}", total.commandsJudged));
+    row("commands sent", fmt::format("{}", total.commandsSent));
+    row("commands judged on arrival", fmt::format("{}", total.commandsJudged));
     row("commands delivered", fmt::format("{}", total.commandsDelivered));
     row("interruptions", fmt::format("{}", total.interruptions));
     row("stand-bys (both ends counted)", fmt::format("{}", total.standBys));
+    row("false stand-bys", fmt::format("{}", total.falseStandBys));
     row("seeds that failed", fmt::format("{}", tally.failed));
     row("violations", fmt::format("{}", total.violations.size()));
     row("longest silence before a loss", fmt::format("{:.3f} ms", milliseconds(total.longestDetection)));

@@ -3,7 +3,8 @@
 
 #include "world.hpp"
 
-#include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,16 @@ Scenario minimised(Scenario scenario, const std::string& invariant, int most = 4
 
 /// The seed, the violations, and the shortest list of faults that shows the first of them.
 std::string report(const Scenario& scenario, const Outcome& outcome);
+
+/// A seed that is clean, and is not with the mutant; nothing when `most` seeds show none.
+struct Caught {
+    std::uint64_t seed = 0;
+    Violation violation;
+};
+std::optional<Caught> caught(Mutant mutant, std::uint64_t most);
+
+/// The kept hash of each fixed seed, from lines `seed hash`; empty when the file cannot be read.
+std::map<std::uint64_t, std::uint64_t> readHashes(const std::string& path);
 
 /// `name value` lines with units.
 std::string table(const Tally& tally, double wallSeconds);

@@ -199,6 +199,7 @@ Scenario Scenario::chaotic(std::uint64_t seed)
     if (count > 2 && random.below(4) == 0)
         scenario.liar = static_cast<HostIndex>(random.below(count));
     scenario.chaos = random.between(Nanoseconds(3s), Nanoseconds(9s));
+    scenario.sendBuffer = std::array<std::size_t, 3>{512, 4 << 10, 64 << 10}[random.below(3)];
 
     SeededRandom faults(seed, "faults");
     const auto weights = drawWeights(faults, scenario);
@@ -216,6 +217,15 @@ Scenario Scenario::chaotic(std::uint64_t seed)
               : gap < 4 ? mean / 10
                         : faults.between(Nanoseconds(0), 2 * mean);
     }
+    return scenario;
+}
+
+Scenario Scenario::lying(std::uint64_t seed)
+{
+    auto scenario = chaotic(seed);
+    scenario.liar = scenario.liar.value_or(static_cast<HostIndex>(seed % scenario.devices.size()));
+    scenario.devices[*scenario.liar].opens = true;
+    scenario.faults.push_back({300ms, FaultKind::Lie, *scenario.liar, *scenario.liar, 0, scenario.chaos});
     return scenario;
 }
 

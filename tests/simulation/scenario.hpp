@@ -86,6 +86,7 @@ struct Scenario {
     Nanoseconds delay = std::chrono::milliseconds(1);
     Nanoseconds jitter{};
     std::uint32_t loss = 0;
+    std::size_t sendBuffer = 64 << 10; ///< of a connection; a small one makes writers wait
     std::optional<HostIndex> liar;
     Nanoseconds chaos = std::chrono::seconds(8);
     std::vector<Fault> faults;
@@ -96,6 +97,9 @@ struct Scenario {
 
     /// Swarm: each seed draws its own configuration and weights.
     static Scenario chaotic(std::uint64_t seed);
+
+    /// Chaotic, and one device lies from early on, for the guards that nothing but lies puts to the test.
+    static Scenario lying(std::uint64_t seed);
 
     /// Two devices, commands only where asked, no fault but the path's own loss.
     static Scenario quiet(std::uint64_t seed, Nanoseconds roundTrip, std::uint32_t loss, bool datagrams, bool commands);

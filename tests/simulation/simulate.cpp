@@ -27,6 +27,8 @@ struct Options {
     bool withCommands = false;
     bool mutants = false;
     bool trace = false;
+    bool hashes = false;
+    std::string golden;
     bool coverage = false;
     std::uint64_t mostFailures = 5;
 };
@@ -42,6 +44,7 @@ Examples:
   simulate --seed 4711 --trace                everything that happened in one seed
   simulate --hours 10 --loss 1                false alarms per hour on a path that loses 1 percent
   simulate --single 500                       eight devices and one loss each: detection, and who knows when
+  simulate --golden tests/simulation/golden_hashes   the same traces as ever
   simulate --mutants                          puts each fault of mutant.hpp into the shell; every one must be found)";
 
 void addOptions(CLI::App& app, Options& options)
@@ -58,6 +61,8 @@ void addOptions(CLI::App& app, Options& options)
     app.add_flag("--no-datagrams", options.noDatagrams, "The quiet pair has lane 0 alone");
     app.add_flag("--with-commands", options.withCommands, "The quiet pair commands and reports as in use");
     app.add_flag("--mutants", options.mutants, "Run every mutant until it is found");
+    app.add_option("--golden", options.golden, "Run the seeds of that file, and compare each trace hash with the one kept there");
+    app.add_flag("--hashes", options.hashes, "Print the trace hash of each seed, and no table");
     app.add_flag("--trace", options.trace, "Print every observation");
     app.add_flag("--coverage", options.coverage, "Print what happened how often, and fail where something never did");
     app.add_option("--most-failures", options.mostFailures, "Stop after that many seeds that failed")->capture_default_str();
@@ -94,6 +99,8 @@ bool runOne(const Scenario& scenario, const Options& options, Tally& tally)
     World world(scenario, options.trace ? printer() : World::Onlooker());
     const auto outcome = world.run();
     tally.add(outcome);
+    if (options.hashes)
+        fmt::print("{} {:016x}\n", scenario.seed, outcome.hash);
     if (!outcome.violations.empty()) {
         fmt::print("{}", report(scenario, outcome));
         std::fflush(stdout);
@@ -160,19 +167,36 @@ int runMutants()
     constexpr std::uint64_t mostSeeds = 400;
     int missed = 0;
     for (const auto mutant : mutants) {
-        std::string found = "NOT FOUND";
-        for (std::uint64_t seed = 1; seed <= mostSeeds && found == "NOT FOUND"; ++seed) {
-            auto scenario = Scenario::chaotic(seed);
-            scenario.mutant = mutant;
-            const auto outcome = runScenario(scenario);
-            if (!outcome.violations.empty())
-                found = fmt::format("seed {:<4} {}: {}", seed, outcome.violations.front().invariant, outcome.violations.front().what);
-        }
-        missed += found == "NOT FOUND" ? 1 : 0;
-        fmt::print("{:<24} {}\n", nameOf(mutant), found);
+        const auto found = caught(mutant, mostSeeds);
+        missed += found ? 0 : 1;
+        fmt::print("{:<24} {}\n", nameOf(mutant),
+                   found ? fmt::format("seed {:<4} {}: {}", found->seed, found->violation.invariant, found->violation.what) : "NOT FOUND");
         std::fflush(stdout);
     }
     return missed;
+}
+
+/// The fixed seeds, each with the hash that was kept for it.
+int runGolden(const Options& options, Tally& tally)
+{
+    const auto hashes = readHashes(options.golden);
+    if (hashes.empty()) {
+        fmt::print(stderr, "simulate: {} holds no hashes; --hashes prints such lines\n", options.golden);
+        return 2;
+    }
+    int differing = 0;
+    for (const auto& [seed, kept] : hashes) {
+        World world(Scenario::chaotic(seed));
+        const auto outcome = world.run();
+        tally.add(outcome);
+        if (outcome.hash == kept)
+            continue;
+        fmt::print("seed {} has the trace hash {:016x}, and {} was kept\n", seed, outcome.hash, fmt::format("{:016x}", kept));
+        ++differing;
+    }
+    fmt::print("{} of {} fixed seeds have the trace hash that was kept\n", hashes.size() - static_cast<std::size_t>(differing),
+               hashes.size());
+    return differing == 0 ? 0 : 1;
 }
 
 int judgeCoverage(const Coverage& coverage)
@@ -202,7 +226,10 @@ int main(int argc, char** argv)
         return runMutants() == 0 ? 0 : 1;
     Tally tally;
     const auto began = std::chrono::steady_clock::now();
-    if (options.hours > 0) {
+    if (!options.golden.empty()) {
+        if (const auto status = runGolden(options, tally); status != 0)
+            return status;
+    } else if (options.hours > 0) {
         if (const auto status = runQuiet(options, tally); status != 0)
             return status;
     } else if (options.single > 0) {
@@ -210,7 +237,8 @@ int main(int argc, char** argv)
     } else {
         runSeeds(options, tally);
     }
-    fmt::print("{}", table(tally, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()));
+    if (!options.hashes)
+        fmt::print("{}", table(tally, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()));
     const int missing = options.coverage ? judgeCoverage(tally.total.coverage) : 0;
     return tally.failed == 0 && missing == 0 ? 0 : 1;
 }

@@ -150,7 +150,7 @@ void SimulatedDevice::sessionLost(HostIndex peer, const session::SessionLost& lo
     perform(m_ledger.lost(m_surroundings.idOf(peer), lost.incident, lost.diagnosis.cause, lost.diagnosis.since, now()));
 }
 
-void SimulatedDevice::heardBroadcast(HostIndex from, const protocol::SessionMessage& message, Timestamp stamped)
+void SimulatedDevice::heardBroadcast(HostIndex from, const protocol::SessionMessage& message)
 {
     const auto id = m_surroundings.idOf(from);
     if (const auto* standBy = std::get_if<protocol::StandBy>(&message))
@@ -160,7 +160,7 @@ void SimulatedDevice::heardBroadcast(HostIndex from, const protocol::SessionMess
     else if (const auto* dismissed = std::get_if<protocol::IncidentDismissed>(&message))
         perform(m_ledger.heard(id, *dismissed, now()));
     else if (const auto* reopened = std::get_if<protocol::ChannelReOpened>(&message))
-        perform(m_ledger.heard(id, *reopened, stamped, now()));
+        perform(m_ledger.heard(id, *reopened, now()));
 }
 
 void SimulatedDevice::confirmHold(bool holding) { perform(m_ledger.confirmHold(holding, now())); }
@@ -192,7 +192,7 @@ void SimulatedDevice::perform(const session::LedgerActions& actions)
                 one->sendSession(answer->message, DeviceId::broadcast());
         } else if (const auto* changed = std::get_if<session::PairChanged>(&action)) {
             if (auto* one = module(m_surroundings.hostOf(changed->peer)))
-                one->setIncident(changed->incident);
+                one->setIncident(changed->incident, changed->ended);
         } else if (const auto* heard = std::get_if<session::Tell>(&action)) {
             told(heard->event);
             tell(heard->event);

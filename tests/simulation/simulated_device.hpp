@@ -85,7 +85,7 @@ public:
     void sessionOpened(HostIndex peer, const session::SessionOpened& opened);
     void sessionHealed(HostIndex peer);
     void sessionLost(HostIndex peer, const session::SessionLost& lost);
-    void heardBroadcast(HostIndex from, const protocol::SessionMessage& message, Timestamp stamp);
+    void heardBroadcast(HostIndex from, const protocol::SessionMessage& message);
     void deliver(HostIndex peer, const Message& message);
     void tell(SessionEvent event);
 

@@ -77,10 +77,10 @@ void SimulatedModule::stalled(Nanoseconds gap)
         handle(session::Stalled{gap});
 }
 
-void SimulatedModule::setIncident(IncidentId incident)
+void SimulatedModule::setIncident(IncidentId incident, IncidentId ended)
 {
     if (incident != 0)
-        handle(session::IncidentHeld{incident});
+        handle(session::IncidentHeld{incident, ended});
     else
         handle(session::IncidentGone{});
 }
@@ -189,6 +189,7 @@ void SimulatedModule::sendHeartbeat(protocol::Heartbeat heartbeat)
         m_firstEpoch = heartbeat.epoch;
     if (m_device.settings().mutant == Mutant::SameEpoch)
         heartbeat.epoch = m_firstEpoch;
+    m_device.observe(Beat{m_device.host(), m_peer, heartbeat.state, heartbeat.epoch});
     auto encoded = encode(heartbeat, m_device.surroundings().idOf(m_peer));
     sendPacket(encoded);
     m_laneZero.push({std::move(encoded), tasks::Rank::Safety, 1, std::nullopt, {}});

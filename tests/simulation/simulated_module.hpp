@@ -33,7 +33,7 @@ public:
     void attached(AttachedConnection connection);
     void datagramArrived(std::span<const std::byte> packet);
     void sendSession(const protocol::SessionMessage& message, DeviceId target);
-    void setIncident(IncidentId incident);
+    void setIncident(IncidentId incident, IncidentId ended);
     void setIncidentCount(std::size_t count) { m_machine.setIncidents(static_cast<std::uint16_t>(std::min<std::size_t>(count, 0xFFFF))); }
     void endForViolation(const std::string& detail) { violation(detail); }
     void stalled(Nanoseconds gap);
@@ -55,6 +55,7 @@ private:
     void turned() override;
     Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) override;
     void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part) override;
+    void kept(std::uint8_t lane, const protocol::DatagramHeader& header, std::size_t bytes) override;
     void violated(std::uint8_t lane, const std::string& detail) override { violation(std::to_string(lane) + ": " + detail); }
     void laneLost(std::uint8_t lane, const std::string& detail) override;
     protocol::HeaderJudgement judgeHeader(std::uint8_t lane, protocol::DatagramHeader header) const;

@@ -66,15 +66,27 @@ void SimulatedReception::process()
 bool SimulatedReception::take(const protocol::DatagramHeader& header, std::span<const std::byte> body)
 {
     auto outcome = m_reassembler.take(header, body, m_maximum);
+    if (!std::holds_alternative<protocol::Reassembler::Incomplete>(outcome))
+        m_kept.erase(header.message.number);
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_owner->violated(m_lane, violation->what);
     else if (std::holds_alternative<protocol::Reassembler::OverBudget>(outcome))
         m_owner->overBudget(header);
+    else if (std::holds_alternative<protocol::Reassembler::Incomplete>(outcome))
+        return keep(header, body.size());
     else if (std::holds_alternative<protocol::Reassembler::Whole>(outcome))
         m_owner->received(m_lane, header, body);
     else if (auto* assembled = std::get_if<protocol::Reassembler::Assembled>(&outcome))
         m_owner->received(m_lane, header, {assembled->bytes.data(), assembled->bytes.size()});
     return !m_closed && !m_paused;
+}
+
+bool SimulatedReception::keep(const protocol::DatagramHeader& header, std::size_t bytes)
+{
+    auto& kept = m_kept[header.message.number];
+    kept = {header.timestamp, kept.first == header.timestamp ? kept.second + bytes : bytes};
+    m_owner->kept(m_lane, header, kept.second);
+    return true;
 }
 
 void SimulatedReception::connectionLost(const char* detail)

@@ -7,8 +7,10 @@
 #include "protocol/datagram_decoder.hpp"
 #include "protocol/reassembler.hpp"
 
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace liena::simulation {
 
@@ -25,6 +27,8 @@ public:
     virtual Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) = 0;
     virtual void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part) = 0;
     virtual void overBudget(const protocol::DatagramHeader&) {}
+    /// A segment of a message that is not whole yet was put to those before it.
+    virtual void kept(std::uint8_t /*lane*/, const protocol::DatagramHeader&, std::size_t /*bytes*/) {}
     virtual void violated(std::uint8_t lane, const std::string& detail) = 0;
     virtual void laneLost(std::uint8_t lane, const std::string& detail) = 0;
 };
@@ -42,7 +46,11 @@ public:
     void start();
     void pause() { m_paused = true; }
     void setOwner(ReceptionOwner& owner) { m_owner = &owner; }
-    void abandon(std::uint16_t number, Timestamp timestamp) { m_reassembler.abandon(number, timestamp); }
+    void abandon(std::uint16_t number, Timestamp timestamp)
+    {
+        m_reassembler.abandon(number, timestamp);
+        m_kept.erase(number);
+    }
 
     /// The connection stays until the object dies; nothing is handed on any more.
     void orphan();
@@ -54,6 +62,7 @@ private:
     void connectionLost(const char* detail) override;
     void process();
     bool take(const protocol::DatagramHeader& header, std::span<const std::byte> body);
+    bool keep(const protocol::DatagramHeader& header, std::size_t bytes);
 
     Program& m_program;
     ConnectionNumber m_connection;
@@ -62,6 +71,7 @@ private:
     std::uint8_t m_lane;
     ReceptionOwner* m_owner;
     std::size_t m_maximum = 0;
+    std::map<std::uint16_t, std::pair<Timestamp, std::size_t>> m_kept; ///< of messages that are not whole, for the onlooker
     bool m_paused = false;
     bool m_reading = false;
     bool m_closed = false;

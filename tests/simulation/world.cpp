@@ -42,13 +42,17 @@ Rules World::rules() const
 {
     Rules rules;
     rules.links.insert(m_scenario.links.begin(), m_scenario.links.end());
-    for (HostIndex host = 0; host < m_scenario.devices.size(); ++host)
+    for (HostIndex host = 0; host < m_scenario.devices.size(); ++host) {
         rules.ids[host] = m_scenario.devices[host].id.value();
+        for (const auto& definition : messageSetOf(m_scenario.devices[host].kind)->messages())
+            rules.largest[{host, definition.number}] = definition.maximumSize();
+    }
     return rules;
 }
 
 void World::setUp()
 {
+    m_network.setSendBuffer(m_scenario.sendBuffer);
     for (HostIndex a = 0; a < m_hosts.size(); ++a)
         for (HostIndex b = 0; b < m_hosts.size(); ++b) {
             auto& path = m_network.path(a, b);
@@ -144,6 +148,7 @@ void World::measure(const Observation& observation)
         }
     } else if (const auto* lost = std::get_if<Lost>(&observation)) {
         ++m_outcome.standBys;
+        m_outcome.falseStandBys += m_whole ? 1 : 0;
         m_firstStandBy.try_emplace(lost->incident, m_time.now());
     } else if (const auto* opened = std::get_if<Opened>(&observation); opened != nullptr && !opened->healed) {
         // TLS keeps what a session said out of the next one, which may begin at either end.
@@ -155,6 +160,8 @@ void World::measure(const Observation& observation)
         const auto first = m_firstStandBy.find(raised->incident);
         if (m_scenario.everybodyKnows && first != m_firstStandBy.end())
             m_outcome.longestKnowing = std::max(m_outcome.longestKnowing, Nanoseconds(m_time.now() - first->second));
+    } else if (const auto* composed = std::get_if<Composed>(&observation)) {
+        m_outcome.commandsSent += composed->control ? 1 : 0;
     } else if (const auto* delivered = std::get_if<Delivered>(&observation)) {
         m_outcome.commandsJudged += delivered->control ? 1 : 0;
     } else if (const auto* dropped = std::get_if<Dropped>(&observation)) {
@@ -180,7 +187,8 @@ Outcome World::run()
     for (auto look = chaosEnds + glance; look <= chaosEnds + healLimit + steadyFor && wholeFor < steadyFor; look += glance) {
         while (m_time.step(look)) {
         }
-        wholeFor = isWhole() ? wholeFor + glance : 0ns;
+        m_whole = isWhole();
+        wholeFor = m_whole ? wholeFor + glance : 0ns;
         if (wholeFor == 0ns)
             m_outcome.longestHeal = look - chaosEnds;
     }
@@ -192,6 +200,11 @@ Outcome World::runQuiet(Nanoseconds length)
 {
     heal();
     const auto end = m_began + length;
+    while (m_time.step(m_began + healLimit)) {
+    }
+    m_whole = isWhole();
+    if (!m_whole)
+        m_outcome.violations.push_back({"G19", m_time.now(), "a pair that nothing disturbs is not open"});
     while (m_time.step(end)) {
     }
     return outcome();

@@ -8,6 +8,7 @@
 #include "scenario.hpp"
 #include "simulated_device.hpp"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,10 +24,13 @@ struct Outcome {
     std::uint64_t observations = 0;
     std::uint64_t events = 0;
     std::uint64_t faults = 0;
+    std::array<std::uint64_t, faultKinds> faultsOfKind{};
     std::uint64_t packetsLost = 0;
-    std::uint64_t commandsJudged = 0;
+    std::uint64_t commandsSent = 0;
+    std::uint64_t commandsJudged = 0; ///< by the end that they came to
     std::uint64_t commandsDelivered = 0;
     std::uint64_t standBys = 0;
+    std::uint64_t falseStandBys = 0; ///< of a link that nothing disturbs, once everything was open
     std::uint64_t interruptions = 0; ///< Open or Suspect to Reconnecting
     Nanoseconds simulated{};
     Nanoseconds longestHeal{};      ///< from the end of chaos until every session was open and nothing was held
@@ -125,6 +129,7 @@ private:
     Outcome m_outcome;
     Instant m_began;
     bool m_peace = false;
+    bool m_whole = false; ///< and everything was open when one last looked
     std::map<IncidentId, Instant> m_firstStandBy;
 };
 

@@ -11,6 +11,7 @@ using namespace std::chrono_literals;
 void World::apply(const Fault& fault)
 {
     ++m_outcome.faults;
+    ++m_outcome.faultsOfKind[static_cast<std::size_t>(fault.kind)];
     markFault(fault);
     if (fault.kind <= FaultKind::Collapse || fault.kind == FaultKind::SwallowEnds || fault.kind == FaultKind::NoDatagrams)
         applyToPath(fault);
