@@ -92,11 +92,16 @@ void replace(X509* certificate, int kind, const char* value)
     expect(extension != nullptr && X509_add_ext(certificate, extension.get(), -1) == 1, "an extension is added");
 }
 
+/// A device's name, one with another byte in it, or anything.
 std::string chosenName(FuzzInput& input)
 {
-    constexpr std::string_view prefix = "urn:liena:device:";
-    const auto rest = textFrom(input.take(input.below(24)));
-    return (input.flag() ? std::string(prefix) : std::string()) + rest;
+    const auto kind = input.below(4);
+    if (kind == 0)
+        return textFrom(input.take(input.below(24)));
+    auto name = deviceUri(DeviceId(0x40018208U ^ input.number<std::uint32_t>()));
+    if (kind == 1)
+        name[input.below(name.size())] = static_cast<char>(input.number<std::uint8_t>());
+    return name;
 }
 
 /// Names and usages as somebody with the authority's key could put them together.
