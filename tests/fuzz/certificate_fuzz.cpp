@@ -6,6 +6,7 @@
 #include "security/issuing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -110,6 +111,8 @@ void checkChosen(FuzzInput& input)
     const CertificatePtr certificate(X509_dup(sample()));
     constexpr std::array<const char*, 5> usages{"clientAuth,serverAuth", "serverAuth", "clientAuth", "codeSigning", nullptr};
     replace(certificate.get(), NID_ext_key_usage, usages[input.below(usages.size())]);
+    constexpr std::array<const char*, 3> keyUsages{"critical,digitalSignature", "critical,digitalSignature,keyCertSign", nullptr};
+    replace(certificate.get(), NID_key_usage, keyUsages[input.below(keyUsages.size())]);
     replace(certificate.get(), NID_basic_constraints, input.below(8) == 0 ? "critical,CA:TRUE" : "critical,CA:FALSE");
     replace(certificate.get(), NID_subject_alt_name, nullptr);
     const auto extensions = 1 + (input.below(8) == 0 ? 1 : 0);
