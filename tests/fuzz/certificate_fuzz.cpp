@@ -6,6 +6,7 @@
 #include "security/issuing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -92,11 +93,16 @@ void replace(X509* certificate, int kind, const char* value)
     expect(extension != nullptr && X509_add_ext(certificate, extension.get(), -1) == 1, "an extension is added");
 }
 
+/// A device's name, one with another byte in it, or anything.
 std::string chosenName(FuzzInput& input)
 {
-    constexpr std::string_view prefix = "urn:liena:device:";
-    const auto rest = textFrom(input.take(input.below(24)));
-    return (input.flag() ? std::string(prefix) : std::string()) + rest;
+    const auto kind = input.below(4);
+    if (kind == 0)
+        return textFrom(input.take(input.below(24)));
+    auto name = deviceUri(DeviceId(0x40018208U ^ input.number<std::uint32_t>()));
+    if (kind == 1)
+        name[input.below(name.size())] = static_cast<char>(input.number<std::uint8_t>());
+    return name;
 }
 
 /// Names and usages as somebody with the authority's key could put them together.
@@ -105,6 +111,8 @@ void checkChosen(FuzzInput& input)
     const CertificatePtr certificate(X509_dup(sample()));
     constexpr std::array<const char*, 5> usages{"clientAuth,serverAuth", "serverAuth", "clientAuth", "codeSigning", nullptr};
     replace(certificate.get(), NID_ext_key_usage, usages[input.below(usages.size())]);
+    constexpr std::array<const char*, 3> keyUsages{"critical,digitalSignature", "critical,digitalSignature,keyCertSign", nullptr};
+    replace(certificate.get(), NID_key_usage, keyUsages[input.below(keyUsages.size())]);
     replace(certificate.get(), NID_basic_constraints, input.below(8) == 0 ? "critical,CA:TRUE" : "critical,CA:FALSE");
     replace(certificate.get(), NID_subject_alt_name, nullptr);
     const auto extensions = 1 + (input.below(8) == 0 ? 1 : 0);

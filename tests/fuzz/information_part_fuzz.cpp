@@ -5,9 +5,9 @@
 #include "protocol/message_access.hpp"
 #include "random_set.hpp"
 
+#include <array>
 #include <cmath>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 using namespace liena;
@@ -17,23 +17,21 @@ namespace {
 
 using Set = std::shared_ptr<const MessageSet>;
 
-/// Reading XML takes longer than all else here, so the sets that were made are kept.
-Set randomSet(std::uint16_t seed)
+/// Reading XML takes longer than all else here: there are so many sets, and each is made once.
+Set randomSet(std::uint16_t choice)
 {
-    constexpr std::size_t mostKept = 4000;
-    static std::unordered_map<std::uint16_t, Set> kept;
-    if (const auto found = kept.find(seed); found != kept.end())
-        return found->second;
-    if (kept.size() >= mostKept)
-        kept.clear();
+    constexpr std::uint16_t sets = 4096;
+    static std::array<Set, sets> made;
+    const auto seed = static_cast<std::uint16_t>(choice % sets);
+    if (made[seed])
+        return made[seed];
     const auto xml = randomSetXml(seed);
     Findings findings;
     const auto set = MessageSet::parse(xml, "random.xml", &findings);
     if (!set)
         std::fprintf(stderr, "%s%s\n", xml.c_str(), set.error().what.c_str());
     expect(set.has_value(), "what the grammar allows is read");
-    kept.emplace(seed, set.value());
-    return set.value();
+    return made[seed] = set.value();
 }
 
 bool isText(const FieldDefinition& field) { return field.type == FieldType::String; }
@@ -123,6 +121,24 @@ void setField(Message& message, std::size_t index, FuzzInput& input)
     }
 }
 
+/// One byte or element more than the definition allows is malformed, in each field that may be of any length.
+void checkOneMore(const MessageDefinition& definition, std::span<const std::byte> bytes)
+{
+    for (std::size_t i = 0; i < definition.fields.size(); ++i) {
+        const auto& field = definition.fields[i];
+        if (field.hasFixedSize())
+            continue;
+        const auto span = protocol::locateField(definition, bytes, i);
+        const std::uint32_t count = field.count + 1;
+        std::vector<std::byte> longer(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(span.begin));
+        for (unsigned byte = 0; byte < (isText(field) ? 2U : 4U); ++byte)
+            longer.push_back(static_cast<std::byte>(count >> 8U * byte));
+        longer.resize(longer.size() + count * (isText(field) || isBytes(field) ? 1 : sizeOf(field.type)));
+        longer.insert(longer.end(), bytes.begin() + static_cast<std::ptrdiff_t>(span.begin + span.size), bytes.end());
+        expect(protocol::checkFields(definition, longer).has_value(), "one more than the definition allows is malformed");
+    }
+}
+
 /// What a program sets, whatever it is, leaves a message that every receiver takes.
 void checkSet(const Set& set, const MessageDefinition& definition, FuzzInput& input)
 {
@@ -132,6 +148,7 @@ void checkSet(const Set& set, const MessageDefinition& definition, FuzzInput& in
         setField(message, i, input);
     const auto fault = protocol::checkFields(definition, message.fieldBytes());
     expect(!fault, fault ? fault->c_str() : "");
+    checkOneMore(definition, message.fieldBytes());
 }
 
 } // namespace

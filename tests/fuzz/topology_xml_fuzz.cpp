@@ -1,8 +1,12 @@
 // Any bytes as a topology: what is read keeps every promise of section 5 of the protocol.
+#include "fuzz_input.hpp"
 #include "liena/system_topology.hpp"
 #include "xml_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <set>
+#include <string>
 
 using namespace liena;
 using namespace liena::fuzz;
@@ -36,19 +40,69 @@ void checkLink(const SystemTopology& topology, const TopologyLink& link)
         expect(flow.from == link.a || flow.from == link.b, "a flow comes from one end of its link");
 }
 
-} // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+void checkTopology(std::string_view xml)
 {
-    const std::string_view xml(reinterpret_cast<const char*>(data), size);
     Findings findings;
     const auto topology = SystemTopology::parse(xml, "topology.xml", &findings);
     checkFindings(findings, topology.has_value(), xml);
     if (!topology)
-        return 0;
+        return;
     expect(topology.value().hash() == Sha256::of(xml), "a topology's identity is its bytes");
     checkDevices(topology.value());
     for (const auto& link : topology.value().links())
         checkLink(topology.value(), link);
+}
+
+/// A <timing> of chosen durations, over those that hold without it.
+std::string chosenTiming(FuzzInput& input, LinkTiming& timing)
+{
+    std::string xml = "<timing";
+    const auto choose = [&](std::string_view name, std::chrono::nanoseconds& value) {
+        const auto count = input.number<std::uint8_t>();
+        if (count == 0)
+            return;
+        const bool isLong = input.flag();
+        value = isLong ? std::chrono::nanoseconds(std::chrono::seconds(count)) : std::chrono::milliseconds(count);
+        xml += fmt::format(" {}=\"{}{}\"", name, count, isLong ? "s" : "ms");
+    };
+    choose("heartbeat", timing.heartbeat);
+    choose("suspect", timing.suspect);
+    choose("lost", timing.lost);
+    choose("reconnect", timing.reconnect);
+    return xml + "/>";
+}
+
+bool isInOrder(const LinkTiming& timing)
+{
+    return timing.suspect >= 2 * timing.heartbeat && timing.lost >= 3 * timing.heartbeat && timing.suspect < timing.lost &&
+           timing.lost < timing.reconnect;
+}
+
+/// Durations are taken when they are in the page's order, and only then.
+void checkTimings(FuzzInput& input)
+{
+    LinkTiming ofAll;
+    const auto all = chosenTiming(input, ofAll);
+    auto ofLink = ofAll;
+    const auto link = chosenTiming(input, ofLink);
+    const auto xml = fmt::format("<topology xmlns=\"urn:liena:topology:1\" name=\"pair\" version=\"1.0\">{}<security mode=\"tls\"/>"
+                                 "<device name=\"a\" id=\"0x40018208\" message-set=\"a\" host=\"127.0.0.1\" port=\"52200\"/>"
+                                 "<device name=\"b\" id=\"0x00008208\" message-set=\"b\" host=\"127.0.0.1\" port=\"52210\"/>"
+                                 "<link between=\"a b\">{}</link></topology>",
+                                 all, link);
+    const auto topology = SystemTopology::parse(xml, "topology.xml");
+    expect(topology.has_value() == (isInOrder(ofAll) && isInOrder(ofLink)), "durations are taken in the page's order, and only then");
+    expect(!topology || topology.value().links().front().timing == ofLink, "a link has the durations that were written");
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    FuzzInput input(data, size);
+    if (size > 0 && input.number<std::uint8_t>() == 0) // no XML begins so
+        checkTimings(input);
+    else
+        checkTopology({reinterpret_cast<const char*>(data), size});
     return 0;
 }
