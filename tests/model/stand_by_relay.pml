@@ -30,6 +30,12 @@
 #define LINKS 3
 #endif
 
+#ifdef ONE_BREAKS
+#define MAY_BREAK(l) ((l) == 0)
+#else
+#define MAY_BREAK(l) true
+#endif
+
 mtype = { StandBy, ReOpened, Dismissed };
 
 chan wire[6] = [5] of { mtype, byte, byte }; /* kind, incident or new token, incident named */
@@ -40,12 +46,6 @@ byte due[3], dueAt[3], dueNamed[3]; bool dueAgain[3]; /* opened by the one end, 
 byte held[3], ended[3]; /* bits by token */
 byte told[3 * 8];    /* by token: the incidents that a known re-opening of that token named, as bits */
 byte byToken[3 * 8]; /* the re-opening that ended an incident; 0: it was dismissed */
-#ifdef MUT_ANSWERS_ANOTHER
-byte byNamed[3 * 8];
-#define KEEP_NAME(d, t, n) byNamed[MEMORY(d, t)] = n
-#else
-#define KEEP_NAME(d, t, n) skip
-#endif
 byte pair[8];    /* the link of a token */
 byte ofLink[3];  /* the tokens of a link, as bits */
 byte next = 1;
@@ -57,11 +57,6 @@ byte over; /* ghost: the incidents that a person ended */
 #define BIT(t) (1 << (t))
 #define MEMORY(d, t) ((d) * 8 + (t))
 
-#ifdef MUT_ANSWERS_ANOTHER /* with the message that ended it, whatever incident that names */
-#define ANSWERED byNamed[MEMORY(d, id)]
-#else
-#define ANSWERED id
-#endif
 #ifdef MUT_NO_MEMORY
 #define REMEMBERS(d, t) false
 #else
@@ -80,22 +75,22 @@ inline broadcast(what, incident, name, except) {
   l = 0
 }
 
-inline rememberEnded(done, cause, causeName) {
+inline rememberEnded(done, cause) {
   if
   :: done != 0 && !(held[d] & BIT(done)) && !(ended[d] & BIT(done)) ->
-       ended[d] = ended[d] | BIT(done); byToken[MEMORY(d, done)] = cause; KEEP_NAME(d, done, causeName)
+       ended[d] = ended[d] | BIT(done); byToken[MEMORY(d, done)] = cause
   :: else -> skip
   fi
 }
 
 /* Ends every incident in `which`. */
-inline endAll(by, byName) {
+inline endAll(by) {
   for (t : 1 .. TOKENS) {
     if
     :: which & BIT(t) ->
          assert(over & BIT(t)); /* a person re-opened that pair, or gave it up */
          held[d] = held[d] & ~BIT(t);
-         rememberEnded(t, by, byName);
+         rememberEnded(t, by);
          l = pair[t];
          if
          :: END(l, d) && !(held[d] & ofLink[l]) -> mine[WAY(l, d)] = 0
@@ -134,7 +129,7 @@ inline heardStandBy() {
   :: REMEMBERS(d, id) ->
        if
        :: byToken[MEMORY(d, id)] == 0 -> tell(link, Dismissed, id, 0)
-       :: else -> tell(link, ReOpened, byToken[MEMORY(d, id)], ANSWERED)
+       :: else -> tell(link, ReOpened, byToken[MEMORY(d, id)], id)
        fi
   :: !REMEMBERS(d, id) && (held[d] & BIT(id)) -> skip
   :: else ->
@@ -166,8 +161,8 @@ inline heardReOpened() {
 #ifdef MUT_ENDS_OLDER /* whatever of the pair seems older, by clocks that nobody set */
        if :: news -> which = which | (held[d] & ofLink[pair[id]] & ~BIT(id)) :: else -> skip fi;
 #endif
-       rememberEnded(named, id, named);
-       endAll(id, named);
+       rememberEnded(named, id);
+       endAll(id);
        broadcast(ReOpened, id, named, link)
   :: else -> skip
   fi;
@@ -176,7 +171,7 @@ inline heardReOpened() {
 
 inline heardDismissed() {
   if
-  :: held[d] & BIT(id) -> which = BIT(id); endAll(0, 0); which = 0; broadcast(Dismissed, id, 0, link)
+  :: held[d] & BIT(id) -> which = BIT(id); endAll(0); which = 0; broadcast(Dismissed, id, 0, link)
   :: else -> skip
   fi
 }
@@ -192,10 +187,10 @@ inline opened(token) {
        which = held[d] & ofLink[link] & ~BIT(token);
        if :: named != token && !(held[d] & BIT(named)) && (named != 0 || which == 0) -> which = which | BIT(named) :: else -> skip fi;
        told[MEMORY(d, token)] = told[MEMORY(d, token)] | which;
-       rememberEnded(named, token, named);
+       rememberEnded(named, token);
        mine[WAY(link, d)] = (held[d] & BIT(token) -> token : 0);
        y = which; which = which & held[d];
-       endAll(token, named);
+       endAll(token);
        for (t : 0 .. TOKENS) { if :: y & BIT(t) -> broadcast(ReOpened, token, t, LINKS) :: else -> skip fi }
        which = 0; y = 0
   :: else -> skip
@@ -216,7 +211,7 @@ end: do
             wire[WAY(link, OTHER(link, d))]?k,id,named;
             if :: k == StandBy -> heardStandBy() :: k == ReOpened -> heardReOpened() :: k == Dismissed -> heardDismissed() fi
        /* Lost: at both ends, each in its time. */
-       :: open[WAY(link, d)] != 0 && (losses > 0 || GONE(link, d)) ->
+       :: open[WAY(link, d)] != 0 && ((losses > 0 && MAY_BREAK(link)) || GONE(link, d)) ->
             if :: GONE(link, d) -> skip :: else -> losses-- fi;
             lose(link); /* the other end may yet read what opens it there */
             if :: held[d] & BIT(x) -> skip :: else -> y = x; raise(y, LINKS) fi
@@ -237,7 +232,7 @@ end: do
             y = 1;
             do :: held[d] & BIT(y) -> break :: y < TOKENS -> y++ od;
             if
-            :: held[d] & BIT(y) -> over = over | BIT(y); which = BIT(y); endAll(0, 0); which = 0; broadcast(Dismissed, y, 0, LINKS)
+            :: held[d] & BIT(y) -> over = over | BIT(y); which = BIT(y); endAll(0); which = 0; broadcast(Dismissed, y, 0, LINKS)
             :: else -> skip
             fi
        :: restarts > 0 -> restarts--;
@@ -249,7 +244,7 @@ end: do
               :: else -> skip
               fi
             }
-            for (y : 1 .. TOKENS) { byToken[MEMORY(d, y)] = 0; KEEP_NAME(d, y, 0) }
+            for (y : 1 .. TOKENS) { byToken[MEMORY(d, y)] = 0 }
             for (y : 1 .. TOKENS) { told[MEMORY(d, y)] = 0 }
             held[d] = 0; ended[d] = 0; if :: d == 0 -> moving = false :: else -> skip fi
        :: d == 0 && held[0] == 0 && !moving -> moving = true

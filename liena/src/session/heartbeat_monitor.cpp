@@ -57,7 +57,7 @@ void HeartbeatMonitor::heartbeat(Instant now, std::uint32_t sequence, SessionSta
 
 Instant HeartbeatMonitor::nextChange(bool suspectAlready) const
 {
-    auto next = std::min(m_lastHeard + (suspectAlready ? m_timing.lost : m_timing.suspect), m_lastLaneZero + m_timing.reconnect);
+    auto next = std::min(m_lastHeard + (suspectAlready ? m_timing.lost - reaction : m_timing.suspect), m_lastLaneZero + m_timing.reconnect);
     if (m_unwellSince)
         next = std::min(next, *m_unwellSince + m_timing.reconnect);
     return next;

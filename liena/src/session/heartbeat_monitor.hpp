@@ -31,7 +31,7 @@ public:
     void heartbeat(Instant now, std::uint32_t sequence, SessionState peerState);
 
     bool isSuspect(Instant now) const { return now - m_lastHeard >= m_timing.suspect; }
-    bool isLost(Instant now) const { return now - m_lastHeard >= m_timing.lost; }
+    bool isLost(Instant now) const { return now - m_lastHeard >= m_timing.lost - reaction; }
 
     /// Lane 0 says nothing although other paths do.
     bool isLaneZeroLost(Instant now) const { return now - m_lastLaneZero >= m_timing.reconnect; }
@@ -53,6 +53,9 @@ public:
     std::uint8_t packetsHeard(Instant now) const;
 
 private:
+    /// `lost` is when a dead peer is known to be gone. The way here and a timer that comes late take this part of it.
+    static constexpr Nanoseconds reaction = std::chrono::milliseconds(1);
+
     LinkTiming m_timing;
     Instant m_lastHeard;
     Instant m_lastLaneZero;
