@@ -45,7 +45,9 @@ std::string describeSession(const SessionEvent& event, const std::string& peer)
     case Kind::ReOpened:
         return peer + ": re-opened after " + milliseconds(event.duration);
     case Kind::MessagesDropped:
-        return withDetail(peer + ": " + std::to_string(event.count) + " messages dropped, " + event.message, event.detail);
+        return withDetail(peer + ": " + std::to_string(event.count) + " messages dropped" +
+                              (event.message.empty() ? "" : ", " + event.message),
+                          event.detail);
     case Kind::SendFailed:
         return withDetail(peer + ": " + event.message + " was not sent", event.detail);
     case Kind::IdentityRefused:

@@ -60,10 +60,10 @@ std::string linkLines(const JsonValue& link)
                      fmt::format("{:.0f}", missed), rateOf(link, "messages_in", "bytes_in"), rateOf(link, "messages_out", "bytes_out"),
                      fmt::format("{:.0f}", link["queued"].numberOr(0)), link["datagrams"].truth() ? "yes" : "no"});
     if (const auto interruptions = link["interruptions"].numberOr(0); interruptions > 0)
-        text += fmt::format("    interrupted {:.0f} times since the start\n", interruptions);
+        text += fmt::format("    interruptions since the start: {:.0f}\n", interruptions);
     for (const auto& drop : link["drops"].items())
-        text += fmt::format("    dropped {:.0f} {}: {}\n", drop["count"].numberOr(0), printable(drop["message"].text()),
-                            printable(drop["cause"].text(), 128));
+        text += fmt::format("    dropped {:.0f}{}{}: {}\n", drop["count"].numberOr(0), drop["message"].text().empty() ? "" : " ",
+                            printable(drop["message"].text()), printable(drop["cause"].text(), 128));
     return text;
 }
 

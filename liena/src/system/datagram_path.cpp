@@ -2,6 +2,7 @@
 #include "system/datagram_path.hpp"
 
 #include <cstring>
+#include <utility>
 
 namespace liena::system {
 
@@ -29,6 +30,7 @@ void DatagramPath::end()
     m_token = 0;
     m_to.reset();
     m_sending.reset();
+    m_next.reset();
     m_lastNumber = 0;
     m_hears = false;
     m_receiving.reset();
@@ -36,16 +38,22 @@ void DatagramPath::end()
     m_window = {};
 }
 
-void DatagramPath::outgoingUp(std::uint64_t token, const transport::TcpChannel& lane)
+void DatagramPath::outgoingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now)
 {
     begin(token);
     m_to.reset();
-    m_sending.reset();
+    m_next.reset();
     if (m_sealed) {
         const auto key = lane.datagramKey(token);
         if (!key)
-            return; // the session works without this path
-        m_sending.emplace(key.value());
+            return m_sending.reset(); // the session works without this path
+        // A packet is faster than the Attach before it, and would look forged. The peer opens with the old key for long enough.
+        if (m_sending) {
+            m_next.emplace(key.value());
+            m_nextFrom = now + 200ms;
+        } else {
+            m_sending.emplace(key.value());
+        }
     }
     m_to.emplace(lane.remote().address(), m_port);
 }
@@ -65,8 +73,10 @@ void DatagramPath::incomingUp(std::uint64_t token, const transport::TcpChannel& 
         m_receiving.emplace(key.value());
 }
 
-bool DatagramPath::send(const protocol::EncodedMessage& message)
+bool DatagramPath::send(const protocol::EncodedMessage& message, session::Instant now)
 {
+    if (m_next && now >= m_nextFrom)
+        m_sending = std::exchange(m_next, std::nullopt);
     if (!m_to || message.part.size() > protocol::maximumPacketPart)
         return false;
     auto header = message.header;

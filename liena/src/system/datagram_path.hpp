@@ -23,8 +23,8 @@ public:
     /// The peer listens on `port`, on the host that its lane 0 has reached.
     DatagramPath(transport::UdpSocket& socket, std::uint16_t port, bool sealed);
 
-    /// Our lane 0 of the session with that token stands: its key seals from now on.
-    void outgoingUp(std::uint64_t token, const transport::TcpChannel& lane);
+    /// Our lane 0 of the session with that token stands: its key seals; from now on, or soon when another one did until now.
+    void outgoingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
 
     /// The peer's lane 0 stands: its key opens from now on, and the one before for another second.
     void incomingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
@@ -37,7 +37,7 @@ public:
     bool isSealed() const { return m_sealed; }
 
     /// Seals and sends one whole message; false when it did not leave.
-    bool send(const protocol::EncodedMessage& message);
+    bool send(const protocol::EncodedMessage& message, session::Instant now);
 
     enum class Fault : std::uint8_t { NotNew, NotGenuine };
     struct Opened {
@@ -61,6 +61,8 @@ private:
 
     std::optional<boost::asio::ip::udp::endpoint> m_to;
     std::optional<security::DatagramSeal> m_sending;
+    std::optional<security::DatagramSeal> m_next; ///< of our newest lane 0, when the peer may not have read its Attach yet
+    session::Instant m_nextFrom;
     std::uint64_t m_lastNumber = 0;
     std::array<std::byte, protocol::maximumPacket> m_packet{};
 

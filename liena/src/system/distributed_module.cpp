@@ -209,7 +209,7 @@ void DistributedModule::sendSession(const protocol::SessionMessage& message, Dev
 void DistributedModule::sendHeartbeat(const protocol::Heartbeat& heartbeat)
 {
     auto encoded = encode(heartbeat, m_peer.id);
-    m_datagrams.send(encoded);
+    m_datagrams.send(encoded, m_host.now().mono);
     m_laneZero.push({std::move(encoded), tasks::Rank::Safety, 1, std::nullopt, {}});
 }
 
@@ -344,7 +344,7 @@ void DistributedModule::showDrops()
     std::vector<DropCount> drops;
     m_books.forEachDrop([&](const std::string& cause, std::uint32_t number, std::uint64_t count) {
         const auto* definition = ends().definitionOf(static_cast<std::uint16_t>(number));
-        drops.push_back({cause, definition != nullptr ? definition->name : "unknown", count});
+        drops.push_back({cause, definition != nullptr ? definition->name : "", count});
     });
     m_host.showDrops(m_peer.id, std::move(drops));
 }

@@ -28,7 +28,7 @@ void DistributedModule::connectLaneZero()
 
 void DistributedModule::laneZeroUp()
 {
-    m_datagrams.outgoingUp(m_machine.token(), *m_laneZero.channel());
+    m_datagrams.outgoingUp(m_machine.token(), *m_laneZero.channel(), m_host.now().mono);
     handle(session::OutgoingUp{});
 }
 

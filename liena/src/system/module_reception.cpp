@@ -198,10 +198,11 @@ void DistributedModule::drop(const std::string& cause, std::uint16_t number, con
     if (!count)
         return;
     auto event = this->event(SessionEvent::Kind::MessagesDropped);
-    event.message = definition != nullptr ? definition->name : fmt::format("0x{:04x}", number);
+    event.message = definition != nullptr ? definition->name : number != 0 ? fmt::format("0x{:04x}", number) : std::string();
     event.count = *count;
     event.detail = detail.empty() ? cause : fmt::format("{}: {}", cause, printable(detail, 256));
-    say(LogLevel::Warning, "messages-dropped", fmt::format("dropped {} of {}: {}", event.message, m_peer.name, event.detail));
+    say(LogLevel::Warning, "messages-dropped",
+        fmt::format("dropped {} of {}: {}", event.message.empty() ? "what came" : event.message, m_peer.name, event.detail));
     m_host.tell(std::move(event));
 }
 

@@ -54,7 +54,7 @@ Result<void> DistributedModule::send(Message message)
     } else {
         encoded.part = MessageAccess::takeFields(message);
     }
-    if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded)) {
+    if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded, m_host.now().mono)) {
         m_books.sent();
         return ok();
     }
