@@ -3,7 +3,9 @@
 #include "fuzz_target.hpp"
 #include "session/stand_by_ledger.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -28,9 +30,9 @@ public:
         case 1:
             return check(m_ledger.lost(other(input), ++m_token, cause(input), m_now.wall, m_now));
         case 2:
-            return check(m_ledger.reopened(other(input), ++m_token, incident(input), m_now));
+            return reopened(input);
         case 3:
-            return check(m_ledger.dismiss(incident(input), "a person's reason", m_now));
+            return dismiss(input);
         case 4:
             return check(m_ledger.confirmHold(input.flag(), m_now));
         case 5:
@@ -69,6 +71,24 @@ private:
         m_now.wall.ns += static_cast<std::uint64_t>(time.count());
     }
 
+    void dismiss(FuzzInput& input)
+    {
+        m_mayEnd = incident(input);
+        check(m_ledger.dismiss(*m_mayEnd, "a person's reason", m_now));
+        m_mayEnd.reset();
+    }
+
+    /// A re-opening of this device's own ends all that it held with the peer.
+    void reopened(FuzzInput& input)
+    {
+        m_mayEndAny = true;
+        const auto peer = other(input);
+        check(m_ledger.reopened(peer, ++m_token, incident(input), m_now));
+        for (const auto& held : m_ledger.incidents())
+            expect(!(held.a == self && held.b == peer), "a re-opened pair holds no incident");
+        m_mayEndAny = false;
+    }
+
     void greet(FuzzInput& input)
     {
         const auto peer = other(input);
@@ -82,7 +102,7 @@ private:
     {
         const auto from = other(input);
         const protocol::StandBy message{incident(input), any(input), any(input), cause(input), stamp(input).ns, any(input)};
-        check(m_ledger.heard(from, message, m_now), from);
+        hear(from, message);
     }
 
     void report(FuzzInput& input)
@@ -90,7 +110,7 @@ private:
         const auto from = other(input);
         const auto device = input.flag() ? any(input) : DeviceId(input.number<std::uint16_t>());
         const protocol::StandByReport message{incident(input), device, input.flag(), stamp(input).ns};
-        check(m_ledger.heard(from, message, m_now), from);
+        hear(from, message);
     }
 
     /// A neighbour that does not stop: as many incidents, or as many holders of one, as would go over the bounds.
@@ -113,12 +133,24 @@ private:
     void end(FuzzInput& input)
     {
         const auto from = other(input);
-        if (input.flag()) {
-            const protocol::IncidentDismissed message{incident(input), any(input), {"dismissed"}};
-            return check(m_ledger.heard(from, message, m_now), from);
-        }
-        const protocol::ChannelReOpened message{1 + incident(input), incident(input), any(input), any(input)};
-        check(m_ledger.heard(from, message, m_now), from);
+        const auto named = incident(input);
+        m_mayEnd = named;
+        if (input.flag())
+            hear(from, protocol::IncidentDismissed{named, any(input), {"dismissed"}});
+        else
+            hear(from, protocol::ChannelReOpened{1 + incident(input), named, any(input), any(input)});
+        m_mayEnd.reset();
+    }
+
+    /// News is handed on once: what comes again is answered at most, else it would go round for ever.
+    template <typename News>
+    void hear(DeviceId from, const News& news)
+    {
+        check(m_ledger.heard(from, news, m_now), from);
+        const auto again = m_ledger.heard(from, news, m_now);
+        const auto isHandedOn = [](const LedgerAction& action) { return std::holds_alternative<Broadcast>(action); };
+        expect(std::none_of(again.begin(), again.end(), isHandedOn), "news is handed on once");
+        check(again, from);
     }
 
     void check(const LedgerActions& actions, std::optional<DeviceId> from = std::nullopt)
@@ -173,6 +205,7 @@ private:
             return;
         case Kind::IncidentEnded:
             expect(m_held.erase(event.incident.id) == 1, "only what began ends");
+            expect(m_mayEndAny || m_mayEnd == event.incident.id, "only a re-opening or a dismissal ends an incident, and the one it names");
             return;
         case Kind::StandByBegan:
             expect(!std::exchange(m_standsBy, true), "stand-by begins once");
@@ -193,6 +226,8 @@ private:
     std::set<IncidentId> m_held;
     std::size_t m_own = 0; ///< incidents of this device's own sessions, as many as it lost
     bool m_standsBy = false;
+    std::optional<IncidentId> m_mayEnd; ///< of the event in hand
+    bool m_mayEndAny = false;
     bool m_flooded = false; ///< once is enough, and slow
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 
 namespace liena::security {
@@ -35,7 +36,10 @@ std::chrono::system_clock::time_point timeOf(const ASN1_TIME* time)
     std::tm parts{};
     if (ASN1_TIME_to_tm(time, &parts) != 1)
         return {};
-    return std::chrono::system_clock::from_time_t(::timegm(&parts));
+    using Clock = std::chrono::system_clock;
+    const auto cut = std::clamp(std::chrono::seconds(::timegm(&parts)), std::chrono::seconds(0),
+                                std::chrono::floor<std::chrono::seconds>(Clock::time_point::max()).time_since_epoch());
+    return Clock::time_point(cut);
 }
 
 std::string dateText(std::chrono::system_clock::time_point time)

@@ -12,6 +12,7 @@
 namespace liena::security {
 
 std::string nameText(const X509_NAME* name);
+/// Cut to 1970 to 2262, which the clock can hold: certificates may say any year from 0 to 9999.
 std::chrono::system_clock::time_point timeOf(const ASN1_TIME* time);
 std::string dateText(std::chrono::system_clock::time_point time);
 

@@ -219,10 +219,11 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpene
     LedgerActions actions;
     const bool isNews = remember(message);
     const auto* named = find(message.incident);
-    if (message.incident == message.token || (!isNews && named == nullptr))
+    const bool ends = named != nullptr && named->a == message.peerA && named->b == message.peerB;
+    if (message.incident == message.token || (!isNews && !ends))
         return actions;
     rememberEnded(message.incident, message, now);
-    if (named != nullptr && named->a == message.peerA && named->b == message.peerB)
+    if (ends)
         end(message.incident, message, from, false, {}, actions, now);
     actions.push_back(Broadcast{message, from});
     return actions;

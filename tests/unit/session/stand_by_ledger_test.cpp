@@ -82,6 +82,7 @@ private slots:
     void ownReopeningEndsEveryIncidentOfThePair();
     void heardReopeningEndsTheIncidentThatItNames();
     void reopeningIsHandedOnOnce();
+    void reopeningOfAnotherPairIsHandedOnOnce();
     void reopeningNeverEndsTheLossOfItsOwnSession();
     void answerAboutAnOldIncidentDoesNotEndANewerOne();
     void bothEndsMayNameDifferentIncidents();
@@ -308,6 +309,17 @@ void StandByLedgerTest::reopeningIsHandedOnOnce()
     StandByLedger own(robot);
     own.reopened(cockpit, 8, 7, now);
     QVERIFY(own.heard(arm, message, now).empty());
+}
+
+void StandByLedgerTest::reopeningOfAnotherPairIsHandedOnOnce()
+{
+    // It names an incident that is held, and stays so: handed on each time it would travel round three devices for ever.
+    StandByLedger ledger(arm);
+    ledger.heard(xray, standBy(9, robot, xray), now);
+    const protocol::ChannelReOpened message{8, 9, robot, cockpit};
+    QCOMPARE(broadcasts<protocol::ChannelReOpened>(ledger.heard(xray, message, now)).size(), std::size_t{1});
+    QVERIFY(ledger.heard(robot, message, now).empty());
+    QVERIFY(ledger.find(9) != nullptr);
 }
 
 void StandByLedgerTest::reopeningNeverEndsTheLossOfItsOwnSession()
