@@ -87,11 +87,19 @@ void BlackChannel::corrupt(std::vector<std::byte>& bytes, std::size_t begin, See
         bytes[begin + headerSize + random.below(body)] ^= static_cast<std::byte>(1U << random.below(8));
 }
 
-void Liar::speak(std::vector<std::byte>& bytes, std::size_t begin, SeededRandom& random) const
+void Liar::speak(std::vector<std::byte>& bytes, std::size_t begin, SeededRandom& random, LieKind lies) const
 {
-    const auto header = headerAt(bytes, begin);
+    auto header = headerAt(bytes, begin);
     if (header.moreSegments)
         return; // broken in the middle is broken all the same
+    if (lies != LieKind::Every && !header.message.isReport())
+        return;
+    if (lies == LieKind::EndlessMessages)
+        return endless(bytes, header, random);
+    if (lies == LieKind::Origins) {
+        header.message.origin = someone(random);
+        return put(bytes, begin, header);
+    }
     switch (random.below(6)) {
     case 0:
     case 1:

@@ -1,6 +1,7 @@
 // Rubbish on the wire: what a compromised device sends, and what a black channel may do to commands.
 #pragma once
 
+#include "scenario.hpp"
 #include "seeded_random.hpp"
 
 #include "liena/device_id.hpp"
@@ -35,7 +36,7 @@ private:
 class Liar {
 public:
     explicit Liar(std::vector<DeviceId> devices) : m_devices(std::move(devices)) {}
-    void speak(std::vector<std::byte>& bytes, std::size_t begin, SeededRandom& random) const;
+    void speak(std::vector<std::byte>& bytes, std::size_t begin, SeededRandom& random, LieKind lies) const;
 
 private:
     void mutate(std::vector<std::byte>& bytes, std::size_t begin, SeededRandom& random) const;

@@ -100,9 +100,15 @@ std::string report(const Scenario& scenario, const Outcome& outcome)
 
 std::optional<Caught> caught(Mutant mutant, std::uint64_t most)
 {
-    const bool onlyByLies = mutant == Mutant::OriginNotCompared || mutant == Mutant::LimitAfterAllocation;
+    const auto scenarioOf = [mutant](std::uint64_t seed) {
+        if (mutant == Mutant::OriginNotCompared)
+            return Scenario::lying(seed, LieKind::Origins);
+        if (mutant == Mutant::LimitAfterAllocation)
+            return Scenario::lying(seed, LieKind::EndlessMessages);
+        return Scenario::chaotic(seed);
+    };
     for (std::uint64_t seed = 1; seed <= most; ++seed) {
-        const auto sound = onlyByLies ? Scenario::lying(seed) : Scenario::chaotic(seed);
+        const auto sound = scenarioOf(seed);
         auto scenario = sound;
         scenario.mutant = mutant;
         const auto outcome = runScenario(scenario);

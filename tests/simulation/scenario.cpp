@@ -220,11 +220,11 @@ Scenario Scenario::chaotic(std::uint64_t seed)
     return scenario;
 }
 
-Scenario Scenario::lying(std::uint64_t seed)
+Scenario Scenario::lying(std::uint64_t seed, LieKind lies)
 {
     auto scenario = chaotic(seed);
-    scenario.liar = scenario.liar.value_or(static_cast<HostIndex>(seed % scenario.devices.size()));
-    scenario.devices[*scenario.liar].opens = true;
+    scenario.liar = static_cast<HostIndex>(seed % 2); // the robot, or the cockpit: both report
+    scenario.lies = lies;
     scenario.faults.push_back({300ms, FaultKind::Lie, *scenario.liar, *scenario.liar, 0, scenario.chaos});
     return scenario;
 }

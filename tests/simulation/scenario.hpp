@@ -62,6 +62,9 @@ std::string describe(const Fault& fault);
 
 enum class DeviceKind : std::uint8_t { Robot, Cockpit, Arm, Xray };
 
+/// What a liar does: all that it can think of, or one thing again and again.
+enum class LieKind : std::uint8_t { Every, Origins, EndlessMessages };
+
 /// How a person answers a prompt while there is chaos.
 enum class Manner : std::uint8_t { Prompt, Late, Twice, Never, Stale };
 
@@ -88,6 +91,7 @@ struct Scenario {
     std::uint32_t loss = 0;
     std::size_t sendBuffer = 64 << 10; ///< of a connection; a small one makes writers wait
     std::optional<HostIndex> liar;
+    LieKind lies = LieKind::Every;
     Nanoseconds chaos = std::chrono::seconds(8);
     std::vector<Fault> faults;
     bool everybodyKnows = false; ///< at the end of chaos each incident must be known wherever word can reach
@@ -98,8 +102,8 @@ struct Scenario {
     /// Swarm: each seed draws its own configuration and weights.
     static Scenario chaotic(std::uint64_t seed);
 
-    /// Chaotic, and one device lies from early on, for the guards that nothing but lies puts to the test.
-    static Scenario lying(std::uint64_t seed);
+    /// Chaotic, and one device tells one kind of lie from early on, for the guards that nothing else puts to the test.
+    static Scenario lying(std::uint64_t seed, LieKind lies);
 
     /// Two devices, commands only where asked, no fault but the path's own loss.
     static Scenario quiet(std::uint64_t seed, Nanoseconds roundTrip, std::uint32_t loss, bool datagrams, bool commands);

@@ -158,7 +158,7 @@ void World::measure(const Observation& observation)
         m_oldTokens.push_back(requested->token);
     } else if (const auto* raised = std::get_if<Raised>(&observation)) {
         const auto first = m_firstStandBy.find(raised->incident);
-        if (m_scenario.everybodyKnows && first != m_firstStandBy.end())
+        if (m_scenario.everybodyKnows && first != m_firstStandBy.end() && m_time.now() < m_began + m_scenario.chaos)
             m_outcome.longestKnowing = std::max(m_outcome.longestKnowing, Nanoseconds(m_time.now() - first->second));
     } else if (const auto* composed = std::get_if<Composed>(&observation)) {
         m_outcome.commandsSent += composed->control ? 1 : 0;
@@ -177,10 +177,12 @@ Outcome World::run()
                 apply(fault);
         });
     const auto chaosEnds = m_began + m_scenario.chaos;
-    while (m_time.step(chaosEnds)) {
+    while (m_time.step(chaosEnds - 1ns)) {
     }
     if (m_scenario.everybodyKnows)
-        judgeKnowing();
+        judgeKnowing(); // before the faults that last as long as the chaos end with it
+    while (m_time.step(chaosEnds)) {
+    }
     heal();
     // Whole, and so for longer than the slowest repair of a stream that the chaos left with a gap.
     Nanoseconds wholeFor{};

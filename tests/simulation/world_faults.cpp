@@ -266,7 +266,7 @@ void World::leaving(HostIndex device, HostIndex peer, std::vector<std::byte>& by
         }
     }
     if (host.lies > 0 && m_lieRandom.below(8) == 0)
-        m_liar->speak(bytes, begin, m_lieRandom);
+        m_liar->speak(bytes, begin, m_lieRandom, m_scenario.lies);
 }
 
 void World::heal()
