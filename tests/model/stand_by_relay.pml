@@ -38,7 +38,7 @@
 
 mtype = { StandBy, ReOpened, Dismissed };
 
-chan wire[6] = [5] of { mtype, byte, byte }; /* kind, incident or new token, incident named */
+chan wire[6] = [8] of { mtype, byte, byte }; /* kind, incident or new token, incident named */
 byte open[6];    /* the session that this end has open */
 byte mine[6];    /* the incident that this end's session machine knows */
 byte due[3], dueAt[3], dueNamed[3]; bool dueAgain[3]; /* opened by the one end, not yet by the other */
@@ -94,12 +94,10 @@ inline endAll(by) {
          l = pair[t];
          if
          :: END(l, d) && !(held[d] & ofLink[l]) -> mine[WAY(l, d)] = 0
-#ifndef MUT_SHOWS_ENDED
          :: END(l, d) && (held[d] & ofLink[l]) && mine[WAY(l, d)] == t ->
               x = 1;
               do :: held[d] & ofLink[l] & BIT(x) -> break :: else -> x++ od;
               mine[WAY(l, d)] = x; x = 0
-#endif
          :: else -> skip
          fi
     :: else -> skip
@@ -136,12 +134,8 @@ inline heardStandBy() {
        y = pair[id];
        if
        :: END(y, d) && open[WAY(y, d)] == id -> lose(y)
-#ifndef MUT_OPENS_LOST
        :: END(y, d) && DUE(y, d) && due[y] == id -> due[y] = 0; mine[WAY(y, d)] = id /* open and lost at the other end already */
        :: END(y, d) && !(DUE(y, d) && due[y] == id) && open[WAY(y, d)] != id && mine[WAY(y, d)] == 0 -> mine[WAY(y, d)] = id
-#else
-       :: END(y, d) && open[WAY(y, d)] != id && mine[WAY(y, d)] == 0 -> mine[WAY(y, d)] = id
-#endif
        :: else -> skip
        fi;
        y = 0; x = 0;
@@ -199,6 +193,7 @@ inline opened(token) {
   t = 0; x = 0; named = 0
 }
 
+/* Lost at the other end, and not about to be opened there. */
 #define GONE(l, d) (open[WAY(l, d)] != 0 && due[l] != open[WAY(l, d)] && open[WAY(l, OTHER(l, d))] != open[WAY(l, d)])
 
 proctype Device(byte d) {
