@@ -227,7 +227,7 @@ void ReferenceModelTest::finds_data()
     row("queued before a loss, sent after it", "I8", [](Trace& t) { t.open().compose(1).pass(1ms).note(Revoked{cockpit}).leave(1); });
     row("accepted for a closed session", "I8", [](Trace& t) { t.compose(1); });
     row("more than the budget", "I9", [](Trace& t) { t.note(Holdings{robot, (std::size_t{4} << 20U) + 1, 0, 0, 0, 0, 0ns}); });
-    row("a message longer than its definition", [](Trace& t) {
+    row("a message longer than its definition", "I9", [](Trace& t) {
         t.open().note(Kept{robot, cockpit, 0, Trace::command(1), 43}).note(Kept{robot, cockpit, 0, Trace::command(1), 44});
     });
     row("too many fresh connections", "I9", [](Trace& t) { t.note(Holdings{robot, 0, 0, 5, 0, 0, 0ns}); });
