@@ -11,8 +11,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto drift = 100us; ///< two clocks may differ by 400 ppm over the times that are judged here
-constexpr auto memory = 20s;  ///< how long a message is remembered
+constexpr auto clockDrift = 100us; ///< two clocks may differ by 400 ppm over the times that are judged here
+constexpr auto memory = 20s;       ///< how long a message is remembered
 constexpr std::size_t mostFresh = 4;
 constexpr std::size_t mostPending = 64;
 constexpr std::size_t mostIncidents = 256;
@@ -92,7 +92,8 @@ void ReferenceModel::on(const Entered& o)
         end.permitted = m_now;
         m_devices[o.device].closedSince[o.peer] = m_now;
         const bool frozen = m_now - m_devices[o.device].resumed < 1ms;
-        require(o.silence <= m_rules.lost + drift || frozen, "I1", fmt::format("a loss was noticed only after {} ns", o.silence.count()));
+        require(o.silence <= m_rules.lost + clockDrift || frozen, "I1",
+                fmt::format("a loss was noticed only after {} ns", o.silence.count()));
     }
     if (!open(end) && o.to != SessionState::Opening && o.to != SessionState::Reopening)
         require(m_waitingControl[{o.device, o.peer}].empty(), "I8", "control that was queued before the end was neither sent nor reported");
@@ -259,8 +260,8 @@ void ReferenceModel::judgeControl(const Delivered& o, const Sent* sent)
     end.stamps[o.name.number] = o.name.stamp;
     require(sent->at >= end.permitted, "I2", "control from before an interruption");
     const auto age = m_now - sent->at;
-    const bool ofRobot = (o.name.number == motionCommand) && age > m_rules.motionAge + drift && m_rules.ids[o.device] >> 29U == 0;
-    require(age <= m_rules.lost + drift && !ofRobot, "I5", fmt::format("control that is {} ns old", age.count()));
+    const bool ofRobot = (o.name.number == motionCommand) && age > m_rules.motionAge + clockDrift && m_rules.ids[o.device] >> 29U == 0;
+    require(age <= m_rules.lost + clockDrift && !ofRobot, "I5", fmt::format("control that is {} ns old", age.count()));
 }
 
 void ReferenceModel::on(const Applied& o)
@@ -282,13 +283,13 @@ void ReferenceModel::on(const Drove& o)
     const auto began = m_now - o.passed;
     if (!o.moving)
         return;
-    const auto slack = m_rules.ramp + drift;
+    const auto slack = m_rules.ramp + clockDrift;
     require(began - device.engagedAt <= m_rules.lease + slack, "I1", "the drives move without a lease");
     require(began - device.engagedComposed <= m_rules.motionAge + m_rules.lease + slack, "I5", "the drives follow a hand of long ago");
     const bool session = open(m_ends[{o.device, device.owner}]);
     require(session || began - device.closedSince[device.owner] <= slack, "I1", "the drives move and the session is not open");
     require(device.incidents.empty() || began - device.standsBySince <= slack, "I1", "the drives move in stand-by");
-    require(!o.faster || (session && device.incidents.empty() && began - device.engagedAt <= m_rules.lease + drift), "I1",
+    require(!o.faster || (session && device.incidents.empty() && began - device.engagedAt <= m_rules.lease + clockDrift), "I1",
             "the drives gain speed without a lease");
 }
 
@@ -298,7 +299,7 @@ void ReferenceModel::on(const Holdings& o)
     require(o.queuedBytes <= m_rules.queuedBytes * 2 * m_rules.links.size(), "I9", "queues hold more than their bounds");
     require(o.fresh <= mostFresh && o.pending <= mostPending && o.incidents <= mostIncidents, "I9", "more is held than is allowed");
     const bool frozen = m_now - m_devices[o.device].resumed < 1ms;
-    require(o.silence <= m_rules.lost + drift || frozen, "I1", "a session is open and its peer is silent");
+    require(o.silence <= m_rules.lost + clockDrift || frozen, "I1", "a session is open and its peer is silent");
 }
 
 void ReferenceModel::on(const Settled& o)
