@@ -37,11 +37,11 @@ std::string quoted(const std::string& text)
 
 std::string jsonOf(const Sample& sample)
 {
-    char text[96];
+    char text[128];
     if (sample.empty())
         return "null";
-    std::snprintf(text, sizeof text, R"({"n": %zu, "p50": %.2f, "p99": %.2f, "max": %.2f})", sample.size(), sample.at(0.5), sample.at(0.99),
-                  sample.at(1));
+    std::snprintf(text, sizeof text, R"({"n": %zu, "p50": %.2f, "p99": %.2f, "p99.9": %.2f, "max": %.2f})", sample.size(), sample.at(0.5),
+                  sample.at(0.99), sample.at(0.999), sample.at(1));
     return text;
 }
 
