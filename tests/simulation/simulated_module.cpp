@@ -221,8 +221,12 @@ void SimulatedModule::entered(const session::Entered& change)
     event.to = change.to;
     m_device.tell(std::move(event));
     if (change.to == SessionState::Open)
-        for (auto& [lane, reception] : m_incomingBulk)
-            reception->start();
+        for (const auto& entry : m_incomingBulk)
+            m_device.post([this, lane = entry.first, reception = entry.second.get()] {
+                const auto found = m_incomingBulk.find(lane);
+                if (found != m_incomingBulk.end() && found->second.get() == reception)
+                    reception->start();
+            });
 }
 
 void SimulatedModule::opened(const session::SessionOpened& opened)

@@ -16,6 +16,7 @@ private slots:
     void opensOverChunkedBytesAndHealsAfterACut();
     void seedsHold_data();
     void seedsHold();
+    void laneThatBreaksTheSessionWhileItOpensDoesNoHarm();
     void sameSeedSameTrace();
     void wallClockStepsChangeNoSession();
     void minimisingKeepsWhatBreaks();
@@ -70,6 +71,12 @@ void SimulationTest::seedsHold()
     const auto outcome = runScenario(Scenario::chaotic(seed));
     QCOMPARE(wordsOf(outcome), QString());
     QCOMPARE(QString::number(outcome.hash, 16), QString::number(hash, 16));
+}
+
+void SimulationTest::laneThatBreaksTheSessionWhileItOpensDoesNoHarm()
+{
+    // What waited on a bulk lane was read while the lanes were being started, and ended them.
+    QCOMPARE(wordsOf(runScenario(Scenario::chaotic(20261122030800134U))), QString());
 }
 
 void SimulationTest::sameSeedSameTrace()

@@ -1,6 +1,8 @@
 // Dialogues and lanes of one peer.
 #include "system/distributed_module.hpp"
 
+#include <boost/asio/post.hpp>
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -226,8 +228,13 @@ void DistributedModule::entered(const session::Entered& change)
     m_host.tell(std::move(event));
     if (change.to != SessionState::Open)
         return;
-    for (auto& [lane, task] : m_incomingBulk)
-        task->start();
+    // Each in a turn of its own: what a lane brings may end the session, and with it the lanes.
+    for (const auto& entry : m_incomingBulk)
+        boost::asio::post(m_host.io(), [this, lane = entry.first, task = entry.second.get()] {
+            const auto found = m_incomingBulk.find(lane);
+            if (found != m_incomingBulk.end() && found->second.get() == task)
+                task->start();
+        });
     m_bulk.connect();
 }
 
