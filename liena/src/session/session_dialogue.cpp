@@ -54,6 +54,7 @@ void SessionMachine::on(const OutgoingUp& /*input*/)
         m_beating = true;
         m_nextHeartbeat = m_now.mono;
     } else {
+        m_renewed = true;
         sendHeartbeat(); // the peer waits for one to be whole again
     }
 }

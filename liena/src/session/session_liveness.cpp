@@ -72,15 +72,31 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
     // A peer that is still in the dialogue never heard that it is open: what said so was lost with the connection.
     if (m_state == SessionState::Reconnecting && (carriesMessages(heartbeat.state) || heartbeat.state == SessionState::Reconnecting))
         healIfWhole();
+    helpWaitingPeer(heartbeat.state);
     if (m_pending && carriesMessages(m_state) && carriesMessages(heartbeat.state)) {
         refuse(*m_pending, RejectReason::AlreadyOpen, "this device already has a session here and is healthy in it");
         m_pending.reset();
     }
 }
 
+/// The peer misses our lane 0, which may look whole from here: it is connected again, once, and the old one serves until then.
+void SessionMachine::helpWaitingPeer(SessionState peerState)
+{
+    if (peerState != SessionState::Reconnecting || !carriesMessages(m_state)) {
+        m_peerWaits = 0;
+        m_renewed = false;
+    } else if (++m_peerWaits > 1 && !m_renewed && !m_connecting) {
+        connect();
+    }
+}
+
 void SessionMachine::on(const LifeHeard& input)
 {
     m_monitor.heard(m_now.mono, input.path);
+    if (input.path == LifePath::LaneZero && m_incomingSilent) {
+        m_incomingSilent = false;
+        m_incomingUp = true; // it was late, and is not lost
+    }
     if (m_state == SessionState::Suspect && !m_monitor.isSuspect(m_now.mono))
         enter(SessionState::Open);
 }
@@ -91,6 +107,7 @@ void SessionMachine::judgeLiveness()
         enterReconnecting(LossCause::HeartbeatLost, "nothing was heard of the peer");
     else if (m_monitor.isLaneZeroLost(m_now.mono)) {
         m_incomingUp = false;
+        m_incomingSilent = true;
         enterReconnecting(LossCause::ConnectionLost, "lane 0 was silent while other paths were not");
     } else if (m_monitor.isUnwell(m_now.mono))
         enterStandBy(LossCause::HeartbeatLost, "the peer lives, but says that it is not open");
@@ -183,11 +200,13 @@ void SessionMachine::on(const IncomingUp& /*input*/)
     if (isDialogue() && m_incomingUp)
         lostInDialogue(ProbeResult::NotProbed, "the peer connected anew");
     m_incomingUp = true;
+    m_incomingSilent = false;
 }
 
 void SessionMachine::on(const IncomingLost& input)
 {
     m_incomingUp = false;
+    m_incomingSilent = false;
     if (isDialogue())
         lostInDialogue(ProbeResult::NotProbed, input.detail);
     else if (carriesMessages(m_state))

@@ -78,6 +78,9 @@ void SessionMachine::closeLanes(Nanoseconds grace)
     m_outgoingUp = false;
     m_connecting = false;
     m_incomingUp = false;
+    m_incomingSilent = false;
+    m_peerWaits = 0;
+    m_renewed = false;
     m_beating = false;
     m_retryAt.reset();
     m_rejectedWait.reset();

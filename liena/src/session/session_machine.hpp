@@ -269,6 +269,7 @@ private:
     void on(const Tick& input);
     void heardHeartbeat(const protocol::Heartbeat& heartbeat);
     void sendHeartbeat();
+    void helpWaitingPeer(SessionState peerState);
     void sendDueHeartbeat();
     void judgeLiveness();
     void judgeDialogue();
@@ -319,6 +320,9 @@ private:
     bool m_outgoingUp = false;
     bool m_connecting = false; ///< a connection for lane 0 is being made; an older one may still stand
     bool m_incomingUp = false;
+    bool m_incomingSilent = false; ///< it was given up for its silence, and it stands
+    unsigned m_peerWaits = 0;      ///< heartbeats of the peer in a row that say Reconnecting
+    bool m_renewed = false;        ///< lane 0 was connected again for this waiting of the peer
 
     // Liveness
     HeartbeatMonitor m_monitor;

@@ -25,6 +25,8 @@ private slots:
     void silenceIsShownThenActedOn();
     void lifeEndsSuspicion();
     void otherPathsDoNotReplaceLaneZero();
+    void silentLaneZeroThatSpeaksAgainHeals();
+    void peerThatMissesLaneZeroGetsItAnew();
     void peerThatIsNotOpenIsLostAtOnce();
     void retriesFiftyMillisecondsAfterTheLastFailure();
     void connectsAgainAfterSilenceThoughTheLaneLooksWhole();
@@ -148,7 +150,7 @@ void SessionLivenessTest::silenceIsShownThenActedOn()
     side.tick(1ns);
     QVERIFY(side.machine.state() == SessionState::Suspect);
     QVERIFY(raisedTo(side, 1));
-    side.tick(40ms - 1ns);
+    side.tick(39ms - 1ns);
     QVERIFY(side.machine.state() == SessionState::Suspect);
     const auto lost = side.tick(1ns);
     QVERIFY(side.machine.state() == SessionState::Reconnecting);
@@ -176,12 +178,58 @@ void SessionLivenessTest::otherPathsDoNotReplaceLaneZero()
     }
     side.tick(20ms);
     QVERIFY(side.machine.state() == SessionState::Reconnecting);
-    QVERIFY(!side.machine.isIncomingUp()); // heals only over a new lane 0 of the peer
-    side.beat();
+    QVERIFY(!side.machine.isIncomingUp()); // heals only over lane 0
+    side.beat(LifePath::Packet);
     QVERIFY(side.machine.state() == SessionState::Reconnecting);
     side.handle(IncomingUp{});
     side.beat();
     QVERIFY(side.machine.state() == SessionState::Open);
+}
+
+void SessionLivenessTest::silentLaneZeroThatSpeaksAgainHeals()
+{
+    Side side;
+    side.becomeOpen();
+    for (auto at = 20ms; at <= 500ms; at += 20ms) {
+        side.tick(20ms);
+        side.handle(LifeHeard{LifePath::Packet});
+    }
+    QVERIFY(side.machine.state() == SessionState::Reconnecting);
+    side.beat(); // TCP sent it again, late
+    QVERIFY(side.machine.state() == SessionState::Open);
+
+    // One that broke meanwhile says nothing more.
+    Side other;
+    other.becomeOpen();
+    for (auto at = 20ms; at <= 500ms; at += 20ms) {
+        other.tick(20ms);
+        other.handle(LifeHeard{LifePath::Packet});
+    }
+    other.handle(IncomingLost{"reset"});
+    other.beat();
+    QVERIFY(other.machine.state() == SessionState::Reconnecting);
+}
+
+void SessionLivenessTest::peerThatMissesLaneZeroGetsItAnew()
+{
+    Side side;
+    side.becomeOpen();
+    const auto connectsWhenPeerIs = [&](SessionState state) {
+        side.peerState = state;
+        return find<ConnectLaneZero>(side.beat()) != nullptr;
+    };
+    QVERIFY(!connectsWhenPeerIs(SessionState::Reconnecting)); // one may cross the healing
+    QVERIFY(connectsWhenPeerIs(SessionState::Reconnecting));
+    QVERIFY(side.machine.state() == SessionState::Open && side.machine.isOutgoingUp()); // the old one serves until then
+    QVERIFY(!connectsWhenPeerIs(SessionState::Reconnecting));
+    side.handle(OutgoingFailed{});
+    QVERIFY(side.machine.state() == SessionState::Open);
+    QVERIFY(connectsWhenPeerIs(SessionState::Reconnecting));
+    side.handle(OutgoingUp{});
+    QVERIFY(!connectsWhenPeerIs(SessionState::Reconnecting)); // once for one waiting
+    QVERIFY(!connectsWhenPeerIs(SessionState::Open));
+    QVERIFY(!connectsWhenPeerIs(SessionState::Reconnecting));
+    QVERIFY(connectsWhenPeerIs(SessionState::Reconnecting));
 }
 
 void SessionLivenessTest::peerThatIsNotOpenIsLostAtOnce()

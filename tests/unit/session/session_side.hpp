@@ -147,9 +147,9 @@ struct Side {
     }
 
     /// The peer's next heartbeat, as the shell tells of it: life, then the message.
-    session::SessionActions beat()
+    session::SessionActions beat(session::LifePath path = session::LifePath::LaneZero)
     {
-        auto actions = handle(session::LifeHeard{});
+        auto actions = handle(session::LifeHeard{path});
         protocol::Heartbeat heartbeat;
         heartbeat.sequence = ++peerSequence;
         heartbeat.sentNs = now.wall.ns;
