@@ -155,7 +155,10 @@ int runQuiet(const Options& options, Tally& tally)
     for (double hour = 0; hour < options.hours; hour += 1) {
         World world(Scenario::quiet(static_cast<std::uint64_t>(hour) + 1, *roundTrip, loss, !options.noDatagrams, options.withCommands));
         const auto length = std::min(1.0, options.hours - hour);
-        tally.add(world.runQuiet(Nanoseconds(static_cast<std::int64_t>(length * 3.6e12))));
+        const auto outcome = world.runQuiet(Nanoseconds(static_cast<std::int64_t>(length * 3.6e12)));
+        for (const auto& violation : outcome.violations)
+            fmt::print("hour {} breaks {}: {}\n", hour + 1, violation.invariant, violation.what);
+        tally.add(outcome);
     }
     fmt::print("per hour, both ends counted: {:.2f} interruptions, {:.2f} stand-bys\n",
                static_cast<double>(tally.total.interruptions) / options.hours, static_cast<double>(tally.total.standBys) / options.hours);
