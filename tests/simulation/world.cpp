@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr Nanoseconds glance = 5ms;
-constexpr Nanoseconds steadyFor = 300ms;
+constexpr Nanoseconds steadyFor = 600ms; // a lane 0 that the chaos left with a gap is repaired by then, or judged silent
 
 } // namespace
 
