@@ -296,6 +296,31 @@ private Q_SLOTS:
         QVERIFY2(stage.robot->incidents().empty(), stage.story().c_str());
         QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
     }
+
+    /// What was said on them in the opening is read when the session opens: the first breaks it, and all of them end.
+    void bulkLanesThatWaitedAndBreakTheSessionAreAllEnded()
+    {
+        HostileStage stage;
+        auto& peer = stage.peer;
+        peer.habits.answers = false;
+        peer.begin(false);
+        const auto token = peer.token();
+        QVERIFY(peer.waits([&] {
+            const auto commits = peer.heard(number::handshakeCommit);
+            return !commits.empty() && commits.back().token == token;
+        }));
+        auto foreign = peer.header(0x0200);
+        foreign.origin = stage.armId.value();
+        std::vector<std::unique_ptr<TlsLink>> lanes;
+        for (std::uint8_t lane = 1; lane <= 4; ++lane)
+            lanes.push_back(peer.saying(both(peer.attach(token, lane), wire::datagram(foreign, Bytes(64)))));
+        QVERIFY(peer.say(number::channelOpened, wire::tokenOnly(token)));
+        QVERIFY2(eventually([&] { return stage.robot.heard(SessionEvent::Kind::Lost, stage.xrayId); }), stage.story().c_str());
+        QVERIFY(stage.robot.events(SessionEvent::Kind::Lost, stage.xrayId)[0].diagnosis.cause == LossCause::ProtocolViolation);
+        for (const auto& lane : lanes)
+            QVERIFY(lane->closes());
+        QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
+    }
 };
 
 QTEST_GUILESS_MAIN(HostileAttachTest)
