@@ -287,11 +287,11 @@ Result<void> DicomCine::frame(std::uint32_t index, std::vector<std::uint16_t>& p
     return ok();
 }
 
-Result<void> DicomCine::next(const Exposure&, Picture& picture)
+Result<void> DicomCine::next(const Exposure& exposure, Picture& picture)
 {
     picture.format = m_format;
     const std::uint32_t index = m_next;
-    m_next = (m_next + 1) % m_frameCount;
+    m_next = (m_next + exposure.pulses) % m_frameCount;
     return frame(index, picture.pixels);
 }
 

@@ -23,6 +23,13 @@ public:
     /// `quality`: JPEG-LS: no pixel is off by more than this; JPEG: 1 to 100.
     FrameEncoder(Encoding encoding, unsigned quality) : m_encoding(encoding), m_quality(quality) {}
 
+    /// From the next picture on.
+    void use(Encoding encoding, unsigned quality)
+    {
+        m_encoding = encoding;
+        m_quality = quality;
+    }
+
     /// The bytes stay valid until the next call. JPEG has 8 bits: a deeper picture is first brought through its window, and
     /// `picture.format` then says what it has become.
     Result<std::span<const std::byte>> encode(Picture& picture);

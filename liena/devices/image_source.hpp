@@ -56,6 +56,7 @@ struct Exposure {
     std::uint32_t acquisition = 0;
     CArmGeometry geometry;
     InstrumentView instruments;
+    unsigned pulses = 1; ///< of the asked rate from this picture to the next: a recording goes on by so many
 };
 
 /// Used by one thread, the picture thread; may take a good part of a pulse period.

@@ -30,6 +30,8 @@ struct Options {
     unsigned quality = 0;
     int size = 512;
     std::uint64_t seed = 1;
+    bool noLossy = false;
+    bool noReduction = false;
     std::optional<double> start;
     bool verbose = false;
     std::string logFormat = "text";
@@ -47,6 +49,9 @@ While it runs, the person beside the device may type a line:
 The arm and the X-ray system open their link to the robot by themselves and try again every second. A lost
 link is re-opened only after a person's command: typed here, or heard from the system when the surgeon
 re-opens a channel to this device or to that robot. SIGTERM or Ctrl-C closes every session in order.
+
+When the way to a viewer does not carry the pictures, the X-ray system steps down a ladder: half the rate, then
+lossless, then lossy pictures. Each picture says so, and it steps up again by itself.
 
 Examples:
   liena-device robot --topology topologies/cerebrovascular.xml --registry resources/devices \
@@ -69,10 +74,21 @@ void addSystemOptions(CLI::App& role, Options& options)
     role.add_option("--store", settings.store, "Folder for message sets learnt from peers; default ~/.local/state/liena/sets");
     role.add_flag("--allow-insecure-network", settings.allowInsecureNetwork,
                   "With security mode none: listen on other than loopback addresses, without any protection");
+    role.add_option("--realtime-priority", settings.realTime.priority, "SCHED_FIFO priority of the network thread, 1 to 99; default none");
+    role.add_option("--processors", settings.realTime.processors, "Processors that the network thread may use, as 2,3; default all")
+        ->delimiter(',');
+    role.add_flag("--lock-memory", settings.realTime.lockMemory, "Keep all memory of the process from being swapped");
+    role.add_option_function<int>(
+        "--card-poll", [&settings](int us) { settings.realTime.cardSearch = std::chrono::microseconds(us); },
+        "Microseconds that the kernel asks the network card before the network thread sleeps");
+    role.add_option_function<int>(
+        "--busy-poll", [&settings](int us) { settings.realTime.search = std::chrono::microseconds(us); },
+        "Microseconds that the network thread looks for work before it sleeps; costs a processor; default 0");
     role.add_option("--seed", options.seed, "Of the simulation's noise")->capture_default_str();
     role.add_option("--audit", settings.audit, "Audit file: who did what to the sessions, tamper-evident; see `liena audit --help`");
     role.add_option("--status", settings.status, "Folder for the socket that `liena monitor` watches; empty for none")
         ->capture_default_str();
+    role.add_flag("--measure-on-request", settings.measureOnRequest, "Let `liena bench --live` of this user measure lines of this device");
     role.add_option("--log-format", options.logFormat, "How the log is written to stderr: text, or json with one object per line")
         ->check(CLI::IsMember({"text", "json"}))
         ->capture_default_str();
@@ -95,6 +111,10 @@ void addPictureOptions(CLI::App& role, Options& options)
         ->capture_default_str();
     role.add_option("--quality", options.quality, "jpeg-ls: the most a pixel may be off (0 = lossless); jpeg: 1 to 100 (default 90)")
         ->check(CLI::Range(0, 255));
+    auto* noReduction = role.add_flag("--no-reduction", options.noReduction,
+                                      "Never step down: pictures that the way to the viewers does not carry are withheld");
+    role.add_flag("--no-lossy", options.noLossy, "Step down to lower rates and to lossless pictures at most, never to lossy ones")
+        ->excludes(noReduction);
     role.add_option("--size", options.size, "Edge of the computed picture in pixels")
         ->check(CLI::IsMember({256, 512, 1024}))
         ->capture_default_str();
@@ -134,7 +154,8 @@ XrayOptions xrayOptions(const Options& options)
     unsigned quality = options.quality;
     if (encoding == Encoding::Jpeg)
         quality = quality == 0 ? 90 : std::min(quality, 100U);
-    return {pictureSource(options), encoding, quality};
+    const Reduction reduction = options.noReduction ? Reduction::None : options.noLossy ? Reduction::Lossless : Reduction::Lossy;
+    return {pictureSource(options), encoding, quality, reduction, {}};
 }
 
 // Runs the device from here to SIGTERM or SIGINT.

@@ -146,10 +146,10 @@ std::string PictureFolder::describe() const
            std::to_string(m_pictures.front().format.columns) + " x " + std::to_string(m_pictures.front().format.rows);
 }
 
-Result<void> PictureFolder::next(const Exposure&, Picture& picture)
+Result<void> PictureFolder::next(const Exposure& exposure, Picture& picture)
 {
     picture = m_pictures[m_next];
-    m_next = (m_next + 1) % m_pictures.size();
+    m_next = (m_next + exposure.pulses) % m_pictures.size();
     return ok();
 }
 

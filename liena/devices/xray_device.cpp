@@ -34,7 +34,10 @@ XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink l
                         PatientSide::stopRobots(m_system, m_log, reason);
                     }),
       m_source(std::move(options.source)),
-      m_encoder(options.encoding, options.quality)
+      m_encoder(options.encoding, options.quality),
+      m_ladder(options.encoding, options.quality, options.reduction),
+      m_paths(m_viewers),
+      m_links(options.links ? std::move(options.links) : [&system] { return system.links(); })
 {
     m_machine.fixPulseRate(m_source->ownRate());
 }
@@ -162,6 +165,10 @@ void XrayDevice::onEvent(const SessionEvent& event)
             break;
         case Kind::LocalStall:
             machine.interrupt("this process did not run in time");
+            break;
+        case Kind::SendFailed:
+            if (event.message == "XrayFrame")
+                ++m_lost[event.peer];
             break;
         default:
             break;

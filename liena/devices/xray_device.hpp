@@ -4,11 +4,14 @@
 #include "frame_encoder.hpp"
 #include "image_source.hpp"
 #include "patient_side.hpp"
+#include "viewer_paths.hpp"
 #include "xray_machine.hpp"
 
 #include "liena/distributed_system.hpp"
 
 #include <condition_variable>
+#include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -19,6 +22,8 @@ struct XrayOptions {
     std::unique_ptr<ImageSource> source;
     Encoding encoding = Encoding::Raw;
     unsigned quality = 0;
+    Reduction reduction = Reduction::Lossy;         ///< what may be done when the way to the viewers does not carry that
+    std::function<std::vector<LinkStatus>()> links; ///< what takes DistributedSystem::links()'s place in tests
 };
 
 /// Made before the system starts, outlives its run. Commands, events and status are on the network thread; pictures are computed, encoded
@@ -58,9 +63,12 @@ private:
 
     void takePictures();
     void takeOne(std::unique_lock<std::mutex>& lock);
+    bool chooseRung();
+    void tellRung() const;
     bool produce(const Exposure& exposure, std::uint64_t frame);
     Message compose(const Exposure& exposure, std::uint64_t frame, std::span<const std::byte> pixels, Timestamp captured) const;
     bool deliver(Message message);
+    void measure(const PictureRung& rung, std::size_t unencoded);
     void complain(const std::string& what);
 
     DistributedSystem& m_system;
@@ -76,12 +84,19 @@ private:
     SteadyTime m_robotHeard;
     double m_contrastRemaining = 0;
     Books m_books;
+    std::map<DeviceId, std::uint64_t> m_lost; ///< pictures accepted and lost, by viewer, since the last pulse
     bool m_stopping = false;
 
     // Of the picture thread.
     std::unique_ptr<ImageSource> m_source;
     FrameEncoder m_encoder;
+    FrameEncoder m_measuring{Encoding::Raw, 0}; ///< of pictures that are not sent
+    PictureLadder m_ladder;
+    ViewerPaths m_paths;
+    std::function<std::vector<LinkStatus>()> m_links;
+    double m_askedRate = 0; ///< for the present pulse
     Picture m_picture;
+    Picture m_spare;
     std::string m_lastComplaint;
     std::thread m_thread;
 };

@@ -118,7 +118,7 @@ void XrayMachine::tick(SteadyTime now)
     if (!m_owner)
         return;
     m_dose.fluoroscopyTime += seconds;
-    m_dose.airKermaRate = kermaPerPulse() * m_pulseRate * 60;
+    m_dose.airKermaRate = kermaPerPulse() * pulseRate() * 60;
 }
 
 void XrayMachine::moveGantry(double seconds)

@@ -82,8 +82,9 @@ public:
 
     bool beamOn() const { return m_owner.has_value(); }
     AcquisitionMode mode() const { return m_mode; }
-    double pulseRate() const { return m_pulseRate; }
-    std::uint32_t acquisition() const { return m_acquisition; } ///< counts the runs
+    double askedPulseRate() const { return m_pulseRate; }
+    double pulseRate() const { return m_pulseRate / m_divisor; } ///< as they are emitted
+    std::uint32_t acquisition() const { return m_acquisition; }  ///< counts the runs
     const CArmGeometry& geometry() const { return m_geometry; }
     TubeSettings tube() const;
     const Dose& dose() const { return m_dose; }
@@ -91,6 +92,9 @@ public:
 
     /// A source with a rate of its own, a recorded run, fixes it; 0 frees it again.
     void fixPulseRate(double rate) { m_fixedRate = rate; }
+
+    /// One pulse of so many that were asked for is emitted: a picture that nobody will see gives no dose.
+    void thinPulses(unsigned divisor) { m_divisor = divisor; }
 
 private:
     bool refuse(std::string_view reason);
@@ -106,6 +110,7 @@ private:
     AcquisitionMode m_mode = AcquisitionMode::Stop;
     double m_pulseRate = 15;
     double m_fixedRate = 0;
+    unsigned m_divisor = 1;
     std::uint32_t m_acquisition = 0;
     CArmGeometry m_geometry;
     CArmGeometry m_target;

@@ -28,22 +28,55 @@ void XrayDevice::takePictures()
         }
         if (m_wake.wait_until(lock, pulse, [this] { return m_stopping || !m_machine.beamOn(); }))
             continue;
+        takeOne(lock);
         const auto period = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(1 / m_machine.pulseRate()));
         pulse = std::max(pulse + period, std::chrono::steady_clock::now()); // a pulse that was missed is not made up for
-        takeOne(lock);
     }
 }
 
 void XrayDevice::takeOne(std::unique_lock<std::mutex>& lock)
 {
-    const Exposure exposure{std::chrono::steady_clock::now().time_since_epoch(), m_machine.mode(), m_machine.acquisition(),
-                            m_machine.geometry(), m_instruments};
+    const bool changed = chooseRung();
+    const Exposure exposure{std::chrono::steady_clock::now().time_since_epoch(),
+                            m_machine.mode(),
+                            m_machine.acquisition(),
+                            m_machine.geometry(),
+                            m_instruments,
+                            m_ladder.rung().divisor};
     m_machine.pulsed();
     const std::uint64_t frame = ++m_books.acquired;
     lock.unlock();
+    if (changed)
+        tellRung();
     const bool sent = produce(exposure, frame);
     lock.lock();
     ++(sent ? m_books.sent : m_books.withheld);
+}
+
+// By what the way to the viewers has carried until now; true when it has changed.
+bool XrayDevice::chooseRung()
+{
+    const auto viewers = m_paths.read(m_links(), std::exchange(m_lost, {}));
+    std::uint64_t gone = 0;
+    for (const PathReading& viewer : viewers)
+        gone = std::max(gone, viewer.withheld);
+    gone = std::min(gone, m_books.sent);
+    m_books.sent -= gone; // they were taken for sent
+    m_books.withheld += gone;
+    m_askedRate = m_machine.askedPulseRate();
+    const bool changed = m_ladder.update(std::chrono::steady_clock::now(), m_askedRate, viewers);
+    m_machine.thinPulses(m_ladder.rung().divisor);
+    return changed;
+}
+
+void XrayDevice::tellRung() const
+{
+    const std::string now = describe(m_ladder.rung(), m_askedRate);
+    if (m_ladder.step() == 0)
+        m_log(LogLevel::Info, "pictures as asked for again: " + now);
+    else
+        m_log(LogLevel::Warning, "pictures reduced to " + now + " (step " + std::to_string(m_ladder.step()) +
+                                     "): the way to those who look does not carry more");
 }
 
 bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
@@ -53,12 +86,21 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
         complain(taken.error().what);
         return false;
     }
+    const std::size_t unencoded = m_picture.pixels.size() * (m_picture.format.bitsStored > 8 ? 2 : 1);
+    const auto other = m_ladder.toMeasure(std::chrono::steady_clock::now());
+    if (other)
+        m_spare = m_picture; // an encoding may change it
+    m_encoder.use(m_ladder.rung().encoding, m_ladder.rung().quality);
     const auto pixels = m_encoder.encode(m_picture);
     if (!pixels) {
         complain(pixels.error().what);
         return false;
     }
-    return deliver(compose(exposure, frame, pixels.value(), captured));
+    m_ladder.measured(std::chrono::steady_clock::now(), m_ladder.rung(), pixels.value().size(), unencoded);
+    const bool sent = deliver(compose(exposure, frame, pixels.value(), captured));
+    if (other)
+        measure(*other, unencoded);
+    return sent;
 }
 
 Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, std::span<const std::byte> pixels, Timestamp captured) const
@@ -72,8 +114,18 @@ Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, std::
     message.set("window_centre", format.windowCentre).set("window_width", format.windowWidth);
     message.set("primary_angle", format.primaryAngle).set("secondary_angle", format.secondaryAngle);
     message.set("source_detector_distance", format.sourceDetectorDistance).set("source_object_distance", format.sourceObjectDistance);
+    message.set("rung", static_cast<std::uint8_t>(m_ladder.step())).set("rate", m_askedRate / m_ladder.rung().divisor);
+    message.set("asked_rate", m_askedRate).set("asked_encoding", m_ladder.rungs().front().encoding);
     message.set("mask", format.mask).set("pixels", pixels);
     return message;
+}
+
+// After the picture has left: it makes none later.
+void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
+{
+    m_measuring.use(rung.encoding, rung.quality);
+    if (const auto pixels = m_measuring.encode(m_spare))
+        m_ladder.measured(std::chrono::steady_clock::now(), rung, pixels.value().size(), unencoded);
 }
 
 // To those who look at pictures: the robot on the same network needs none.

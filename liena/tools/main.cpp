@@ -1,5 +1,6 @@
 // liena: the command line of the middleware.
 #include "audit_command.hpp"
+#include "bench_command.hpp"
 #include "check_command.hpp"
 #include "monitor_command.hpp"
 #include "pki_command.hpp"
@@ -29,6 +30,7 @@ int run(int argc, char** argv)
     liena::tools::addPkiCommand(app, exitCode);
     liena::tools::addProbeCommand(app, exitCode);
     liena::tools::addMonitorCommand(app, exitCode);
+    liena::tools::addBenchCommand(app, exitCode);
     liena::tools::addAuditCommand(app, exitCode);
     liena::tools::addSetsCommand(app, exitCode);
     try {

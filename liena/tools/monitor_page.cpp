@@ -53,12 +53,27 @@ std::string row(const std::vector<std::string>& cells)
     return line + '\n';
 }
 
+/// Empty while there is no lane for it and nothing is known of the path.
+std::string bulkLine(const JsonValue& link)
+{
+    const auto out = link["bulk_lanes"].numberOr(0);
+    const auto in = link["bulk_lanes_in"].numberOr(0);
+    const auto rate = link["bulk_rate"].number();
+    if (out + in == 0 && !rate)
+        return {};
+    return fmt::format(
+        "    bulk: {:.0f} lanes out, {:.0f} in, {:.0f} worker threads, {}{:.1f} MB wait, {:.0f} messages gave way to newer ones\n", out, in,
+        link["bulk_workers"].numberOr(0), rate ? fmt::format("the path carries {}, ", bytesPerSecond(*rate)) : std::string(),
+        link["bulk_queued_bytes"].numberOr(0) / 1e6, link["superseded"].numberOr(0));
+}
+
 std::string linkLines(const JsonValue& link)
 {
     const auto missed = link["heartbeats_missed"].numberOr(0);
     auto text = row({printable(link["peer"].text()), link["state"].text(), latencyOf(link), milliseconds(link["round_trip_ms"]),
                      fmt::format("{:.0f}", missed), rateOf(link, "messages_in", "bytes_in"), rateOf(link, "messages_out", "bytes_out"),
                      fmt::format("{:.0f}", link["queued"].numberOr(0)), link["datagrams"].truth() ? "yes" : "no"});
+    text += bulkLine(link);
     if (const auto interruptions = link["interruptions"].numberOr(0); interruptions > 0)
         text += fmt::format("    interruptions since the start: {:.0f}\n", interruptions);
     for (const auto& drop : link["drops"].items())

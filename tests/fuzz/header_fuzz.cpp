@@ -41,7 +41,8 @@ void checkOnLane(const DatagramHeader& header, std::uint8_t lane)
     if (judgement.verdict != HeaderVerdict::Take)
         return;
     if (header.message.isSessionManagement())
-        expect(lane == 0 || header.message.number == Abandon::number, "session management is on lane 0");
+        expect(lane == 0 || header.message.number == Abandon::number || header.message.number == Probe::number,
+               "session management is on lane 0");
     else
         checkTakenApplication(header, lane);
 }
@@ -54,7 +55,10 @@ void checkInPacket(const DatagramHeader& header, std::size_t partSize)
         return;
     expect(!header.moreSegments && header.length == partSize, "a packet is filled by one whole message");
     if (header.message.isSessionManagement())
-        expect(header.message.number == Heartbeat::number && !header.target.isBroadcast(), "of session management only a Heartbeat");
+        expect((header.message.number == Heartbeat::number || header.message.number == Probe::number ||
+                header.message.number == ProbeEcho::number) &&
+                   !header.target.isBroadcast(),
+               "of session management only a Heartbeat and what measures");
     else
         expect(corpusEnds().definitionOf(header.message.number)->path == Path::Datagram, "only what is declared for it");
 }

@@ -163,6 +163,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return 0;
     }
     const auto bytes = input.rest();
+    expect(definition.layout.get()->accepts(bytes) != protocol::faultIn(definition, bytes).has_value(), "layout and definition agree");
     if (protocol::checkFields(definition, bytes))
         return 0;
     checkDecoded(set, definition, bytes);

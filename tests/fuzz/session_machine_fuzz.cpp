@@ -156,7 +156,7 @@ private:
         using namespace protocol;
         const auto token = someToken();
         const auto reason = static_cast<RejectReason>(1 + m_input.below(12));
-        const std::array<SessionMessage, 14> messages{Attach{1, token, 0},
+        const std::array<SessionMessage, 18> messages{Attach{1, token, 0},
                                                       Handshake{token, topologyHash, peerSet, {"peer"}},
                                                       MessageSetRequest{m_input.flag() ? ownSet : peerSet},
                                                       ChannelOpened{token},
@@ -169,7 +169,11 @@ private:
                                                       StandByReport{900, cockpitId, true, 1},
                                                       IncidentDismissed{900, cockpitId, {"gone"}},
                                                       LinkReport{},
-                                                      Abandon{0x0200, 1}};
+                                                      Abandon{0x0200, 1},
+                                                      MeasureRequest{1, 1000, 100, 0},
+                                                      MeasureAnswer{},
+                                                      Probe{},
+                                                      ProbeEcho{}};
         m_machine.handle(SessionMessageHeard{messages[m_input.below(messages.size())]});
     }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 using namespace liena::protocol;
@@ -29,7 +30,9 @@ HeaderVerdict verdictOf(const DatagramHeader& header)
 {
     if (header.message.number == 0)
         return HeaderVerdict::Skip;
-    return header.message.number >= 0x1000 ? HeaderVerdict::Refuse : HeaderVerdict::Take;
+    if (header.message.number >= 0x1000)
+        return HeaderVerdict::Refuse;
+    return header.message.number % 2 == 0 ? HeaderVerdict::Take : HeaderVerdict::TakeInPieces;
 }
 
 bool isWelcome(const DatagramHeader& header) { return header.message.number != 0x0666; }
@@ -46,7 +49,7 @@ Reading expectedOf(std::span<const std::byte> stream)
         if (reading.refused || stream.size() < headerSize + header.length)
             break;
         const auto body = stream.subspan(headerSize, header.length);
-        if (verdict == HeaderVerdict::Take) {
+        if (verdict != HeaderVerdict::Skip) {
             reading.datagrams.push_back({header, {body.begin(), body.end()}});
             reading.refused = !isWelcome(header);
         }
@@ -95,7 +98,11 @@ private:
                 m_reading.datagrams.push_back({header, {body.begin(), body.end()}});
                 return isWelcome(header);
             };
-            const bool processed = m_decoder.process(judge, take);
+            const auto piece = [&](const DatagramHeader& header, std::span<const std::byte> bytes, bool last) {
+                m_pieces.insert(m_pieces.end(), bytes.begin(), bytes.end());
+                return !last || take(header, std::exchange(m_pieces, {}));
+            };
+            const bool processed = m_decoder.process(judge, take, piece);
             if (stopped)
                 continue;
             m_reading.refused = !processed;
@@ -104,6 +111,7 @@ private:
     }
 
     DatagramDecoder m_decoder;
+    std::vector<std::byte> m_pieces;
     bool m_handsOn;
     Reading m_reading;
 };

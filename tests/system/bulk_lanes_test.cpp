@@ -5,6 +5,9 @@
 #include <QFile>
 #include <QTest>
 
+#include <atomic>
+#include <span>
+
 using namespace liena;
 using namespace liena::test;
 using Kind = SessionEvent::Kind;
@@ -39,10 +42,10 @@ struct Pair {
     std::unique_ptr<TestDevice> sender;
     std::unique_ptr<TestDevice> receiver;
 
-    Pair()
+    explicit Pair(const TestDevice::Setup& receiving = {})
     {
         sender = std::make_unique<TestDevice>(settingsOf("planner"));
-        receiver = std::make_unique<TestDevice>(settingsOf("viewer"));
+        receiver = std::make_unique<TestDevice>(settingsOf("viewer"), receiving);
     }
 
     Settings settingsOf(const std::string& name)
@@ -56,6 +59,7 @@ struct Pair {
         }
         auto settings = system.settingsOf(name);
         settings.registry = {folder};
+        settings.bulkWorkers = 2; // also where processors are few
         return settings;
     }
 
@@ -111,6 +115,37 @@ private Q_SLOTS:
         QVERIFY(pair.send("Mesh", "points", count + 1, 10));
         QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{count + 1});
         QCOMPARE(pair.receiving().messagesAbandoned, std::uint64_t{0});
+    }
+
+    void workersComeWithTheLoadAndGo()
+    {
+        std::atomic<std::uint32_t> arrived = 0;
+        std::atomic<bool> inOrder = true;
+        Pair pair([&](DistributedSystem& device) {
+            (void)device.subscribe("Volume", [&](const Message& volume) {
+                const auto bytes = volume.get<std::span<const std::byte>>("voxels");
+                const auto number = volume.get<std::uint32_t>("number");
+                if (number != ++arrived || bytes.size() != 2'000'000 || bytes.back() != static_cast<std::byte>(number))
+                    inOrder = false;
+            });
+        });
+        QVERIFY((*pair.sender)->openChannel(pair.viewerId));
+        QTRY_VERIFY2(pair.receiver->heard(Kind::Opened), pair.story().c_str());
+        QCOMPARE(pair.sending().bulkWorkers, std::uint8_t{0});
+        std::uint32_t sent = 0;
+        const auto refill = [&] {
+            while (sent < arrived + 12 && pair.send("Volume", "voxels", sent + 1, 2'000'000))
+                ++sent;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT((refill(), pair.sending().bulkWorkers > 0), 60000);
+        const auto before = sent;
+        QTRY_VERIFY_WITH_TIMEOUT((refill(), arrived > before + 12), 60000); // with workers
+        QTRY_COMPARE(pair.receiving().bulkLanesIn, std::uint8_t{1});
+        QTRY_VERIFY_WITH_TIMEOUT(arrived == sent, 60000);
+        QVERIFY(inOrder);
+        QTRY_COMPARE_WITH_TIMEOUT(pair.sending().bulkWorkers, std::uint8_t{0}, 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(pair.receiving().bulkWorkers, std::uint8_t{0}, 20000);
+        QVERIFY2(!pair.receiver->heard(Kind::Interrupted) && !pair.receiver->heard(Kind::Lost), pair.story().c_str());
     }
 
     void messageThatGrowsOldHalfwayIsAbandoned()

@@ -86,8 +86,9 @@ private Q_SLOTS:
         QCOMPARE(count, 96U);
 
         TestSystem system({reference::cockpit, reference::xray}, {"cockpit xray"});
-        ChildProcess xray(QStringLiteral("liena-device"), QStringList{QStringLiteral("xray")} + system.argumentsOf("xray") +
-                                                              QStringList{QStringLiteral("--dicom"), cinePath()});
+        ChildProcess xray(QStringLiteral("liena-device"),
+                          QStringList{QStringLiteral("xray")} + system.argumentsOf("xray") +
+                              QStringList{QStringLiteral("--no-reduction"), QStringLiteral("--dicom"), cinePath()});
         QVERIFY2(xray.waitForLine(QStringLiteral("listening on")), qPrintable(xray.output()));
         Screen screen(system);
         QVERIFY(screen.device->openChannel(system.idOf("xray")));

@@ -3,6 +3,7 @@
 
 #include "liena/device_id.hpp"
 #include "liena/error.hpp"
+#include "liena/measurement.hpp"
 #include "liena/message.hpp"
 #include "liena/message_cache.hpp"
 #include "liena/message_set.hpp"
@@ -28,6 +29,7 @@ class DistributedSystem {
 public:
     using MessageHandler = std::function<void(const Message&)>;
     using EventHandler = std::function<void(const SessionEvent&)>;
+    using MeasurementHandler = std::function<void(const Measurement&)>;
 
     /// Reads the topology, the message sets and the certificates, and takes the port. Nothing runs yet.
     static Result<std::unique_ptr<DistributedSystem>> create(Settings settings);
@@ -74,6 +76,12 @@ public:
     /// Looks what stands between us and a peer that is not in session; the outcome is a SessionEvent (Diagnosed).
     Result<void> probe(DeviceId peer);
 
+    /// Measures the line to a peer inside its open session, within Settings::measuring of both ends; `done` hears the figures on the
+    /// network thread, in the order of the calls. What is sent waits behind every command, and nothing of it can end the session. One at a
+    /// time.
+    Result<void> measure(DeviceId peer, MeasurementPlan plan, MeasurementHandler done);
+    void stopMeasuring(DeviceId peer);
+
     // Stand-by.
 
     std::vector<Incident> incidents() const;
@@ -94,7 +102,7 @@ public:
     Result<void> send(DeviceId target, Message message);
 
     /// A report to every device whose session is Open; returns how many.
-    std::size_t publish(const Message& message);
+    std::size_t publish(Message message);
 
     MessageCache& cache();
 

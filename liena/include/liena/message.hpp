@@ -3,6 +3,7 @@
 
 #include "liena/device_id.hpp"
 #include "liena/error.hpp"
+#include "liena/field_slot.hpp"
 #include "liena/message_id.hpp"
 #include "liena/message_set.hpp"
 #include "liena/timestamp.hpp"
@@ -64,14 +65,10 @@ public:
     template <typename T>
     T get(std::size_t field) const
     {
-        if constexpr (std::same_as<T, bool>)
-            return unsignedAt(field) != 0;
-        else if constexpr (std::floating_point<T>)
-            return static_cast<T>(realAt(field));
-        else if constexpr (std::is_enum_v<T> || std::signed_integral<T>)
-            return static_cast<T>(signedAt(field));
-        else if constexpr (std::unsigned_integral<T>)
-            return static_cast<T>(unsignedAt(field));
+        if constexpr (std::floating_point<T>)
+            return real<T>(field);
+        else if constexpr (std::is_enum_v<T> || std::integral<T>)
+            return whole<T>(field);
         else if constexpr (std::same_as<T, std::string_view> || std::same_as<T, std::string>)
             return T(textAt(field));
         else if constexpr (std::same_as<T, std::span<const std::byte>>)
@@ -93,11 +90,9 @@ public:
     Message& set(std::size_t field, const T& value)
     {
         if constexpr (std::floating_point<T>)
-            assign(field, Number(static_cast<double>(value)));
-        else if constexpr (std::is_enum_v<T> || std::signed_integral<T>)
-            assign(field, Number(static_cast<std::int64_t>(value)));
-        else if constexpr (std::unsigned_integral<T>)
-            assign(field, Number(static_cast<std::uint64_t>(value)));
+            setReal(field, static_cast<std::conditional_t<std::same_as<T, float>, float, double>>(value));
+        else if constexpr (std::is_enum_v<T> || std::integral<T>)
+            setWhole(field, value);
         else if constexpr (std::convertible_to<const T&, std::string_view>)
             assignText(field, value);
         else if constexpr (std::convertible_to<const T&, std::span<const std::byte>>)
@@ -122,10 +117,58 @@ private:
     friend class MessageAccess;
     Message(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition, FieldBytes&& fields);
 
+    // Most numbers stand at places that are known beforehand: those are read and written here, all else behind a call.
+    const protocol::FieldSlot* slot(std::size_t field, protocol::SlotKind kind) const
+    {
+        return field < m_slots.size() && m_slots[field].kind == kind ? &m_slots[field] : nullptr;
+    }
+
+    template <typename T>
+    T real(std::size_t field) const
+    {
+        using protocol::SlotKind;
+        if (const auto* at = slot(field, SlotKind::Real32))
+            return static_cast<T>(protocol::load<float>(m_fields.data() + at->offset));
+        if (const auto* at = slot(field, SlotKind::Real64))
+            return static_cast<T>(protocol::load<double>(m_fields.data() + at->offset));
+        return static_cast<T>(realAt(field));
+    }
+
+    template <typename T>
+    T whole(std::size_t field) const
+    {
+        if (const auto* at = slot(field, protocol::wholeKind(sizeof(T))))
+            return protocol::loadWhole<T>(m_fields.data() + at->offset);
+        return static_cast<T>(unsignedAt(field));
+    }
+
+    template <typename T>
+    void setReal(std::size_t field, T value)
+    {
+        using protocol::SlotKind;
+        const auto narrow = static_cast<float>(value);
+        if (const auto* at = slot(field, SlotKind::Real32); at != nullptr && at->allows(narrow))
+            return protocol::store(m_fields.data() + at->offset, narrow);
+        assign(field, Number(static_cast<double>(value)));
+    }
+
+    template <typename T>
+    void setWhole(std::size_t field, T value)
+    {
+        const auto wide = static_cast<std::int64_t>(value);
+        const bool wraps = sizeof(T) == sizeof(wide) && !protocol::isSignedWhole<T> && wide < 0;
+        if (const auto* at = slot(field, protocol::wholeKind(sizeof(T))); at != nullptr && !wraps && at->allows(wide))
+            return protocol::store(m_fields.data() + at->offset, value);
+        if constexpr (std::unsigned_integral<T>)
+            assign(field, Number(static_cast<std::uint64_t>(value)));
+        else
+            assign(field, Number(wide));
+    }
+
     void refuse(std::string why);
     std::size_t position(std::string_view field) const;
+    const std::byte* numberAt(std::size_t field) const;
     std::uint64_t unsignedAt(std::size_t field) const;
-    std::int64_t signedAt(std::size_t field) const;
     double realAt(std::size_t field) const;
     std::string_view textAt(std::size_t field) const;
     std::span<const std::byte> bytesAt(std::size_t field) const;
@@ -137,6 +180,8 @@ private:
 
     std::shared_ptr<const MessageSet> m_set;
     const MessageDefinition* m_definition; ///< inside *m_set
+    const protocol::WireLayout* m_layout;  ///< that of the definition
+    std::span<const protocol::FieldSlot> m_slots;
     DeviceId m_origin;
     DeviceId m_target;
     Timestamp m_timestamp;

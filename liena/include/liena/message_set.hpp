@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -65,6 +66,32 @@ struct FieldDefinition {
     std::size_t maximumSize() const; ///< on the wire, in bytes
 };
 
+namespace protocol {
+class WireLayout;
+}
+
+/// The library's compiled form of a definition's fields. A copy of a definition begins without it, since its fields may be changed.
+class CompiledLayout {
+public:
+    CompiledLayout() = default;
+    explicit CompiledLayout(std::shared_ptr<const protocol::WireLayout> layout) : m_layout(std::move(layout)) {}
+    CompiledLayout(const CompiledLayout& /*other*/) noexcept {}
+    CompiledLayout(CompiledLayout&&) noexcept = default;
+    CompiledLayout& operator=(const CompiledLayout& /*other*/) noexcept
+    {
+        m_layout.reset();
+        return *this;
+    }
+    CompiledLayout& operator=(CompiledLayout&&) noexcept = default;
+    ~CompiledLayout() = default;
+
+    /// Null unless the definition is that of a set that was read.
+    const protocol::WireLayout* get() const { return m_layout.get(); }
+
+private:
+    std::shared_ptr<const protocol::WireLayout> m_layout; ///< one owner; shared only because the type is not known here
+};
+
 enum class Role : std::uint8_t { Command, Report };
 
 /// In the order in which they are sent: strict between classes, fair within one. Session management ranks with Safety.
@@ -90,6 +117,7 @@ struct MessageDefinition {
     std::uint32_t history = 0;                      ///< undelivered messages a queue keeps; 0: up to the queue's bound
     Path path = Path::Stream;
     std::vector<FieldDefinition> fields;
+    CompiledLayout layout;
 
     /// Bytes of the safety record before the fields: 16 for control messages, else 0.
     std::size_t recordSize() const { return priority == Priority::Control ? 16 : 0; }

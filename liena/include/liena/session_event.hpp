@@ -112,15 +112,21 @@ struct LinkStatus {
     std::uint64_t bytesReceived = 0;
     std::uint32_t queuedMessages = 0; ///< accepted by send() and not yet given to the kernel
     std::uint8_t bulkLanes = 0;       ///< connections of ours for bulk
-    std::uint32_t epoch = 0;          ///< ours, of what we receive
-    std::uint32_t peerEpoch = 0;      ///< the peer's, as last heard; 0 before the first heartbeat
+    std::uint8_t bulkLanesIn = 0;     ///< the peer's
+    std::uint8_t bulkWorkers = 0;     ///< threads of this device that work on bulk now, for all links together
+    /// Bytes per second that bulk to this peer can count on; nothing until the path has been filled or measured. A source may step up by
+    /// it, so it rises again after a path has healed, also while less than this is sent.
+    std::optional<double> bulkRate;
+    std::uint64_t bulkQueuedBytes = 0; ///< of bulk that waits here or is under way to the peer's kernel
+    std::uint32_t epoch = 0;           ///< ours, of what we receive
+    std::uint32_t peerEpoch = 0;       ///< the peer's, as last heard; 0 before the first heartbeat
     std::uint32_t interruptions = 0;
     std::uint8_t packetsHeard = 0;       ///< by UDP in the last 8 heartbeat periods, at most 255
     std::uint8_t packetsHeardByPeer = 0; ///< the same as the peer last said it; 0: the datagram path to it does not work
     bool toPeerConnected = false;
     bool fromPeerConnected = false;
     IncidentId incident = 0;                         ///< of this pair; 0 when there is none
-    std::optional<std::chrono::nanoseconds> latency; ///< median of the messages received in the last 200 ms, ± clockUncertainty
+    std::optional<std::chrono::nanoseconds> latency; ///< median of the last 200 ms (a slower heartbeat: of its period), ± clockUncertainty
 };
 
 /// Messages of one kind that were not delivered here for one cause, since the start.

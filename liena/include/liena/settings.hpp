@@ -2,12 +2,35 @@
 #pragma once
 
 #include "liena/log.hpp"
+#include "liena/measurement.hpp"
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace liena {
+
+/// How packets are marked for the network (DSCP, RFC 2474): 0 to 63, and 0 for no mark. They have an effect where the hospital's switches
+/// are told what they mean, and are harmless elsewhere.
+struct PacketMarks {
+    std::uint8_t prompt = 46; ///< safety, control, status and the session itself: expedited forwarding (RFC 3246)
+    std::uint8_t bulk = 34;   ///< images: AF41 (RFC 2597)
+};
+
+/// What the network thread asks of the operating system; all off by default, and create() fails with what is missing when it is not
+/// permitted. docs/OPERATING.md says what each is good for.
+struct RealTimeOptions {
+    int priority = 0;                    ///< SCHED_FIFO, 1 to 99; 0: an ordinary thread
+    std::vector<int> processors;         ///< that it may run on; empty: all
+    bool lockMemory = false;             ///< of the whole process: no page of it is ever fetched from disk
+    std::chrono::microseconds search{0}; ///< that it looks for work before it sleeps; costs a processor
+    /// That the kernel asks the network card itself before the thread sleeps (SO_BUSY_POLL): for this device's sockets, and of no use for
+    /// peers on the same computer.
+    std::chrono::microseconds cardSearch{0};
+};
 
 struct Settings {
     std::filesystem::path topology; ///< the file that every device of the system holds, the same bytes
@@ -32,6 +55,20 @@ struct Settings {
 
     /// Mode `none` listens on loopback addresses only, unless this says that an open network is meant.
     bool allowInsecureNetwork = false;
+
+    PacketMarks marks;
+    RealTimeOptions realTime;
+
+    /// How much of measuring this device takes on, at rest and in use; see DistributedSystem::measure().
+    MeasuringBudget measuring;
+
+    /// `liena bench --live`: who may use the status socket, this device's user alone, may also have a line measured through it. Off, that
+    /// socket reads nothing.
+    bool measureOnRequest = false;
+
+    /// At most so many threads seal and open the bytes of images beside the network thread, while those take much of its time: 0 to 4.
+    /// Nothing: as many as the computer has processors beyond two, and none beside `realTime.search` or `realTime.processors`.
+    std::optional<unsigned> bulkWorkers;
 
     /// Where the log lines go; stderrLog() writes them as text or as JSON.
     LogSink log = stderrLog();

@@ -4,6 +4,7 @@
 #include "liena/message_set.hpp"
 #include "liena/session_event.hpp"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -27,6 +28,14 @@ public:
         for (const auto& [peer, status] : m_links)
             all.push_back(status);
         return all;
+    }
+
+    /// Sessions that carry messages.
+    std::size_t openLinks() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return static_cast<std::size_t>(
+            std::count_if(m_links.begin(), m_links.end(), [](const auto& entry) { return carriesMessages(entry.second.state); }));
     }
 
     std::optional<LinkStatus> link(DeviceId peer) const

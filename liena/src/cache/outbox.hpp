@@ -19,6 +19,8 @@ public:
         Message message;
     };
 
+    using Letters = std::vector<Letter>;
+
     static constexpr std::size_t mostLetters = 4096;
     static constexpr std::size_t mostBytes = std::size_t{64} << 20U;
 
@@ -43,18 +45,17 @@ public:
         return true;
     }
 
-    std::vector<Letter> take()
+    /// `letters` is empty before; the memory that it has is used for those that come next.
+    void take(Letters& letters)
     {
-        std::vector<Letter> letters;
         const std::lock_guard lock(m_mutex);
         letters.swap(m_letters);
         m_bytes = 0;
-        return letters;
     }
 
 private:
     std::mutex m_mutex;
-    std::vector<Letter> m_letters;
+    Letters m_letters;
     std::size_t m_bytes = 0;
     std::function<void()> m_wake;
 };

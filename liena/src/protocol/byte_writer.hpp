@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -11,7 +10,7 @@
 
 namespace liena::protocol {
 
-/// Appends little-endian values to any container of std::byte with size, resize and data.
+/// Appends little-endian values to any container of std::byte that inserts ranges.
 template <typename Container>
 class ByteWriter {
 public:
@@ -22,10 +21,7 @@ public:
 
     ByteWriter& append(std::span<const std::byte> bytes)
     {
-        const auto at = m_bytes.size();
-        m_bytes.resize(at + bytes.size());
-        if (!bytes.empty())
-            std::memcpy(m_bytes.data() + at, bytes.data(), bytes.size());
+        m_bytes.insert(m_bytes.end(), bytes.data(), bytes.data() + bytes.size()); // pointers: one copy, not byte by byte
         return *this;
     }
 

@@ -8,11 +8,11 @@ namespace liena::protocol {
 std::span<std::byte> DatagramDecoder::writable()
 {
     if (m_begin > 0) {
-        std::memmove(m_buffer.data(), m_buffer.data() + m_begin, buffered());
+        std::memmove(m_buffer.get(), m_buffer.get() + m_begin, buffered());
         m_end -= m_begin;
         m_begin = 0;
     }
-    return std::span(m_buffer).subspan(m_end);
+    return {m_buffer.get() + m_end, bufferSize - m_end};
 }
 
 } // namespace liena::protocol

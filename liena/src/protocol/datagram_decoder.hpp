@@ -3,51 +3,69 @@
 
 #include "protocol/datagram.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
+#include <utility>
 
 namespace liena::protocol {
 
 enum class HeaderVerdict : std::uint8_t {
     Take,
-    Skip,   ///< pass over the body
-    Refuse, ///< the stream ends here
+    Skip,         ///< pass over the body
+    Refuse,       ///< the stream ends here
+    TakeInPieces, ///< the body is handed on as it comes, and need not wait here until it is whole
 };
 
-/// A fixed buffer that one datagram always fits. A datagram's body is valid until the next call of writable().
+/// A fixed buffer that one datagram always fits. What is handed on is valid until the next call of writable().
 class DatagramDecoder {
 public:
-    DatagramDecoder() : m_buffer(bufferSize) {}
+    DatagramDecoder() : m_buffer(std::make_unique_for_overwrite<std::byte[]>(bufferSize)) {}
 
     /// Where the next bytes of the stream go.
     std::span<std::byte> writable();
     void commit(std::size_t bytes) { m_end += bytes; }
 
-    /// Calls `judge(const DatagramHeader&) -> HeaderVerdict` once per header and `take(const DatagramHeader&, span body) -> bool` for each
-    /// datagram that is whole. Ends when bytes are missing (true), or at once when either refuses (false).
-    template <typename Judge, typename Take>
-    bool process(Judge&& judge, Take&& take)
+    /// Calls `judge(const DatagramHeader&) -> HeaderVerdict` once per header, `take(const DatagramHeader&, span body) -> bool` for each
+    /// datagram that is whole, and `piece(const DatagramHeader&, span bytes, bool last) -> bool` for each part of a body that is taken in
+    /// pieces. Ends when bytes are missing (true), or at once when one of them refuses (false).
+    template <typename Judge, typename Take, typename Piece>
+    bool process(Judge&& judge, Take&& take, Piece&& piece)
     {
         for (;;) {
             if (!m_judged) {
                 if (buffered() < headerSize)
                     return true;
-                m_header = decodeHeader(std::span<const std::byte, headerSize>(m_buffer.data() + m_begin, headerSize));
+                m_header = decodeHeader(std::span<const std::byte, headerSize>(m_buffer.get() + m_begin, headerSize));
                 m_verdict = judge(m_header);
                 if (m_verdict == HeaderVerdict::Refuse)
                     return false;
                 m_judged = true;
+                m_missing = m_header.length;
+                m_begin += headerSize;
             }
-            if (buffered() < headerSize + m_header.length)
+            const bool inPieces = m_verdict == HeaderVerdict::TakeInPieces || m_verdict == HeaderVerdict::Skip;
+            if (inPieces ? m_missing > 0 && buffered() == 0 : buffered() < m_missing)
                 return true;
-            const auto body = std::span<const std::byte>(m_buffer).subspan(m_begin + headerSize, m_header.length);
-            m_begin += headerSize + m_header.length;
-            m_judged = false;
-            if (m_verdict == HeaderVerdict::Take && !take(m_header, body))
+            const auto bytes = std::span<const std::byte>(m_buffer.get() + m_begin, std::min(m_missing, buffered()));
+            m_begin += bytes.size();
+            m_missing -= bytes.size();
+            m_judged = m_missing > 0;
+            if (m_verdict == HeaderVerdict::Take && !take(m_header, bytes))
+                return false;
+            if (m_verdict == HeaderVerdict::TakeInPieces && !piece(m_header, bytes, !m_judged))
                 return false;
         }
+    }
+
+    /// Where no body is taken in pieces.
+    template <typename Judge, typename Take>
+    bool process(Judge&& judge, Take&& take)
+    {
+        return process(std::forward<Judge>(judge), std::forward<Take>(take),
+                       [](const DatagramHeader&, std::span<const std::byte>, bool) { return true; });
     }
 
     std::size_t buffered() const { return m_end - m_begin; }
@@ -55,12 +73,13 @@ public:
 private:
     static constexpr std::size_t bufferSize = 2 * (headerSize + maximumBody);
 
-    std::vector<std::byte> m_buffer;
+    std::unique_ptr<std::byte[]> m_buffer; ///< not filled beforehand: what is never used of it takes no memory
     std::size_t m_begin = 0;
     std::size_t m_end = 0;
     DatagramHeader m_header;
     HeaderVerdict m_verdict = HeaderVerdict::Take;
     bool m_judged = false;
+    std::size_t m_missing = 0; ///< of the body, once its header is judged
 };
 
 } // namespace liena::protocol

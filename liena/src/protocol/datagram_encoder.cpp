@@ -7,20 +7,29 @@
 
 namespace liena::protocol {
 
-bool DatagramEncoder::appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out)
+Segment DatagramEncoder::next(const DatagramHeader& header, std::span<const std::byte> part, std::size_t maximum)
 {
-    const auto remaining = message.part.size() - m_sent;
+    const auto remaining = part.size() - m_sent;
     const auto size = std::min({remaining, maximum, maximumBody});
-    auto header = message.header;
-    header.length = static_cast<std::uint16_t>(size);
-    header.moreSegments = size < remaining;
-    ByteWriter writer(out);
-    const auto bytes = encodeHeader(header);
-    writer.append(std::span<const std::byte>(bytes));
-    writer.append(std::span(message.part.data() + m_sent, size));
+    auto own = header;
+    own.length = static_cast<std::uint16_t>(size);
+    own.moreSegments = size < remaining;
+    const auto body = part.subspan(m_sent, size);
     m_sent += size;
     m_begun = true;
-    return !header.moreSegments;
+    return {encodeHeader(own), body, !own.moreSegments};
+}
+
+bool DatagramEncoder::appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out)
+{
+    const auto segment = next(message.header, {message.part.data(), message.part.size()}, maximum);
+    appendTo(out, segment);
+    return segment.last;
+}
+
+void appendTo(std::vector<std::byte>& out, const Segment& segment)
+{
+    ByteWriter(out).append(std::span<const std::byte>(segment.header)).append(segment.body);
 }
 
 } // namespace liena::protocol

@@ -16,10 +16,20 @@ struct EncodedMessage {
     FieldBytes part;       ///< the information part with its safety record, if any
 };
 
+/// One datagram whose body lies where its message lies.
+struct Segment {
+    HeaderBytes header;
+    std::span<const std::byte> body;
+    bool last = false; ///< of its message
+};
+
 /// How far a message has been cut. It does not hold the message, so that a queue may move it.
 class DatagramEncoder {
 public:
-    /// Appends the next segment of `message`, with a body of at most `maximum` bytes, to `out`; true when it was the last.
+    /// The next segment of the message of this header and information part, with a body of at most `maximum` bytes.
+    Segment next(const DatagramHeader& header, std::span<const std::byte> part, std::size_t maximum);
+
+    /// Appends the next segment of `message` to `out`; true when it was the last.
     bool appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out);
 
     bool begun() const { return m_begun; }
@@ -28,5 +38,8 @@ private:
     std::size_t m_sent = 0;
     bool m_begun = false;
 };
+
+/// Appends the bytes of `segment`.
+void appendTo(std::vector<std::byte>& out, const Segment& segment);
 
 } // namespace liena::protocol

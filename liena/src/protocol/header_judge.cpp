@@ -1,6 +1,7 @@
 // The table of section 2, row by row.
 #include "protocol/header_judge.hpp"
 
+#include "protocol/probe_words.hpp"
 #include "protocol/session_messages.hpp"
 
 #include <fmt/format.h>
@@ -31,6 +32,12 @@ bool mayBeBroadcast(std::uint16_t number)
 /// To one device alone they would end where they should be handed on. (A ChannelReOpened to one device opens its session.)
 bool mustBeBroadcast(std::uint16_t number) { return mayBeBroadcast(number) && number != ChannelReOpened::number; }
 
+/// An image of a measurement takes the images' way.
+bool mayBeOnBulkLane(std::uint16_t number) { return number == Abandon::number || number == Probe::number; }
+
+/// Session management for which a lost segment must not mean a wait, or which finds out about the packets' way.
+bool mayTravelByUdp(std::uint16_t number) { return number == Heartbeat::number || number == Probe::number || number == ProbeEcho::number; }
+
 std::string tooLong(const MessageDefinition& definition)
 {
     return fmt::format("{} is longer than the {} bytes its definition allows", definition.name, definition.maximumSize());
@@ -53,15 +60,16 @@ HeaderJudgement judgeSession(std::uint8_t lane, const DatagramHeader& header)
     const auto maximum = maximumSessionBody(header.message.number);
     if (!maximum)
         return skip("unknown session message");
-    if (lane != 0 && header.message.number != Abandon::number)
+    if (lane != 0 && !mayBeOnBulkLane(header.message.number))
         return refuse("session management on a bulk lane");
     if (header.target.isBroadcast() && !mayBeBroadcast(header.message.number))
         return refuse(fmt::format("session message 0x{:04x} cannot be broadcast", header.message.number));
     if (!header.target.isBroadcast() && mustBeBroadcast(header.message.number))
         return refuse(fmt::format("session message 0x{:04x} must be broadcast", header.message.number));
-    if (header.length > *maximum)
+    const auto longest = header.message.number == Probe::number && lane == 0 ? probeHeadSize + maximumPromptPadding : *maximum;
+    if (header.length > longest)
         return refuse(fmt::format("session message 0x{:04x} is longer than it can be", header.message.number));
-    return {HeaderVerdict::Take, *maximum, {}};
+    return {HeaderVerdict::Take, longest, {}};
 }
 
 HeaderJudgement judgeApplication(const Ends& ends, std::uint8_t lane, const DatagramHeader& header)
@@ -118,7 +126,7 @@ HeaderJudgement judgeInPacket(const Ends& ends, const DatagramHeader& header, st
         return skip("a datagram that does not fill its UDP packet");
     if (!header.message.isSessionManagement())
         return judgePacketApplication(ends, header);
-    if (header.message.number != Heartbeat::number || header.target.isBroadcast())
+    if (!mayTravelByUdp(header.message.number) || header.target.isBroadcast())
         return skip("a session message that does not travel by UDP");
     return judgeSession(0, header);
 }

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -15,17 +14,9 @@ namespace liena::protocol {
 namespace {
 
 template <typename T>
-T load(const std::byte* bytes)
+bool put(std::byte* bytes, T value)
 {
-    T value;
-    std::memcpy(&value, bytes, sizeof(T));
-    return value;
-}
-
-template <typename T>
-bool store(std::byte* bytes, T value)
-{
-    std::memcpy(bytes, &value, sizeof(T));
+    store(bytes, value);
     return true;
 }
 
@@ -40,9 +31,9 @@ bool storeInteger(const Number& value, std::byte* bytes)
                     !(v <= static_cast<double>(std::numeric_limits<T>::max())) || v != std::floor(v) ||
                     v >= (std::is_signed_v<T> ? 9223372036854775808.0 : 18446744073709551616.0))
                     return false;
-                return store(bytes, static_cast<T>(v));
+                return put(bytes, static_cast<T>(v));
             } else {
-                return std::in_range<T>(v) && store(bytes, static_cast<T>(v));
+                return std::in_range<T>(v) && put(bytes, static_cast<T>(v));
             }
         },
         value);
@@ -143,6 +134,31 @@ Number readNumber(FieldType type, const std::byte* bytes)
     return std::uint64_t{0};
 }
 
+std::uint64_t wholeAt(FieldType type, const std::byte* bytes)
+{
+    const auto widened = [](std::int64_t value) { return static_cast<std::uint64_t>(value); };
+    switch (type) {
+    case FieldType::Int8:
+        return widened(load<std::int8_t>(bytes));
+    case FieldType::Int16:
+        return widened(load<std::int16_t>(bytes));
+    case FieldType::Int32:
+        return widened(load<std::int32_t>(bytes));
+    case FieldType::Bool:
+    case FieldType::UInt8:
+        return load<std::uint8_t>(bytes);
+    case FieldType::UInt16:
+        return load<std::uint16_t>(bytes);
+    case FieldType::UInt32:
+        return load<std::uint32_t>(bytes);
+    case FieldType::Int64:
+    case FieldType::UInt64:
+        return load<std::uint64_t>(bytes);
+    default:
+        return 0;
+    }
+}
+
 bool writeNumber(FieldType type, const Number& value, std::byte* bytes)
 {
     switch (type) {
@@ -165,10 +181,10 @@ bool writeNumber(FieldType type, const Number& value, std::byte* bytes)
         return storeInteger<std::uint64_t>(value, bytes);
     case FieldType::Float32: {
         const auto narrow = static_cast<float>(asDouble(value));
-        return (std::isfinite(narrow) || !std::isfinite(asDouble(value))) && store(bytes, narrow);
+        return (std::isfinite(narrow) || !std::isfinite(asDouble(value))) && put(bytes, narrow);
     }
     case FieldType::Float64:
-        return store(bytes, asDouble(value));
+        return put(bytes, asDouble(value));
     case FieldType::String:
     case FieldType::Bytes:
         break;
@@ -201,6 +217,12 @@ std::optional<std::string> checkNumber(const MessageDefinition& definition, cons
 
 std::optional<std::string> checkFields(const MessageDefinition& definition, std::span<const std::byte> bytes)
 {
+    const auto* layout = definition.layout.get();
+    return layout != nullptr && layout->accepts(bytes) ? std::nullopt : faultIn(definition, bytes);
+}
+
+std::optional<std::string> faultIn(const MessageDefinition& definition, std::span<const std::byte> bytes)
+{
     ByteReader reader(bytes);
     for (const auto& field : definition.fields) {
         if (auto fault = checkField(definition, field, reader))
@@ -215,6 +237,8 @@ std::optional<std::string> checkFields(const MessageDefinition& definition, std:
 
 FieldSpan locateField(const MessageDefinition& definition, std::span<const std::byte> bytes, std::size_t index)
 {
+    if (const auto* layout = definition.layout.get())
+        return layout->locate(bytes, index);
     FieldSpan span;
     for (std::size_t i = 0; i <= index; ++i) {
         const auto& field = definition.fields[i];
@@ -233,7 +257,13 @@ FieldSpan locateField(const MessageDefinition& definition, std::span<const std::
 
 bool isUtf8(std::string_view text)
 {
+    constexpr std::uint64_t highBits = 0x8080808080808080U;
     for (std::size_t i = 0; i < text.size();) {
+        if (text.size() - i >= sizeof highBits &&
+            (load<std::uint64_t>(reinterpret_cast<const std::byte*>(text.data()) + i) & highBits) == 0) {
+            i += sizeof highBits;
+            continue;
+        }
         const auto at = [&](std::size_t k) { return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : 0U; };
         const auto continues = [&](std::size_t k) { return (at(k) & 0xC0U) == 0x80U; };
         const unsigned lead = at(0);

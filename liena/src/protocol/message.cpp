@@ -2,38 +2,25 @@
 #include "liena/message.hpp"
 
 #include "liena/log.hpp"
-#include "protocol/byte_reader.hpp"
 #include "protocol/information_part.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
 
 namespace liena {
 
+using protocol::FieldSlot;
 using protocol::FieldSpan;
-using protocol::locateField;
+using protocol::load;
+using protocol::SlotKind;
+using protocol::store;
 
 namespace {
-
-/// The default, or 0, or the bound nearest to 0, or the enum's first value.
-Number initialNumber(const FieldDefinition& field)
-{
-    if (field.initial)
-        return *field.initial;
-    if (field.enumeration)
-        return field.enumeration->values.front().number;
-    const auto real = [](const Number& n) { return std::visit([](auto v) { return static_cast<double>(v); }, n); };
-    if (field.min && real(*field.min) > 0)
-        return *field.min;
-    if (field.max && real(*field.max) < 0)
-        return *field.max;
-    return std::uint64_t{0};
-}
 
 std::logic_error misuse(const MessageDefinition& definition, std::string_view field, std::string_view why)
 {
@@ -53,36 +40,55 @@ void splice(FieldBytes& bytes, FieldSpan old, std::size_t prefix, std::size_t co
         copy.assign(content.begin(), content.end());
         content = {copy.data(), copy.size()};
     }
-    const auto size = prefix + content.size();
-    if (size > old.size)
-        bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(old.begin + old.size), size - old.size, std::byte{});
-    else
-        bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(old.begin + size),
-                    bytes.begin() + static_cast<std::ptrdiff_t>(old.begin + old.size));
     const auto length = static_cast<std::uint32_t>(count);
     std::memcpy(bytes.data() + old.begin, &length, prefix);
-    if (!content.empty())
-        std::memcpy(bytes.data() + old.begin + prefix, content.data(), content.size());
+    const auto place = bytes.begin() + static_cast<std::ptrdiff_t>(old.begin + prefix);
+    const auto there = old.size - prefix;
+    if (content.size() > there) { // what is new is written once: an image is long
+        const auto rest = content.subspan(there);
+        bytes.insert(place + static_cast<std::ptrdiff_t>(there), rest.data(), rest.data() + rest.size());
+    } else {
+        bytes.erase(place + static_cast<std::ptrdiff_t>(content.size()), place + static_cast<std::ptrdiff_t>(there));
+    }
+    const auto replaced = std::min(there, content.size());
+    if (replaced > 0)
+        std::memcpy(bytes.data() + old.begin + prefix, content.data(), replaced);
+}
+
+} // namespace
+
+namespace {
+
+/// A definition that is not of a set that was read has none: one is made that lives as long as what holds the set.
+const protocol::WireLayout* layoutFor(std::shared_ptr<const MessageSet>& set, const MessageDefinition& definition)
+{
+    if (const auto* layout = definition.layout.get())
+        return layout;
+    struct SetAndLayout {
+        std::shared_ptr<const MessageSet> set;
+        protocol::WireLayout layout;
+    };
+    const auto both = std::make_shared<const SetAndLayout>(SetAndLayout{set, protocol::WireLayout(definition)});
+    set = std::shared_ptr<const MessageSet>(both, set.get());
+    return &both->layout;
 }
 
 } // namespace
 
 Message::Message(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition)
-    : m_set(std::move(set)), m_definition(&definition)
-{
-    for (const auto& field : definition.fields) {
-        const auto at = m_fields.size();
-        m_fields.resize(at + field.minimumSize(), std::byte{});
-        if (!field.hasFixedSize())
-            continue;
-        const auto value = initialNumber(field);
-        for (std::size_t offset = at; offset < m_fields.size(); offset += sizeOf(field.type))
-            protocol::writeNumber(field.type, value, m_fields.data() + offset);
-    }
-}
+    : m_set(std::move(set)),
+      m_definition(&definition),
+      m_layout(layoutFor(m_set, definition)),
+      m_slots(m_layout->slots()),
+      m_fields(m_layout->defaults().data(), m_layout->defaults().data() + m_layout->defaults().size())
+{}
 
 Message::Message(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition, FieldBytes&& fields)
-    : m_set(std::move(set)), m_definition(&definition), m_fields(std::move(fields))
+    : m_set(std::move(set)),
+      m_definition(&definition),
+      m_layout(layoutFor(m_set, definition)),
+      m_slots(m_layout->slots()),
+      m_fields(std::move(fields))
 {}
 
 void Message::refuse(std::string why)
@@ -101,44 +107,82 @@ std::size_t Message::position(std::string_view field) const
 
 namespace {
 
-Number scalarAt(const MessageDefinition& definition, const FieldBytes& bytes, std::size_t index)
+bool isReal(FieldType type) { return type == FieldType::Float32 || type == FieldType::Float64; }
+
+bool isSigned(FieldType type)
 {
-    const auto& field = definition.fields.at(index);
-    if (!isNumber(field))
-        throw misuse(definition, field.name, "is not a single number");
-    return protocol::readNumber(field.type, bytes.data() + locateField(definition, {bytes.data(), bytes.size()}, index).begin);
+    return type == FieldType::Int8 || type == FieldType::Int16 || type == FieldType::Int32 || type == FieldType::Int64;
 }
 
-template <typename T>
-T convert(const Number& value)
+/// One number as double, which is how arrays are handed out.
+double realFrom(FieldType type, const std::byte* bytes)
 {
-    return std::visit([](auto v) { return static_cast<T>(v); }, value);
+    if (type == FieldType::Float32)
+        return load<float>(bytes);
+    if (type == FieldType::Float64)
+        return load<double>(bytes);
+    const auto whole = protocol::wholeAt(type, bytes);
+    return isSigned(type) ? static_cast<double>(static_cast<std::int64_t>(whole)) : static_cast<double>(whole);
+}
+
+/// Writes what is allowed for certain; false when it must be asked about in full.
+bool storeAllowed(const FieldSlot& slot, FieldType type, const Number& value, std::byte* at)
+{
+    const auto* unsignedValue = std::get_if<std::uint64_t>(&value);
+    const auto* real = std::get_if<double>(&value);
+    if (slot.kind == SlotKind::Real32 || slot.kind == SlotKind::Real64) {
+        const auto wide = std::visit([](auto v) { return static_cast<double>(v); }, value);
+        const auto narrow = static_cast<float>(wide);
+        const bool isDouble = slot.kind == SlotKind::Real64;
+        if (isDouble ? !slot.allows(wide) : !slot.allows(narrow))
+            return false;
+        isDouble ? store(at, wide) : store(at, narrow);
+        return true;
+    }
+    if (slot.kind == SlotKind::None || real != nullptr || (unsignedValue != nullptr && *unsignedValue >> 63U != 0))
+        return false;
+    const auto whole = unsignedValue != nullptr ? static_cast<std::int64_t>(*unsignedValue) : std::get<std::int64_t>(value);
+    if (!slot.allows(whole))
+        return false;
+    std::memcpy(at, &whole, sizeOf(type));
+    return true;
 }
 
 } // namespace
 
-std::uint64_t Message::unsignedAt(std::size_t field) const
+const std::byte* Message::numberAt(std::size_t index) const
 {
-    const auto number = scalarAt(*m_definition, m_fields, field);
-    if (std::holds_alternative<double>(number))
-        throw misuse(*m_definition, m_definition->fields[field].name, "is a floating-point number");
-    return convert<std::uint64_t>(number);
+    const auto& field = m_definition->fields.at(index);
+    if (!isNumber(field))
+        throw misuse(*m_definition, field.name, "is not a single number");
+    return m_fields.data() + m_layout->locate(fieldBytes(), index).begin;
 }
 
-std::int64_t Message::signedAt(std::size_t field) const { return static_cast<std::int64_t>(unsignedAt(field)); }
+std::uint64_t Message::unsignedAt(std::size_t field) const
+{
+    const auto* bytes = numberAt(field);
+    const auto& definition = m_definition->fields[field];
+    if (isReal(definition.type))
+        throw misuse(*m_definition, definition.name, "is a floating-point number");
+    return protocol::wholeAt(definition.type, bytes);
+}
 
-double Message::realAt(std::size_t field) const { return convert<double>(scalarAt(*m_definition, m_fields, field)); }
+double Message::realAt(std::size_t field) const
+{
+    const auto* bytes = numberAt(field);
+    return realFrom(m_definition->fields[field].type, bytes);
+}
 
 std::string_view Message::textAt(std::size_t field) const
 {
     const auto& definition = m_definition->fields.at(field);
     if (definition.enumeration && definition.shape == FieldShape::Scalar) {
-        const auto* value = definition.enumeration->find(signedAt(field));
+        const auto* value = definition.enumeration->find(static_cast<std::int64_t>(unsignedAt(field)));
         return value != nullptr ? std::string_view(value->name) : std::string_view();
     }
     if (!isText(definition))
         throw misuse(*m_definition, definition.name, "is not text");
-    const auto span = locateField(*m_definition, fieldBytes(), field);
+    const auto span = m_layout->locate(fieldBytes(), field);
     return {reinterpret_cast<const char*>(m_fields.data()) + span.begin + 2, span.size - 2};
 }
 
@@ -146,7 +190,7 @@ std::span<const std::byte> Message::bytesAt(std::size_t field) const
 {
     if (!isBytes(m_definition->fields.at(field)))
         throw misuse(*m_definition, m_definition->fields[field].name, "is not of type bytes");
-    const auto span = locateField(*m_definition, fieldBytes(), field);
+    const auto span = m_layout->locate(fieldBytes(), field);
     return fieldBytes().subspan(span.begin + 4, span.size - 4);
 }
 
@@ -155,17 +199,20 @@ std::vector<double> Message::realsAt(std::size_t field) const
     const auto& definition = m_definition->fields.at(field);
     if (isText(definition) || isBytes(definition))
         throw misuse(*m_definition, definition.name, "is not made of numbers");
-    auto span = locateField(*m_definition, fieldBytes(), field);
+    auto span = m_layout->locate(fieldBytes(), field);
     const std::size_t prefix = definition.shape == FieldShape::Sequence ? 4 : 0;
     std::vector<double> values;
+    values.reserve((span.size - prefix) / sizeOf(definition.type));
     for (auto at = span.begin + prefix; at < span.begin + span.size; at += sizeOf(definition.type))
-        values.push_back(convert<double>(protocol::readNumber(definition.type, m_fields.data() + at)));
+        values.push_back(realFrom(definition.type, m_fields.data() + at));
     return values;
 }
 
 void Message::assign(std::size_t index, const Number& value)
 {
     const auto& field = m_definition->fields.at(index);
+    if (storeAllowed(m_slots[index], field.type, value, m_fields.data() + m_slots[index].offset))
+        return;
     if (!isNumber(field))
         throw misuse(*m_definition, field.name, "is not a single number");
     std::array<std::byte, 8> encoded{};
@@ -178,7 +225,7 @@ void Message::assign(std::size_t index, const Number& value)
     if (fault) {
         return refuse(*fault);
     }
-    std::memcpy(m_fields.data() + locateField(*m_definition, fieldBytes(), index).begin, encoded.data(), sizeOf(field.type));
+    std::memcpy(m_fields.data() + m_layout->locate(fieldBytes(), index).begin, encoded.data(), sizeOf(field.type));
 }
 
 void Message::assignText(std::size_t index, std::string_view value)
@@ -195,8 +242,7 @@ void Message::assignText(std::size_t index, std::string_view value)
         return refuse(fmt::format("{}.{} holds at most {} bytes of UTF-8, the text has {}", m_definition->name, field.name, field.count,
                                   value.size()));
     }
-    splice(m_fields, locateField(*m_definition, fieldBytes(), index), 2, value.size(),
-           std::as_bytes(std::span(value.data(), value.size())));
+    splice(m_fields, m_layout->locate(fieldBytes(), index), 2, value.size(), std::as_bytes(std::span(value.data(), value.size())));
 }
 
 void Message::assignBytes(std::size_t index, std::span<const std::byte> value)
@@ -207,7 +253,7 @@ void Message::assignBytes(std::size_t index, std::span<const std::byte> value)
     if (value.size() > field.count) {
         return refuse(fmt::format("{}.{} holds at most {} bytes, not {}", m_definition->name, field.name, field.count, value.size()));
     }
-    splice(m_fields, locateField(*m_definition, fieldBytes(), index), 4, value.size(), value);
+    splice(m_fields, m_layout->locate(fieldBytes(), index), 4, value.size(), value);
 }
 
 void Message::assignReals(std::size_t index, std::span<const double> values)
@@ -220,7 +266,7 @@ void Message::assignReals(std::size_t index, std::span<const double> values)
         return refuse(fmt::format("{}.{} holds {}{} numbers, not {}", m_definition->name, field.name, sequence ? "at most " : "",
                                   field.count, values.size()));
     }
-    std::vector<std::byte> encoded(values.size() * sizeOf(field.type));
+    FieldBytes encoded(values.size() * sizeOf(field.type));
     for (std::size_t i = 0; i < values.size(); ++i) {
         auto* at = encoded.data() + i * sizeOf(field.type);
         auto fault = protocol::writeNumber(field.type, values[i], at)
@@ -231,7 +277,7 @@ void Message::assignReals(std::size_t index, std::span<const double> values)
             return refuse(*fault);
         }
     }
-    splice(m_fields, locateField(*m_definition, fieldBytes(), index), sequence ? 4 : 0, values.size(), encoded);
+    splice(m_fields, m_layout->locate(fieldBytes(), index), sequence ? 4 : 0, values.size(), {encoded.data(), encoded.size()});
 }
 
 std::string Message::toString() const
@@ -249,7 +295,7 @@ std::string Message::toString() const
         else if (field.type == FieldType::Bool && isNumber(field))
             line += unsignedAt(i) != 0 ? "true" : "false";
         else if (isNumber(field))
-            line += protocol::toString(scalarAt(*m_definition, m_fields, i));
+            line += protocol::toString(protocol::readNumber(field.type, numberAt(i)));
         else {
             const auto values = realsAt(i);
             line +=

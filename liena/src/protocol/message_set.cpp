@@ -1,6 +1,8 @@
 // Names, sizes and look-ups of message definitions: everything about a message set but its XML.
 #include "liena/message_set.hpp"
 
+#include "protocol/wire_layout.hpp"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -22,6 +24,15 @@ constexpr std::array typeRows{
     TypeRow{FieldType::Float32, "float32", 4}, TypeRow{FieldType::Float64, "float64", 8}, TypeRow{FieldType::String, "string", 0},
     TypeRow{FieldType::Bytes, "bytes", 0},
 };
+
+constexpr bool standInOrder()
+{
+    for (std::size_t i = 0; i < typeRows.size(); ++i)
+        if (static_cast<std::size_t>(typeRows[i].type) != i)
+            return false;
+    return true;
+}
+static_assert(standInOrder(), "a type's row is found by its number");
 
 constexpr std::size_t stringLengthSize = 2;
 constexpr std::size_t bytesLengthSize = 4;
@@ -57,8 +68,8 @@ std::optional<FieldType> fieldTypeFrom(std::string_view name)
 
 std::size_t sizeOf(FieldType type)
 {
-    const auto* row = firstOf(typeRows, [type](const TypeRow& candidate) { return candidate.type == type; });
-    return row ? row->size : 0;
+    const auto row = static_cast<std::size_t>(type);
+    return row < typeRows.size() ? typeRows[row].size : 0;
 }
 
 std::string_view toString(Role role) { return role == Role::Command ? "command" : "report"; }
@@ -113,6 +124,8 @@ std::size_t FieldDefinition::maximumSize() const
 
 std::size_t MessageDefinition::maximumSize() const
 {
+    if (const auto* compiled = layout.get())
+        return recordSize() + compiled->maximumSize();
     std::size_t size = recordSize();
     for (const auto& field : fields)
         size += field.maximumSize();
@@ -121,6 +134,8 @@ std::size_t MessageDefinition::maximumSize() const
 
 std::optional<std::size_t> MessageDefinition::indexOf(std::string_view field) const
 {
+    if (const auto* compiled = layout.get())
+        return compiled->indexOf(*this, field);
     for (std::size_t i = 0; i < fields.size(); ++i)
         if (fields[i].name == field)
             return i;

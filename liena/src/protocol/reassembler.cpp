@@ -4,72 +4,118 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace liena::protocol {
 
+namespace {
+
+std::string tooLong(std::uint16_t number, std::size_t maximum)
+{
+    return fmt::format("message 0x{:04x} is longer than the {} bytes its definition allows", number, maximum);
+}
+
+} // namespace
+
 Reassembler::Outcome Reassembler::take(const DatagramHeader& header, std::span<const std::byte> body, std::size_t maximum)
 {
-    if (body.size() > maximum)
-        return Violation{fmt::format("message 0x{:04x} is longer than the {} bytes its definition allows", header.message.number, maximum)};
-    if (header.moreSegments && body.empty())
-        return Violation{fmt::format("message 0x{:04x} has an empty segment before its last", header.message.number)};
-    const auto partial = m_partials.find(header.message.number);
-    if (partial == m_partials.end())
-        return begin(header, body);
-    if (header.timestamp < partial->second.timestamp)
-        return Violation{fmt::format("message 0x{:04x} has an older timestamp than its partial", header.message.number)};
-    if (header.timestamp > partial->second.timestamp) {
-        drop(partial);
-        return begin(header, body);
-    }
-    return extend(partial, header, body, maximum);
-}
-
-Reassembler::Outcome Reassembler::begin(const DatagramHeader& header, std::span<const std::byte> body)
-{
-    if (!header.moreSegments)
-        return Whole{};
-    auto& partial = m_partials[header.message.number];
-    partial.timestamp = header.timestamp;
-    partial.target = header.target;
-    return append(partial, body);
-}
-
-Reassembler::Outcome Reassembler::extend(Partials::iterator partial, const DatagramHeader& header, std::span<const std::byte> body,
-                                         std::size_t maximum)
-{
-    auto& state = partial->second;
-    if (header.target != state.target)
-        return Violation{fmt::format("message 0x{:04x} changes its target between segments", header.message.number)};
-    if (body.empty())
-        return Violation{fmt::format("message 0x{:04x} ends with an empty segment", header.message.number)};
-    if (state.heard + body.size() > maximum)
-        return Violation{fmt::format("message 0x{:04x} is longer than the {} bytes its definition allows", header.message.number, maximum)};
-    auto outcome = append(state, body);
-    if (header.moreSegments)
+    auto outcome = open(header, body.size(), maximum);
+    if (!std::holds_alternative<Incomplete>(outcome))
         return outcome;
-    if (!state.discarding)
-        outcome = Assembled{std::move(state.bytes)};
-    m_budget.giveBack(state.reserved);
-    m_partials.erase(partial);
-    return outcome;
+    add(body);
+    return close();
 }
 
-Reassembler::Outcome Reassembler::append(Partial& partial, std::span<const std::byte> body)
+Reassembler::Outcome Reassembler::open(const DatagramHeader& header, std::size_t length, std::size_t maximum)
 {
-    partial.heard += body.size();
-    if (partial.discarding)
-        return Incomplete{};
-    if (!m_budget.take(body.size())) {
-        m_budget.giveBack(partial.reserved);
-        partial.reserved = 0;
-        partial.bytes = {};
-        partial.discarding = true;
-        return OverBudget{};
+    if (length > maximum)
+        return Violation{tooLong(header.message.number, maximum)};
+    if (header.moreSegments && length == 0)
+        return Violation{fmt::format("message 0x{:04x} has an empty segment before its last", header.message.number)};
+    auto partial = m_partials.find(header.message.number);
+    if (partial != m_partials.end() && header.timestamp > partial->second.timestamp) {
+        drop(partial);
+        partial = m_partials.end();
     }
-    partial.reserved += body.size();
-    partial.bytes.insert(partial.bytes.end(), body.begin(), body.end());
+    if (partial == m_partials.end()) {
+        if (!header.moreSegments)
+            return Whole{};
+        partial = begin(header, maximum);
+    } else if (auto violation = judge(partial->second, header, length, maximum)) {
+        return std::move(*violation);
+    }
+    const bool overBudget = !partial->second.discarding && !reserve(partial->second, length);
+    partial->second.heard += length;
+    m_open = Segment{partial, !header.moreSegments, overBudget};
     return Incomplete{};
+}
+
+std::optional<Reassembler::Violation> Reassembler::judge(const Partial& partial, const DatagramHeader& header, std::size_t length,
+                                                         std::size_t maximum) const
+{
+    const auto number = header.message.number;
+    if (header.timestamp < partial.timestamp)
+        return Violation{fmt::format("message 0x{:04x} has an older timestamp than its partial", number)};
+    if (header.target != partial.target)
+        return Violation{fmt::format("message 0x{:04x} changes its target between segments", number)};
+    if (length == 0)
+        return Violation{fmt::format("message 0x{:04x} ends with an empty segment", number)};
+    if (partial.heard + length > maximum)
+        return Violation{tooLong(number, maximum)};
+    return std::nullopt;
+}
+
+Reassembler::Partials::iterator Reassembler::begin(const DatagramHeader& header, std::size_t maximum)
+{
+    const auto partial = m_partials.emplace(header.message.number, Partial{}).first;
+    partial->second.timestamp = header.timestamp;
+    partial->second.target = header.target;
+    const auto last = m_lastSize.find(header.message.number);
+    auto buffer = m_budget.buffer(last != m_lastSize.end() ? std::min(last->second, maximum) : 0);
+    partial->second.bytes = std::move(buffer.bytes);
+    partial->second.room = buffer.room;
+    return partial;
+}
+
+/// False when it is too much: then the message is passed over.
+bool Reassembler::reserve(Partial& partial, std::size_t bytes)
+{
+    if (m_budget.take(bytes)) {
+        partial.reserved += bytes;
+        return true;
+    }
+    release(partial);
+    partial.bytes = {};
+    partial.discarding = true;
+    return false;
+}
+
+void Reassembler::add(std::span<const std::byte> piece)
+{
+    if (!m_open || m_open->partial->second.discarding)
+        return;
+    auto& bytes = m_open->partial->second.bytes;
+    bytes.insert(bytes.end(), piece.data(), piece.data() + piece.size()); // pointers: one copy, not byte by byte
+}
+
+Reassembler::Outcome Reassembler::close()
+{
+    const auto segment = std::exchange(m_open, std::nullopt);
+    if (!segment)
+        return Incomplete{};
+    Outcome outcome = Incomplete{};
+    if (segment->overBudget)
+        outcome = OverBudget{};
+    if (!segment->last)
+        return outcome;
+    auto& partial = segment->partial->second;
+    release(partial);
+    if (!partial.discarding) {
+        m_lastSize[segment->partial->first] = partial.bytes.size();
+        outcome = Assembled{std::move(partial.bytes)};
+    }
+    m_partials.erase(segment->partial);
+    return outcome;
 }
 
 void Reassembler::abandon(std::uint16_t number, Timestamp timestamp)
@@ -82,8 +128,17 @@ void Reassembler::abandon(std::uint16_t number, Timestamp timestamp)
 void Reassembler::drop(Partials::iterator partial)
 {
     ++m_abandoned;
-    m_budget.giveBack(partial->second.reserved);
+    if (m_open && m_open->partial == partial)
+        m_open.reset();
+    release(partial->second);
+    m_budget.recycle(std::move(partial->second.bytes));
     m_partials.erase(partial);
+}
+
+void Reassembler::release(Partial& partial)
+{
+    m_budget.giveBack(std::exchange(partial.reserved, 0));
+    m_budget.release(std::exchange(partial.room, 0));
 }
 
 void Reassembler::clear()

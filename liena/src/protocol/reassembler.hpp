@@ -3,10 +3,10 @@
 
 #include "liena/message.hpp"
 #include "protocol/datagram.hpp"
+#include "protocol/partial_budget.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -14,26 +14,6 @@
 #include <variant>
 
 namespace liena::protocol {
-
-/// The bytes that all partial messages of a process may hold together.
-class PartialBudget {
-public:
-    explicit PartialBudget(std::size_t limit = std::size_t{64} << 20U) : m_limit(limit) {}
-
-    bool take(std::size_t bytes)
-    {
-        if (bytes > m_limit - m_used)
-            return false;
-        m_used += bytes;
-        return true;
-    }
-    void giveBack(std::size_t bytes) { m_used -= bytes; }
-    std::size_t used() const { return m_used; }
-
-private:
-    std::size_t m_limit;
-    std::size_t m_used = 0;
-};
 
 /// One per lane and direction; network thread. The origin of all segments is the same authenticated peer.
 class Reassembler {
@@ -60,6 +40,12 @@ public:
     /// `maximum`: the most bytes that the message's definition allows.
     Outcome take(const DatagramHeader& header, std::span<const std::byte> body, std::size_t maximum);
 
+    /// The same for a body that comes in pieces, judged before they come. Incomplete: they go to add(), and then close() says what became
+    /// of the segment. Anything else is final: Whole is for take(), with the whole body.
+    Outcome open(const DatagramHeader& header, std::size_t length, std::size_t maximum);
+    void add(std::span<const std::byte> piece);
+    Outcome close();
+
     /// The sender gave the partial message up.
     void abandon(std::uint16_t number, Timestamp timestamp);
 
@@ -76,17 +62,28 @@ private:
         FieldBytes bytes;
         std::size_t heard = 0;    ///< bytes of its segments so far, kept or not
         std::size_t reserved = 0; ///< taken from the budget
+        std::size_t room = 0;     ///< kept by the budget
         bool discarding = false;  ///< over budget: the rest is passed over
     };
     using Partials = std::map<std::uint16_t, Partial>;
 
-    Outcome begin(const DatagramHeader& header, std::span<const std::byte> body);
-    Outcome extend(Partials::iterator partial, const DatagramHeader& header, std::span<const std::byte> body, std::size_t maximum);
-    Outcome append(Partial& partial, std::span<const std::byte> body);
+    /// The segment that add() continues.
+    struct Segment {
+        Partials::iterator partial;
+        bool last = false;
+        bool overBudget = false; ///< with this segment
+    };
+
+    std::optional<Violation> judge(const Partial& partial, const DatagramHeader& header, std::size_t length, std::size_t maximum) const;
+    Partials::iterator begin(const DatagramHeader& header, std::size_t maximum);
+    bool reserve(Partial& partial, std::size_t bytes);
+    void release(Partial& partial);
     void drop(Partials::iterator partial);
 
     PartialBudget& m_budget;
     Partials m_partials;
+    std::optional<Segment> m_open;
+    std::map<std::uint16_t, std::size_t> m_lastSize; ///< of each message number: the next is likely as long
     std::uint64_t m_abandoned = 0;
 };
 

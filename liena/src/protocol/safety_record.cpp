@@ -8,6 +8,12 @@
 
 namespace liena::protocol {
 
+namespace {
+
+constexpr std::size_t guardedRecordSize = safetyRecordSize - sizeof(SafetyRecord::crc);
+
+} // namespace
+
 SafetyRecordBytes encodeSafetyRecord(const SafetyRecord& record)
 {
     SafetyRecordBytes bytes{};
@@ -34,9 +40,10 @@ std::uint32_t safetyCrc(const DatagramHeader& header, const SafetyRecord& record
     single.moreSegments = false;
     const auto headerBytes = encodeHeader(single);
     const auto recordBytes = encodeSafetyRecord(record);
-    auto crc = crc32c(headerBytes);
-    crc = crc32c(std::span(recordBytes).first(12), crc);
-    return crc32c(fields, crc);
+    std::array<std::byte, headerSize + guardedRecordSize> front;
+    std::memcpy(front.data(), headerBytes.data(), headerSize);
+    std::memcpy(front.data() + headerSize, recordBytes.data(), guardedRecordSize);
+    return crc32c(fields, crc32c(front));
 }
 
 } // namespace liena::protocol

@@ -15,6 +15,8 @@ namespace {
 bool isDeclared(RejectReason reason) { return reason >= RejectReason::UnknownPeer && reason <= RejectReason::NotAdmitted; }
 bool isDeclared(SessionState state) { return state >= SessionState::Opening && state <= SessionState::Closing; }
 bool isDeclared(LossCause cause) { return cause >= LossCause::HeartbeatLost && cause <= LossCause::LocalStall; }
+bool isDeclared(MeasureVerdict verdict) { return verdict >= MeasureVerdict::Granted && verdict <= MeasureVerdict::Ended; }
+bool isDeclared(ProbeWay way) { return way >= ProbeWay::Prompt && way <= ProbeWay::Image; }
 
 std::string_view cutUtf8(std::string_view text, std::size_t maximum)
 {
@@ -47,6 +49,11 @@ public:
     void operator()(const std::vector<std::byte>& bytes)
     {
         m_writer.write(static_cast<std::uint32_t>(bytes.size())).append(std::span(bytes));
+    }
+    template <std::size_t Maximum>
+    void operator()(const Bytes<Maximum>& bytes)
+    {
+        (*this)(bytes.value);
     }
 
 private:
@@ -89,17 +96,24 @@ public:
         m_ok = m_ok && isUtf8(bytes);
         text.value = bytes;
     }
-    void operator()(std::vector<std::byte>& value)
+    void operator()(std::vector<std::byte>& value) { readBytes(value, maximumSetBytes); }
+    template <std::size_t Maximum>
+    void operator()(Bytes<Maximum>& bytes)
     {
-        const std::size_t length = m_reader.read<std::uint32_t>();
-        m_ok = m_ok && length <= maximumSetBytes;
-        const auto bytes = m_reader.take(m_ok ? length : 0);
-        value.assign(bytes.begin(), bytes.end());
+        readBytes(bytes.value, Maximum);
     }
 
     bool complete() const { return m_ok && m_reader.atEnd(); }
 
 private:
+    void readBytes(std::vector<std::byte>& value, std::size_t maximum)
+    {
+        const std::size_t length = m_reader.read<std::uint32_t>();
+        m_ok = m_ok && length <= maximum;
+        const auto bytes = m_reader.take(m_ok ? length : 0);
+        value.assign(bytes.begin(), bytes.end());
+    }
+
     ByteReader m_reader;
     bool m_ok = true;
 };
@@ -121,6 +135,11 @@ public:
     void operator()(const Text<Maximum>&)
     {
         size += 2 + Maximum;
+    }
+    template <std::size_t Maximum>
+    void operator()(const Bytes<Maximum>&)
+    {
+        size += 4 + Maximum;
     }
     std::size_t size = 0;
 };
@@ -165,7 +184,11 @@ std::string_view nameOf(const SessionMessage& message)
                                                                                              "StandByReport",
                                                                                              "IncidentDismissed",
                                                                                              "LinkReport",
-                                                                                             "Abandon"};
+                                                                                             "Abandon",
+                                                                                             "MeasureRequest",
+                                                                                             "MeasureAnswer",
+                                                                                             "Probe",
+                                                                                             "ProbeEcho"};
     return names[message.index()];
 }
 

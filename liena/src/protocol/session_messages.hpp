@@ -19,12 +19,21 @@ namespace liena::protocol {
 
 inline constexpr std::uint16_t protocolVersion = 1;
 inline constexpr std::size_t maximumSetBytes = 262144;
+inline constexpr std::size_t maximumProbePadding = std::size_t{8} << 20U; ///< on a bulk lane
+inline constexpr std::size_t maximumPromptPadding = 1024;                 ///< on lane 0 and by UDP
 
 /// Text with the most bytes that the wire allows for it.
 template <std::size_t Maximum>
 struct Text {
     std::string value;
     friend bool operator==(const Text&, const Text&) = default;
+};
+
+/// Bytes of any value, at most so many.
+template <std::size_t Maximum>
+struct Bytes {
+    std::vector<std::byte> value;
+    friend bool operator==(const Bytes&, const Bytes&) = default;
 };
 
 struct Attach {
@@ -210,10 +219,61 @@ struct Abandon {
     friend bool operator==(const Abandon&, const Abandon&) = default;
 };
 
+/// Asks to measure the line for a while, or with no duration ends that. A limit of 0 is none.
+struct MeasureRequest {
+    static constexpr std::uint16_t number = 0x0060;
+    std::uint32_t run = 0;
+    std::uint32_t durationMs = 0;
+    std::uint32_t probesPerSecond = 0;
+    std::uint64_t bulkBytesPerSecond = 0;
+    void visit(auto&& v) { v(run), v(durationMs), v(probesPerSecond), v(bulkBytesPerSecond); }
+    friend bool operator==(const MeasureRequest&, const MeasureRequest&) = default;
+};
+
+enum class MeasureVerdict : std::uint8_t { Granted = 1, NotAllowed = 2, Busy = 3, Ended = 4 };
+
+struct MeasureAnswer {
+    static constexpr std::uint16_t number = 0x0061;
+    std::uint32_t run = 0;
+    MeasureVerdict verdict = MeasureVerdict::NotAllowed;
+    bool inUse = false; ///< commands or images flow at the device that answers
+    std::uint32_t durationMs = 0;
+    std::uint32_t probesPerSecond = 0;
+    std::uint64_t bulkBytesPerSecond = 0;
+    Text<256> detail;
+    void visit(auto&& v) { v(run), v(verdict), v(inUse), v(durationMs), v(probesPerSecond), v(bulkBytesPerSecond), v(detail); }
+    friend bool operator==(const MeasureAnswer&, const MeasureAnswer&) = default;
+};
+
+/// On lane 0, in a packet, or as an image on a bulk lane.
+enum class ProbeWay : std::uint8_t { Prompt = 1, Packet = 2, Image = 3 };
+
+struct Probe {
+    static constexpr std::uint16_t number = 0x0062;
+    std::uint32_t run = 0;
+    ProbeWay way = ProbeWay::Prompt;
+    std::uint32_t sequence = 0;
+    std::uint64_t sentNs = 0; ///< on a clock of the sender's choice
+    Bytes<maximumProbePadding> padding;
+    void visit(auto&& v) { v(run), v(way), v(sequence), v(sentNs), v(padding); }
+    friend bool operator==(const Probe&, const Probe&) = default;
+};
+
+struct ProbeEcho {
+    static constexpr std::uint16_t number = 0x0063;
+    std::uint32_t run = 0;
+    ProbeWay way = ProbeWay::Prompt;
+    std::uint32_t sequence = 0;
+    std::uint64_t sentNs = 0;
+    std::uint32_t heard = 0; ///< probes of this way in this run, with this one
+    void visit(auto&& v) { v(run), v(way), v(sequence), v(sentNs), v(heard); }
+    friend bool operator==(const ProbeEcho&, const ProbeEcho&) = default;
+};
+
 using SessionMessage =
     std::variant<Attach, Handshake, HandshakeCommit, MessageSetRequest, MessageSetAnswer, ChannelOpened, Rejected, Heartbeat, Disengagement,
                  DisengagementCommit, ChannelClosed, DiagnosisHandshake, DiagnosisHandshakeCommit, ChannelReOpened, StandBy, StandByReport,
-                 IncidentDismissed, LinkReport, Abandon>;
+                 IncidentDismissed, LinkReport, Abandon, MeasureRequest, MeasureAnswer, Probe, ProbeEcho>;
 
 std::uint16_t numberOf(const SessionMessage& message);
 std::string_view nameOf(const SessionMessage& message);

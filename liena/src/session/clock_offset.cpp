@@ -24,12 +24,9 @@ void ClockOffset::add(Timestamp t1, Timestamp t2, Timestamp t3, Timestamp t4)
     m_next = (m_next + 1) % window;
     m_count = std::min(m_count + 1, window);
     m_lastDelay = delay;
-}
-
-const ClockOffset::Sample* ClockOffset::leastDelayed() const
-{
-    return &*std::min_element(m_samples.begin(), m_samples.begin() + static_cast<std::ptrdiff_t>(m_count),
-                              [](const Sample& a, const Sample& b) { return a.delay < b.delay; });
+    const auto end = m_samples.begin() + static_cast<std::ptrdiff_t>(m_count);
+    const auto least = std::min_element(m_samples.begin(), end, [](const Sample& a, const Sample& b) { return a.delay < b.delay; });
+    m_best = static_cast<std::size_t>(least - m_samples.begin());
 }
 
 // The true offset lies within half the delay of every sample. Two that cannot both be true were taken before and after a step.

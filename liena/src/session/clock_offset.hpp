@@ -35,7 +35,7 @@ private:
         Nanoseconds delay{};
     };
     const Sample* best() const;
-    const Sample* leastDelayed() const; ///< of at least one
+    const Sample* leastDelayed() const { return &m_samples[m_best]; } ///< of at least one
     bool contradicts(const Sample& sample) const;
 
     static constexpr std::size_t window = 64;
@@ -43,6 +43,7 @@ private:
     std::array<Sample, window> m_samples{};
     std::size_t m_count = 0; ///< at most `window`
     std::size_t m_next = 0;
+    std::size_t m_best = 0; ///< asked for with each message, so it is kept
     std::optional<Nanoseconds> m_lastDelay;
 };
 

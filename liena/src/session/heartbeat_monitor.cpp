@@ -27,9 +27,15 @@ void HeartbeatMonitor::heard(Instant now, LifePath path)
 
 std::uint8_t HeartbeatMonitor::packetsHeard(Instant now) const
 {
-    const auto since = now - 8 * m_timing.heartbeat;
-    return static_cast<std::uint8_t>(
-        std::count_if(m_packets.begin(), m_packets.end(), [&](Instant at) { return at != Instant{} && at > since; }));
+    const auto since = std::max(now - 8 * m_timing.heartbeat, Instant{});
+    std::uint8_t count = 0;
+    // From the newest on: those that count are few, and the others are asked of every session many times a second.
+    for (auto place = m_nextPacket; count < m_packets.size(); ++count) {
+        place = (place == 0 ? m_packets.size() : place) - 1;
+        if (m_packets[place] <= since)
+            break;
+    }
+    return count;
 }
 
 void HeartbeatMonitor::heartbeat(Instant now, std::uint32_t sequence, SessionState peerState)

@@ -54,7 +54,7 @@ public:
 
 private:
     /// `lost` is when a dead peer is known to be gone. The way here and a timer that comes late take this part of it.
-    static constexpr Nanoseconds reaction = std::chrono::milliseconds(1);
+    static constexpr Nanoseconds reaction = std::chrono::milliseconds(3);
 
     LinkTiming m_timing;
     Instant m_lastHeard;

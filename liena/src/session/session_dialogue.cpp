@@ -1,4 +1,4 @@
-// The dialogues of a session: open, re-open, close (protocol section 8; rulings A5 to A7, A10, A13, B16 to B18).
+// The dialogues of a session: open and re-open (protocol section 8; rulings A5 to A7, A10, A13, B16 to B18).
 #include "session/session_machine.hpp"
 
 #include <utility>
@@ -10,8 +10,19 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto dialogueLimit = 3s;
-constexpr auto closingLimit = 1s;
 constexpr auto rejectedGrace = 100ms; ///< between writing Rejected and closing
+
+template <typename... Kinds>
+bool isOneOf(const protocol::SessionMessage& message)
+{
+    return (std::holds_alternative<Kinds>(message) || ...);
+}
+
+bool belongsToAnOpenSession(const protocol::SessionMessage& message)
+{
+    return isOneOf<protocol::StandBy, protocol::StandByReport, protocol::IncidentDismissed, protocol::LinkReport, protocol::Abandon,
+                   protocol::MeasureRequest, protocol::MeasureAnswer, protocol::Probe, protocol::ProbeEcho>(message);
+}
 
 } // namespace
 
@@ -338,11 +349,7 @@ void SessionMachine::on(const SessionMessageHeard& input)
                          "ChannelClosed outside a closing"))
             heardChannelClosed();
     } else {
-        const bool ofAnOpenSession =
-            std::holds_alternative<protocol::StandBy>(input.message) || std::holds_alternative<protocol::StandByReport>(input.message) ||
-            std::holds_alternative<protocol::IncidentDismissed>(input.message) ||
-            std::holds_alternative<protocol::LinkReport>(input.message) || std::holds_alternative<protocol::Abandon>(input.message);
-        if (!closable || !ofAnOpenSession)
+        if (!closable || !belongsToAnOpenSession(input.message))
             on(ViolationFound{std::string(protocol::nameOf(input.message)) + " where the session's state does not allow it"});
     }
 }
@@ -358,51 +365,6 @@ void SessionMachine::heardRejected(const protocol::Rejected& rejected)
         enterStandBy(LossCause::ProtocolViolation, "the peer ended the session: " + detail);
     else if (m_state == SessionState::Closing)
         finishClosing(detail);
-}
-
-void SessionMachine::on(const CloseRequested& input)
-{
-    if (isDialogue()) {
-        abandonAttempt(RejectReason::ShuttingDown, ProbeResult::NotProbed,
-                       input.reason.empty() ? "closed by the application" : input.reason, true);
-        return;
-    }
-    if (!isLive())
-        return;
-    m_closeReason = input.reason;
-    m_deadline = m_now.mono + closingLimit;
-    emit(DiscardControl{});
-    enter(SessionState::Closing);
-    emit(Send{protocol::Disengagement{m_token, {input.reason}}});
-}
-
-void SessionMachine::heardDisengagement(const protocol::Disengagement& message)
-{
-    if (m_state != SessionState::Closing) {
-        m_closedByPeer = true;
-        m_closeReason = message.reason.value;
-        m_deadline = m_now.mono + closingLimit;
-        emit(DiscardControl{});
-        enter(SessionState::Closing);
-    }
-    emit(Send{protocol::DisengagementCommit{m_token}, true});
-}
-
-void SessionMachine::heardDisengagementCommit()
-{
-    if (m_closedByPeer)
-        return;
-    emit(Send{protocol::ChannelClosed{m_token}});
-    finishClosing(m_closeReason);
-}
-
-void SessionMachine::heardChannelClosed() { finishClosing(m_closeReason); }
-
-void SessionMachine::finishClosing(std::string detail)
-{
-    closeLanes(rejectedGrace);
-    enter(m_incident != 0 ? SessionState::StandBy : SessionState::Closed);
-    emit(SessionClosed{std::move(detail), m_closedByPeer});
 }
 
 } // namespace liena::session

@@ -227,10 +227,9 @@ public:
 private:
     enum class Duty : std::uint8_t { Initiator, Responder };
 
-    // session_dialogue.cpp: opening, re-opening, closing
+    // session_dialogue.cpp: opening, re-opening; what a peer says
     void on(const OpenRequested& input);
     void on(const ReopenRequested& input);
-    void on(const CloseRequested& input);
     void on(const OutgoingUp& input);
     void on(const OutgoingFailed& input);
     void on(const HandshakeHeard& input);
@@ -251,11 +250,14 @@ private:
     void enterOpen();
     void abandonAttempt(RejectReason reason, ProbeResult probe, std::string detail, bool tellPeer);
     void heardRejected(const protocol::Rejected& rejected);
+    bool isDialogue() const { return m_state == SessionState::Opening || m_state == SessionState::Reopening; }
+
+    // session_closing.cpp
+    void on(const CloseRequested& input);
     void heardDisengagement(const protocol::Disengagement& message);
     void heardDisengagementCommit();
     void heardChannelClosed();
     void finishClosing(std::string detail);
-    bool isDialogue() const { return m_state == SessionState::Opening || m_state == SessionState::Reopening; }
 
     // session_liveness.cpp: heartbeats, silence, reconnecting, stand-by
     void on(const OutgoingLost& input);

@@ -15,7 +15,6 @@ using session::SessionMachine;
 namespace {
 
 constexpr auto probeLimit = 1s;
-constexpr auto reportPeriod = 200ms;
 
 session::SessionSettings settingsOf(ModuleHost& host, const TopologyDevice& peer, const TopologyLink& link)
 {
@@ -29,7 +28,7 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
       m_peer(std::move(peer)),
       m_link(std::move(link)),
       m_machine(settingsOf(host, m_peer, m_link)),
-      m_laneZero(host.io(), m_peer, host.identity(), {8192, 32768},
+      m_laneZero(host.io(), m_peer, host.identity(), {8192, 32768, transport::TcpChannel::Traffic::Prompt, host.marks().prompt},
                  {[this] { laneZeroUp(); },
                   [this](const transport::ConnectionFailure& failure) {
                       handle(session::OutgoingFailed{failure.probe, failure.detail});
@@ -40,7 +39,7 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
                   [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); },
                   [this](const protocol::DatagramHeader& begun) { return abandon(begun); },
                   [this](transport::TcpChannel& channel) { return admit(channel); }}),
-      m_bulk(host.io(), m_peer, host.identity(),
+      m_bulk(host.io(), m_peer, host.identity(), host.marks().bulk, {host.workers(), host.interfaces()},
              {[this](std::uint8_t lane) {
                   return encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), lane}, m_peer.id);
               },
@@ -50,7 +49,8 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
               [this](const protocol::DatagramHeader& begun) { return abandon(begun); }}),
       m_datagrams(host.packets(), m_peer.port, host.identity() != nullptr),
       m_couriers(host, m_peer),
-      m_timer(host.io())
+      m_timer(host.io()),
+      m_measurement(host, m_peer.name, measuringWays())
 {}
 
 Result<void> DistributedModule::open()
@@ -226,6 +226,8 @@ void DistributedModule::entered(const session::Entered& change)
         fmt::format("session with {}: {} -> {}", m_peer.name, toString(change.from), toString(change.to)));
     showStatus();
     m_host.tell(std::move(event));
+    if (!carriesMessages(change.to))
+        m_measurement.sessionEnded();
     if (change.to != SessionState::Open)
         return;
     // Each in a turn of its own: what a lane brings may end the session, and with it the lanes.
@@ -333,7 +335,7 @@ void DistributedModule::housekeeping()
         m_host.tell(std::move(event));
     });
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
-        m_nextReport = now + reportPeriod;
+        m_nextReport = now + reportPeriod(m_link.timing.heartbeat);
         const auto report = m_books.takeReport(now, backlog());
         m_latency = report.oneWayNs > 0 ? std::optional(std::chrono::nanoseconds(report.oneWayNs)) : std::nullopt;
         sendSession(report, m_peer.id);
@@ -342,6 +344,7 @@ void DistributedModule::housekeeping()
         m_nextDrops = now + 1s;
         showDrops();
     }
+    m_measurement.housekeeping();
     m_bulk.retire(now);
     showStatus();
 }

@@ -7,6 +7,7 @@
 #include "system/datagram_path.hpp"
 #include "system/deadline_watch.hpp"
 #include "system/fresh_connection.hpp"
+#include "system/line_measurement.hpp"
 #include "system/module_host.hpp"
 #include "system/reject_courier.hpp"
 #include "system/session_encoding.hpp"
@@ -39,6 +40,13 @@ public:
 
     /// Accepts a message for the peer or says why not.
     Result<void> send(Message message);
+
+    /// Measures the line to the peer, beside all else.
+    Result<void> measure(MeasurementPlan plan, DistributedSystem::MeasurementHandler done);
+    void stopMeasuring() { m_measurement.stop("it was stopped"); }
+
+    /// When a command, a safety message or an image was sent or delivered last.
+    session::Instant lastUse() const { return m_lastUse; }
 
     /// A connection of the peer with its Attach.
     void attached(transport::AttachedConnection connection);
@@ -79,7 +87,11 @@ public:
 
 private:
     // LaneSink (module_reception.cpp)
-    void turned() override { m_host.turned(); }
+    void turned() override
+    {
+        m_lifeTold = false;
+        m_host.turned();
+    }
     tasks::Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) override;
     void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned) override;
     void overBudget(const protocol::DatagramHeader& header) override;
@@ -90,12 +102,18 @@ private:
     protocol::Ends ends() const;
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
     void receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned);
-    bool passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part);
+    bool passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part,
+                     session::Instant now);
     void deliver(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> fields,
-                 FieldBytes* owned);
+                 FieldBytes* owned, session::Now now);
     void commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous);
     void setHeard(const protocol::MessageSetAnswer& answer);
     bool isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const;
+
+    // module_measurement.cpp
+    LineMeasurement::Ways measuringWays();
+    bool admitsProbe(std::uint8_t lane, const protocol::DatagramHeader& header);
+    bool heardMeasurement(protocol::ProbeWay arrived, const protocol::DatagramHeader& header, std::span<const std::byte> part);
 
     // module_datagrams.cpp
     void packetViolation(const std::string& detail, const protocol::DatagramHeader& header);
@@ -158,6 +176,9 @@ private:
     std::optional<session::Instant> m_armed;
     std::unique_ptr<transport::TcpClient> m_probe;
 
+    LineMeasurement m_measurement;
+    session::Instant m_lastUse;
+
     TrafficBooks m_books;
     DeadlineWatch m_deadlines;
     session::Instant m_nextReport;
@@ -166,6 +187,7 @@ private:
     base::CauseBooks m_failures{64, std::chrono::seconds(60)}; ///< to open, for the log
     base::CauseBooks m_refusals{64};                           ///< of handshakes
     std::uint32_t m_interruptions = 0;
+    bool m_lifeTold = false;           ///< what one read brings is one sign of life
     std::uint64_t m_bytesReceived = 0; ///< of lanes that ended
     std::uint64_t m_abandoned = 0;     ///< of lanes that ended
 };

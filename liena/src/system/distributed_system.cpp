@@ -3,6 +3,7 @@
 #include "system/distributed_system_state.hpp"
 
 #include "system/audit_entries.hpp"
+#include "system/real_time.hpp"
 
 #include <boost/asio/post.hpp>
 
@@ -47,6 +48,14 @@ Result<std::shared_ptr<security::TlsIdentity>> loadIdentity(const Settings& sett
     return std::shared_ptr<security::TlsIdentity>();
 }
 
+Result<void> checkMarks(const PacketMarks& marks)
+{
+    constexpr std::uint8_t highest = 63;
+    if (marks.prompt > highest || marks.bulk > highest)
+        return fail(Errc::InvalidArgument, fmt::format("packet marks {} and {}: a DSCP is 0 to {}", marks.prompt, marks.bulk, highest));
+    return ok();
+}
+
 } // namespace
 
 DistributedSystem::DistributedSystem(std::unique_ptr<State> state) : m_state(std::move(state)) {}
@@ -54,6 +63,9 @@ DistributedSystem::~DistributedSystem() { stop(); }
 
 Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings settings)
 {
+    for (const auto& checked : {checkMarks(settings.marks), system::prepareRealTime(settings.realTime)})
+        if (!checked)
+            return checked.as_failure();
     auto topology = SystemTopology::load(settings.topology);
     if (!topology)
         return topology.as_failure();
@@ -199,6 +211,34 @@ Result<void> DistributedSystem::probe(DeviceId peer)
     return ok();
 }
 
+Result<void> DistributedSystem::measure(DeviceId peer, MeasurementPlan plan, MeasurementHandler done)
+{
+    if (const auto linked = m_state->linkedPeer(peer); !linked)
+        return linked.as_failure();
+    const auto status = m_state->board.link(peer);
+    if (status->state != SessionState::Open)
+        return fail(Errc::NotOpen, fmt::format("the session is {}", toString(status->state)));
+    post([state = m_state.get(), peer, plan = std::move(plan), done = std::move(done)]() mutable {
+        auto* one = state->module(peer);
+        if (one == nullptr)
+            return; // stopped meanwhile
+        if (const auto begun = one->measure(std::move(plan), done); !begun) {
+            Measurement none;
+            none.failure = begun.error().what;
+            done(none);
+        }
+    });
+    return ok();
+}
+
+void DistributedSystem::stopMeasuring(DeviceId peer)
+{
+    post([state = m_state.get(), peer] {
+        if (auto* one = state->module(peer))
+            one->stopMeasuring();
+    });
+}
+
 void DistributedSystem::confirmHold(bool holding)
 {
     m_state->recordCommand(holding ? "hold-confirmed" : "hold-ended", std::nullopt, 0, {});
@@ -270,16 +310,14 @@ Result<void> DistributedSystem::send(DeviceId target, Message message)
     return ok();
 }
 
-std::size_t DistributedSystem::publish(const Message& message)
+std::size_t DistributedSystem::publish(Message message)
 {
-    const auto all = links();
-    const auto open = static_cast<std::size_t>(
-        std::count_if(all.begin(), all.end(), [](const LinkStatus& status) { return carriesMessages(status.state); }));
+    const auto open = m_state->board.openLinks();
     if (message.fault() || message.definition().role != Role::Report || m_state->stopped)
         return 0;
     if (m_state->isNetworkThread())
-        m_state->publishNow(message);
-    else if (open == 0 || !m_state->outbox.put(DeviceId::broadcast(), message))
+        m_state->publishNow(std::move(message));
+    else if (open == 0 || !m_state->outbox.put(DeviceId::broadcast(), std::move(message)))
         return 0;
     return open;
 }

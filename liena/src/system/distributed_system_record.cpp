@@ -1,9 +1,13 @@
 // What a device tells those who operate it: events, log, audit file and status.
 #include "system/distributed_system_state.hpp"
 
+#include "liena/json_line.hpp"
 #include "liena/status.hpp"
 #include "system/audit_entries.hpp"
+#include "system/measure_order.hpp"
 #include "system/status_line.hpp"
+
+#include <boost/asio/post.hpp>
 
 #include <fmt/format.h>
 
@@ -15,13 +19,55 @@ void DistributedSystem::State::offerStatus()
     if (settings.status.empty())
         return;
     auto line = std::make_shared<system::StatusLine>(ownTopologyDevice, topology, settings.software, board, audit.get());
-    auto opened = transport::StatusServer::open(statusSocket(settings.status, ownTopologyDevice.id), [line] {
-        return line->make(std::chrono::steady_clock::now(), std::chrono::system_clock::now());
-    });
+    const auto make = [line] { return line->make(std::chrono::steady_clock::now(), std::chrono::system_clock::now()); };
+    transport::StatusServer::Requests requests;
+    if (settings.measureOnRequest)
+        requests = [this](const std::string& request, const transport::StatusServer::Reply& reply) { return measureFor(request, reply); };
+    auto opened = transport::StatusServer::open(statusSocket(settings.status, ownTopologyDevice.id), make, std::move(requests));
     if (opened)
         statusServer = std::move(opened.value());
     else
         log(LogLevel::Warning, "no-status", opened.error().what);
+}
+
+/// On the status server's thread; `reply` hears that it began, and later the figures.
+std::function<void()> DistributedSystem::State::measureFor(const std::string& request, const transport::StatusServer::Reply& reply)
+{
+    const auto refuse = [&reply](std::string why) {
+        Measurement none;
+        none.failure = std::move(why);
+        reply(JsonLine().put("measurement", toJson(none)).text());
+        return std::function<void()>();
+    };
+    const auto wanted = system::MeasureOrder::parse(request);
+    if (!wanted)
+        return refuse(wanted.error().what);
+    if (const auto linked = linkedPeer(wanted.value().peer); !linked)
+        return refuse(linked.error().what);
+    record({.event = "measurement-requested", .peer = system::nameIn(topology, wanted.value().peer), .who = ownTopologyDevice.name});
+    reply(JsonLine().add("measure", "begun").text());
+    auto runs = std::make_shared<bool>(false); // the network thread's: who leaves ends no measurement but its own
+    boost::asio::post(context, [this, wanted = wanted.value(), reply, runs] {
+        const auto done = [reply, runs](const Measurement& found) {
+            *runs = false;
+            reply(JsonLine().put("measurement", toJson(found)).text());
+        };
+        auto* one = module(wanted.peer);
+        if (one == nullptr)
+            return; // stopped meanwhile, and with it who asked
+        *runs = true;
+        if (const auto begun = one->measure(wanted.plan(), done); !begun) {
+            Measurement none;
+            none.failure = begun.error().what;
+            done(none);
+        }
+    });
+    return [this, peer = wanted.value().peer, runs] {
+        boost::asio::post(context, [this, peer, runs] {
+            if (auto* one = module(peer); one != nullptr && *runs)
+                one->stopMeasuring();
+        });
+    };
 }
 
 /// The loss of the audit file is an alarm, told once, and so is its end.

@@ -4,6 +4,8 @@
 #include "liena/status.hpp"
 #include "security/random_token.hpp"
 #include "system/audit_entries.hpp"
+#include "system/card_search.hpp"
+#include "system/real_time.hpp"
 #include "system/status_line.hpp"
 
 #include <boost/asio/post.hpp>
@@ -53,6 +55,7 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
         if (auto set = registry.find(peer.id))
             board.showSet(peer.id, std::move(set));
         board.show(made->status());
+        shortestSuspect = std::min(shortestSuspect, link->timing.suspect);
         modules.emplace(peer.id, std::move(made));
     }
 }
@@ -63,7 +66,10 @@ Result<void> DistributedSystem::State::listen()
 {
     if (auto listening = server.listen(ownTopologyDevice.host, ownTopologyDevice.port); !listening)
         return listening;
-    return udpSocket.listen(server.address(), ownTopologyDevice.port);
+    auto listening = udpSocket.listen(server.address(), ownTopologyDevice.port, settings.marks.prompt);
+    for (const int socket : {server.descriptor(), udpSocket.descriptor()})
+        system::searchCard(socket, settings.realTime.cardSearch);
+    return listening;
 }
 
 void DistributedSystem::State::start()
@@ -86,7 +92,7 @@ void DistributedSystem::State::start()
     offerStatus();
     thread = std::thread([this] {
         threadId = std::this_thread::get_id();
-        context.run();
+        system::runNetworkThread(context, settings.realTime);
     });
 }
 
@@ -112,6 +118,7 @@ void DistributedSystem::State::stop()
         asio::post(context, [this] { closeAll(); });
         thread.join();
     }
+    elasticWork.stop();
     setKeeper.finish();
     statusServer.reset();
     periodics.clear();
@@ -121,6 +128,7 @@ void DistributedSystem::State::stop()
     udpSocket.close();
     closingTimer.cancel();
     unlinked.clear();
+    packetOwners.forget();
     modules.clear();
     // Buried objects die with the handlers that hold them.
     context.restart();
@@ -171,7 +179,7 @@ bool DistributedSystem::State::isTokenUsed(DeviceId asking, std::uint64_t token)
 void DistributedSystem::State::turned()
 {
     const auto gap = stallWatch.turn(std::chrono::steady_clock::now());
-    if (handlingStall)
+    if (handlingStall || gap < shortestSuspect)
         return;
     const bool concerned = std::any_of(modules.begin(), modules.end(), [&](const auto& entry) {
         return carriesMessages(entry.second->state()) && gap >= entry.second->timing().suspect;
@@ -194,6 +202,7 @@ void DistributedSystem::State::turned()
 void DistributedSystem::State::housekeeping()
 {
     watchAudit();
+    elasticWork.balance(std::chrono::steady_clock::now());
     for (auto& [peer, one] : modules)
         one->housekeeping();
 }
@@ -217,9 +226,8 @@ void DistributedSystem::State::packetHeard(std::span<std::byte> packet)
     if (!prefix)
         return;
     // A packet of a session that just ended, or a stranger's: nothing can be said of it, and nobody is told.
-    for (auto& [peer, one] : modules)
-        if (one->owns(prefix->token))
-            return one->packetHeard(packet);
+    if (auto* owner = packetOwners.find(prefix->token, modules))
+        owner->packetHeard(packet);
 }
 
 void DistributedSystem::State::rejectUnlinked(transport::AttachedConnection connection)
@@ -349,49 +357,6 @@ void DistributedSystem::State::performBroadcast(const session::Broadcast& broadc
     for (auto& [peer, one] : modules)
         if ((carriesMessages(one->state()) || one->state() == SessionState::Reconnecting) && peer != broadcast.except)
             one->sendSession(broadcast.message, DeviceId::broadcast());
-}
-
-void DistributedSystem::State::deliver(Message message)
-{
-    const auto found = messageHandlers.find(message.name());
-    if (found == messageHandlers.end())
-        return MessageCacheAccess::put(messageCache, std::move(message));
-    for (const auto& handler : found->second)
-        handler(message);
-}
-
-void DistributedSystem::State::drainOutbox()
-{
-    for (auto& letter : outbox.take()) {
-        if (letter.target.isBroadcast())
-            publishNow(letter.message);
-        else
-            sendNow(letter.target, std::move(letter.message));
-    }
-}
-
-void DistributedSystem::State::sendNow(DeviceId target, Message message)
-{
-    auto* one = module(target);
-    const auto& name = message.definition().name;
-    const auto sent = one->send(std::move(message));
-    if (sent)
-        return;
-    SessionEvent event;
-    event.kind = SessionEvent::Kind::SendFailed;
-    event.at = std::chrono::steady_clock::now();
-    event.peer = target;
-    event.message = name;
-    event.count = 1;
-    event.detail = sent.error().what;
-    tell(std::move(event));
-}
-
-void DistributedSystem::State::publishNow(const Message& message)
-{
-    for (auto& [peer, one] : modules)
-        if (carriesMessages(one->state()) || one->state() == SessionState::Reconnecting)
-            (void)one->send(message); // what a single session refuses is no failure of a publication
 }
 
 } // namespace liena

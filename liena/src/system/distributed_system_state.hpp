@@ -10,7 +10,9 @@
 #include "session/stall_watch.hpp"
 #include "session/stand_by_ledger.hpp"
 #include "system/distributed_module.hpp"
+#include "system/elastic_work.hpp"
 #include "system/module_host.hpp"
+#include "system/packet_owners.hpp"
 #include "system/set_keeper.hpp"
 #include "topology/local_store.hpp"
 #include "topology/registry.hpp"
@@ -52,7 +54,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void recordCommand(std::string_view event, std::optional<DeviceId> peer, IncidentId incident, std::string_view reason);
     Result<void> checkSend(DeviceId target, const Message& message) const;
     void sendNow(DeviceId target, Message message);
-    void publishNow(const Message& message);
+    void publishNow(Message message);
     void drainOutbox();
     void perform(const session::LedgerActions& actions);
     void logIncident(const SessionEvent& event);
@@ -60,6 +62,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void housekeeping();
     void watchAudit();
     void offerStatus();
+    std::function<void()> measureFor(const std::string& request, const transport::StatusServer::Reply& reply);
     void attached(transport::AttachedConnection connection);
     void packetHeard(std::span<std::byte> packet);
     void identityRefused(DeviceId device, const std::string& cause, const std::string& detail);
@@ -71,10 +74,15 @@ struct DistributedSystem::State final : public system::ModuleHost {
     const TopologyDevice& ownDevice() const override { return ownTopologyDevice; }
     const Sha256& topologyHash() const override { return topology.hash(); }
     const std::shared_ptr<const MessageSet>& ownSet() const override { return ownMessageSet; }
+    const PacketMarks& marks() const override { return settings.marks; }
+    const MeasuringBudget& measuring() const override { return settings.measuring; }
+    bool isInUse() const override;
     const std::string& software() const override { return settings.software; }
     std::shared_ptr<security::TlsIdentity> identity() override { return tlsIdentity; }
+    tasks::InterfaceShares& interfaces() override { return interfaceShares; }
     protocol::PartialBudget& budget() override { return partialBudget; }
     transport::UdpSocket& packets() override { return udpSocket; }
+    transport::WorkerThreads& workers() override { return elasticWork.workers(); }
     Timestamp stamp() override { return stamps.next(Timestamp::now()); }
     session::Now now() const override { return {std::chrono::steady_clock::now(), Timestamp::now()}; }
     std::uint64_t freshToken() override;
@@ -121,19 +129,23 @@ struct DistributedSystem::State final : public system::ModuleHost {
     MessageCache messageCache;
     cache::LinkBoard board;
     cache::Outbox outbox;
+    cache::Outbox::Letters letters; ///< those in hand; its memory is used again
     std::atomic<bool> stopped = false;
     std::atomic<std::thread::id> threadId{};
 
     // The network thread's, after start()
+    protocol::PartialBudget partialBudget; ///< what the context still holds at its end gives back to it
     boost::asio::io_context context{1};
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{context.get_executor()};
-    protocol::PartialBudget partialBudget;
+    system::ElasticWork elasticWork{context, settings};
+    tasks::InterfaceShares interfaceShares;
     TimestampSource stamps;
     system::SetKeeper setKeeper;
     session::StandByLedger ledger;
     base::CauseBooks refusals{64};   ///< of connections
     base::CauseBooks holdsHeard{64}; ///< for the log
     session::StallWatch stallWatch;
+    std::chrono::nanoseconds shortestSuspect = std::chrono::nanoseconds::max(); ///< of our links: a shorter gap concerns no session
     std::map<std::string, std::vector<MessageHandler>, std::less<>> messageHandlers;
     std::vector<EventHandler> eventHandlers;
     struct Periodic {
@@ -145,6 +157,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     std::vector<std::unique_ptr<Periodic>> periodics;
     transport::UdpSocket udpSocket;
     std::map<DeviceId, std::unique_ptr<system::DistributedModule>> modules;
+    system::PacketOwners<system::DistributedModule> packetOwners;
     std::map<DeviceId, system::RejectCouriers> unlinked; ///< to devices of the topology that ask for a session without a link
     transport::TcpServer server;
     std::thread thread;

@@ -28,8 +28,11 @@ void DistributedModule::packetHeard(std::span<std::byte> packet)
         return packetViolation(judgement.why, header);
     if (judgement.verdict == protocol::HeaderVerdict::Skip)
         return drop(judgement.why, header.message.number);
+    if (header.message.number == protocol::Probe::number && !admitsProbe(0, header))
+        return;
     handle(session::LifeHeard{session::LifePath::Packet});
-    received(0, header, part, nullptr);
+    if (!heardMeasurement(protocol::ProbeWay::Packet, header, part))
+        received(0, header, part, nullptr);
 }
 
 /// In the clear anybody could have written it, so that nothing may follow from it.

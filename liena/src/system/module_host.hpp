@@ -5,11 +5,14 @@
 #include "liena/log.hpp"
 #include "liena/message.hpp"
 #include "liena/session_event.hpp"
+#include "liena/settings.hpp"
 #include "liena/system_topology.hpp"
 #include "protocol/reassembler.hpp"
 #include "security/tls_identity.hpp"
 #include "session/session_machine.hpp"
+#include "tasks/interface_shares.hpp"
 #include "transport/udp_socket.hpp"
+#include "transport/worker_threads.hpp"
 
 #include <boost/asio/io_context.hpp>
 
@@ -31,8 +34,15 @@ public:
     virtual const std::shared_ptr<const MessageSet>& ownSet() const = 0;
     virtual const std::string& software() const = 0;
     virtual std::shared_ptr<security::TlsIdentity> identity() = 0;
+    virtual const PacketMarks& marks() const = 0;
+    /// Where the bulk lanes of all modules meet.
+    virtual tasks::InterfaceShares& interfaces() = 0;
+    virtual const MeasuringBudget& measuring() const = 0;
+    /// Commands, safety messages or images flowed lately, on any session.
+    virtual bool isInUse() const = 0;
     virtual protocol::PartialBudget& budget() = 0;
     virtual transport::UdpSocket& packets() = 0;
+    virtual transport::WorkerThreads& workers() = 0;
 
     virtual Timestamp stamp() = 0;
     virtual session::Now now() const = 0;

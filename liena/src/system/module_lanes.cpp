@@ -194,6 +194,7 @@ void DistributedModule::admitBulk(transport::AttachedConnection connection)
     const auto lane = connection.attach.lane;
     if (lane > mostLanes)
         return connection.channel->close();
+    connection.channel->shareWork(m_host.workers());
     auto& task = m_incomingBulk[lane];
     if (task) {
         task->close();

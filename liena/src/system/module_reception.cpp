@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace liena::system {
 
 using protocol::HeaderVerdict;
@@ -29,9 +31,11 @@ tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::Dat
     const auto judgement = protocol::judgeOnLane(ends(), lane, header);
     if (judgement.verdict == HeaderVerdict::Refuse)
         return violation(judgement.why);
+    if (judgement.verdict == HeaderVerdict::Take && header.message.number == protocol::Probe::number && !admitsProbe(lane, header))
+        return {HeaderVerdict::Skip, 0};
     if (judgement.verdict == HeaderVerdict::Skip)
         drop(judgement.why, header.message.number);
-    else
+    else if (header.message.isSessionManagement() || !std::exchange(m_lifeTold, true))
         handle(session::LifeHeard{pathOf(lane)});
     return {judgement.verdict, judgement.maximum};
 }
@@ -39,10 +43,10 @@ tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::Dat
 void DistributedModule::received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part,
                                  FieldBytes* owned)
 {
-    if (header.message.isSessionManagement())
-        receivedSession(lane, header, part);
-    else
+    if (!header.message.isSessionManagement())
         receivedApplication(header, part, owned);
+    else if (!heardMeasurement(lane == 0 ? protocol::ProbeWay::Prompt : protocol::ProbeWay::Image, header, part))
+        receivedSession(lane, header, part);
 }
 
 void DistributedModule::receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part)
@@ -68,6 +72,10 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
             task->abandon(abandon->message, Timestamp{abandon->timestamp});
     } else {
         handle(session::SessionMessageHeard{*message});
+        if (const auto* request = std::get_if<protocol::MeasureRequest>(&*message); request != nullptr && carriesMessages(state))
+            m_measurement.heard(*request);
+        else if (const auto* granted = std::get_if<protocol::MeasureAnswer>(&*message); granted != nullptr && carriesMessages(state))
+            m_measurement.heard(*granted);
     }
 }
 
@@ -116,21 +124,21 @@ void DistributedModule::receivedApplication(const protocol::DatagramHeader& head
         return drop("the topology's flows forbid it", header.message.number);
     if (!isNewest(*definition, header))
         return drop("a newer one was delivered before", header.message.number);
-    if (control && !passesGuard(*definition, header, part))
+    const auto now = m_host.now(); // reading the clocks is a good part of what a small message costs
+    if (control && !passesGuard(*definition, header, part, now.mono))
         return;
     if (!definition->allowedInStandBy && m_host.standsBy())
         return drop("the system stands by", header.message.number);
     const auto fields = part.subspan(definition->recordSize());
     if (const auto fault = protocol::checkFields(*definition, fields))
         return drop("malformed", header.message.number, *fault);
-    deliver(*definition, header, fields, owned);
+    deliver(*definition, header, fields, owned, now);
 }
 
 bool DistributedModule::passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header,
-                                    std::span<const std::byte> part)
+                                    std::span<const std::byte> part, session::Instant now)
 {
     auto& guard = m_machine.guard();
-    const auto now = m_host.now().mono;
     const bool hasRecord = part.size() >= protocol::safetyRecordSize;
     auto fault = session::ControlFault::Crc;
     if (hasRecord)
@@ -148,9 +156,8 @@ bool DistributedModule::passesGuard(const MessageDefinition& definition, const p
 }
 
 void DistributedModule::deliver(const MessageDefinition& definition, const protocol::DatagramHeader& header,
-                                std::span<const std::byte> fields, FieldBytes* owned)
+                                std::span<const std::byte> fields, FieldBytes* owned, session::Now now)
 {
-    const auto now = m_host.now();
     std::optional<std::chrono::nanoseconds> latency;
     if (const auto offset = m_machine.clock().offset())
         latency = session::difference(now.wall, header.timestamp) + *offset;
@@ -162,7 +169,10 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
         m_newest[definition.number] = header.timestamp;
     m_deadlines.arrived(definition, now.mono);
     m_books.delivered(latency);
-    auto bytes = owned != nullptr && definition.recordSize() == 0 ? std::move(*owned) : FieldBytes(fields.begin(), fields.end());
+    if (definition.priority != Priority::Status)
+        m_lastUse = now.mono;
+    auto bytes =
+        owned != nullptr && definition.recordSize() == 0 ? std::move(*owned) : FieldBytes(fields.data(), fields.data() + fields.size());
     auto message = MessageAccess::fromFields(header.message.isCommand() ? m_host.ownSet() : m_peerSet, definition, std::move(bytes));
     MessageAccess::setMeta(message, header.message.origin, header.target, header.timestamp);
     MessageAccess::setArrival(message, now.mono, latency);

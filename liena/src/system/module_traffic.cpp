@@ -38,6 +38,8 @@ Result<void> DistributedModule::send(Message message)
     if (auto allowed = checkSendable(message); !allowed)
         return allowed;
     const auto& definition = message.definition();
+    if (definition.priority != Priority::Status)
+        m_lastUse = std::chrono::steady_clock::now();
     protocol::EncodedMessage encoded;
     encoded.header.message = {m_host.ownDevice().id, definition.number};
     encoded.header.target = m_peer.id;
@@ -119,7 +121,11 @@ LinkStatus DistributedModule::status() const
         status.messagesAbandoned += task->abandoned();
     }
     status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queuedMessages());
+    status.bulkQueuedBytes = m_bulk.queuedBytes();
+    status.bulkRate = m_bulk.knownRate();
     status.bulkLanes = static_cast<std::uint8_t>(m_bulk.connected());
+    status.bulkLanesIn = static_cast<std::uint8_t>(m_incomingBulk.size());
+    status.bulkWorkers = static_cast<std::uint8_t>(m_host.workers().count());
     status.epoch = m_machine.guard().epoch();
     status.peerEpoch = m_machine.stamper().targetEpoch();
     status.interruptions = m_interruptions;

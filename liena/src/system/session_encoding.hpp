@@ -14,7 +14,7 @@ inline protocol::EncodedMessage encodeSession(ModuleHost& host, const protocol::
     encoded.header.message = {host.ownDevice().id, protocol::numberOf(message)};
     encoded.header.target = target;
     encoded.header.timestamp = host.stamp();
-    encoded.part.assign(body.begin(), body.end());
+    encoded.part.assign(body.data(), body.data() + body.size());
     return encoded;
 }
 

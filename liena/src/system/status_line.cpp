@@ -100,6 +100,9 @@ std::string StatusLine::linkOf(const LinkStatus& link, Instant now)
     json.add("interruptions", link.interruptions).add("epoch", link.epoch).add("peer_epoch", link.peerEpoch);
     json.add("to_peer_connected", link.toPeerConnected).add("from_peer_connected", link.fromPeerConnected);
     json.add("datagrams", link.packetsHeard > 0 && link.packetsHeardByPeer > 0).add("bulk_lanes", static_cast<unsigned>(link.bulkLanes));
+    json.add("bulk_lanes_in", static_cast<unsigned>(link.bulkLanesIn)).add("bulk_workers", static_cast<unsigned>(link.bulkWorkers));
+    json.put("bulk_rate", link.bulkRate ? fmt::format("{:.0f}", *link.bulkRate) : "null").add("bulk_queued_bytes", link.bulkQueuedBytes);
+    json.add("superseded", link.messagesSuperseded);
     json.put("incident", link.incident != 0 ? fmt::format("\"{:016x}\"", link.incident) : "null");
     json.put("drops", dropsOf(link.peer));
     m_before.insert_or_assign(link.peer, link);

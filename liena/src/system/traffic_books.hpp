@@ -4,6 +4,7 @@
 #include "base/cause_books.hpp"
 #include "protocol/session_messages.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,12 @@
 #include <vector>
 
 namespace liena::system {
+
+/// Of LinkReports: where life is told slowly, the figures are not told faster.
+constexpr std::chrono::nanoseconds reportPeriod(std::chrono::nanoseconds heartbeat)
+{
+    return std::max<std::chrono::nanoseconds>(std::chrono::milliseconds(200), heartbeat);
+}
 
 class TrafficBooks {
 public:

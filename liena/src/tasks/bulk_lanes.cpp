@@ -12,12 +12,19 @@ namespace {
 
 constexpr auto connectLimit = 1s;
 constexpr auto retryDelay = 50ms;
-constexpr TransmissionTask::Settings laneSettings{16384, 65536};
+constexpr std::size_t segment = 16384;
+constexpr std::size_t batch = 65536;
 
 } // namespace
 
-BulkLanes::BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity, Handlers handlers)
-    : m_io(io), m_peer(std::move(peer)), m_identity(std::move(identity)), m_handlers(std::move(handlers)), m_retry(io)
+BulkLanes::BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity, std::uint8_t dscp,
+                     Commons commons, Handlers handlers)
+    : m_io(io),
+      m_peer(std::move(peer)),
+      m_identity(std::move(identity)),
+      m_settings{segment, batch, transport::TcpChannel::Traffic::Bulk, dscp, &commons.workers, &commons.interfaces},
+      m_handlers(std::move(handlers)),
+      m_retry(io)
 {}
 
 bool BulkLanes::push(OutputQueue::Entry entry)
@@ -32,7 +39,7 @@ std::size_t BulkLanes::placeFor(std::uint16_t number, Instant now)
 {
     const auto known = m_streams.find(number);
     const bool stays =
-        known != m_streams.end() && (now - known->second.lastUsed < idleLimit || !m_lanes[known->second.place]->isDelivered());
+        known != m_streams.end() && (now - known->second.lastUsed < pauseLimit || !m_lanes[known->second.place]->isDelivered());
     const auto place = stays ? known->second.place : choosePlace(now);
     m_streams[number] = {place, now};
     return place;
@@ -44,7 +51,7 @@ std::size_t BulkLanes::choosePlace(Instant now)
     for (std::size_t place = 0; place < m_lanes.size(); ++place)
         if (!isInUse(place, now))
             return place;
-    if (m_lanes.size() < most)
+    if (m_lanes.size() < m_wanted.want(streamsInUse(now) + 1, now))
         return addLane();
     const auto least = std::min_element(m_lanes.begin(), m_lanes.end(),
                                         [](const auto& a, const auto& b) { return a->queue().bytes() < b->queue().bytes(); });
@@ -54,8 +61,15 @@ std::size_t BulkLanes::choosePlace(Instant now)
 bool BulkLanes::isInUse(std::size_t place, Instant now) const
 {
     return !m_lanes[place]->isDelivered() || std::any_of(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
-        return stream.second.place == place && now - stream.second.lastUsed < idleLimit;
+        return stream.second.place == place && now - stream.second.lastUsed < pauseLimit;
     });
+}
+
+std::size_t BulkLanes::streamsInUse(Instant now) const
+{
+    return static_cast<std::size_t>(std::count_if(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
+        return now - stream.second.lastUsed < pauseLimit || !m_lanes[stream.second.place]->isDelivered();
+    }));
 }
 
 std::size_t BulkLanes::addLane()
@@ -71,7 +85,7 @@ std::size_t BulkLanes::addLane()
     };
     handlers.dropped = m_handlers.dropped;
     handlers.abandoning = m_handlers.abandoning;
-    m_lanes.push_back(std::make_unique<OutputLane>(m_io, m_peer, m_identity, laneSettings, std::move(handlers)));
+    m_lanes.push_back(std::make_unique<OutputLane>(m_io, m_peer, m_identity, m_settings, std::move(handlers)));
     return m_lanes.size() - 1;
 }
 
@@ -88,9 +102,13 @@ void BulkLanes::connect()
 
 void BulkLanes::retire(std::chrono::steady_clock::time_point now)
 {
-    for (std::size_t place = 1; place < m_lanes.size(); ++place)
-        if (m_lanes[place]->isUp() && !isInUse(place, now))
+    const auto wanted = m_wanted.want(streamsInUse(now), now);
+    auto excess = connected();
+    for (auto place = m_lanes.size(); place-- > 1 && excess > wanted;)
+        if (m_lanes[place]->isUp() && !isInUse(place, now)) {
             m_lanes[place]->close(0ns);
+            --excess;
+        }
 }
 
 void BulkLanes::discardApplication()
@@ -122,6 +140,21 @@ std::uint64_t BulkLanes::bytesSent() const
 {
     return std::accumulate(m_lanes.begin(), m_lanes.end(), std::uint64_t{0},
                            [](std::uint64_t sum, const auto& lane) { return sum + lane->bytesSent(); });
+}
+
+std::size_t BulkLanes::queuedBytes() const
+{
+    return std::accumulate(m_lanes.begin(), m_lanes.end(), std::size_t{0},
+                           [](std::size_t sum, const auto& lane) { return sum + lane->queue().bytes(); });
+}
+
+std::optional<double> BulkLanes::knownRate() const
+{
+    std::optional<double> sum;
+    for (const auto& lane : m_lanes)
+        if (const auto rate = lane->knownRate())
+            sum = sum.value_or(0) + *rate;
+    return sum;
 }
 
 } // namespace liena::tasks

@@ -1,6 +1,7 @@
 // The bulk lanes of our output channel: added while streams would wait for each other, retired when they are idle (protocol section 6).
 #pragma once
 
+#include "tasks/load_balancer.hpp"
 #include "tasks/output_lane.hpp"
 #include "transport/timer.hpp"
 
@@ -9,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace liena::tasks {
@@ -17,6 +19,12 @@ namespace liena::tasks {
 /// kept.
 class BulkLanes {
 public:
+    /// What the bulk lanes to all peers have in common; outlives them.
+    struct Commons {
+        transport::WorkerThreads& workers;
+        InterfaceShares& interfaces;
+    };
+
     struct Handlers {
         std::function<protocol::EncodedMessage(std::uint8_t lane)> attach;
         std::function<bool()> mayConnect; ///< the session carries messages
@@ -25,7 +33,8 @@ public:
         OutputQueue::Abandoning abandoning;
     };
 
-    BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity, Handlers handlers);
+    BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity, std::uint8_t dscp,
+              Commons commons, Handlers handlers);
 
     /// False when the stream's queue is full.
     bool push(OutputQueue::Entry entry);
@@ -33,7 +42,7 @@ public:
     /// Connects the lanes that have something to send.
     void connect();
 
-    /// From time to time: a lane beside the first that nothing uses any more is closed.
+    /// From time to time: a lane that nothing uses is closed when fewer are wanted for a while.
     void retire(std::chrono::steady_clock::time_point now);
 
     void discardApplication();
@@ -43,10 +52,13 @@ public:
     std::size_t connected() const;
     std::size_t queuedMessages() const;
     std::uint64_t bytesSent() const;
+    std::size_t queuedBytes() const;
+
+    /// Bytes per second that the lanes together are known to carry.
+    std::optional<double> knownRate() const;
 
 private:
-    static constexpr std::size_t most = 4; ///< a peer takes up to 8; more than a few streams at once do not gain from their own
-    static constexpr std::chrono::seconds idleLimit{5};
+    static constexpr std::chrono::seconds pauseLimit{2}; ///< of a stream, before it may change its lane
 
     using Instant = std::chrono::steady_clock::time_point;
     struct Stream {
@@ -58,13 +70,16 @@ private:
     std::size_t choosePlace(Instant now);
     std::size_t addLane();
     bool isInUse(std::size_t place, Instant now) const;
+    std::size_t streamsInUse(Instant now) const;
 
     boost::asio::io_context& m_io;
     TopologyDevice m_peer;
     std::shared_ptr<security::TlsIdentity> m_identity;
+    TransmissionTask::Settings m_settings;
     Handlers m_handlers;
     std::vector<std::unique_ptr<OutputLane>> m_lanes; ///< lane 1 first
     std::map<std::uint16_t, Stream> m_streams;        ///< by message number
+    ElasticCount m_wanted = laneCount();
     transport::Timer m_retry;
 };
 

@@ -57,7 +57,9 @@ void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
         bury(std::move(m_task));
     }
     m_queue->restart();
-    m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, m_settings,
+    m_paced = m_settings.traffic == transport::TcpChannel::Traffic::Bulk && !channel->isLocal();
+    m_rate.shareWith(m_paced && m_settings.interfaces != nullptr ? m_settings.interfaces->of(channel->localAddress()) : nullptr);
+    m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, m_settings, m_paced ? &m_rate : nullptr,
                                                 [this](const std::string& detail, bool identity) { lost(detail, identity); });
     m_task->sendFirst(m_attach);
     m_handlers.up();

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace liena::tasks {
 
@@ -48,6 +49,9 @@ public:
 
     OutputQueue& queue() { return *m_queue; }
     const OutputQueue& queue() const { return *m_queue; }
+    /// Bytes per second that the path is known to carry; nothing on a lane that is not paced, or before it was filled once.
+    std::optional<double> knownRate() const { return m_task && m_paced ? m_rate.known() : std::nullopt; }
+
     std::uint64_t bytesSent() const { return m_bytesSent + (m_task ? m_task->bytesSent() : 0); }
 
     /// Ends the connection and any attempt. Session management that waits may still leave within `grace`; nothing else does.
@@ -69,6 +73,8 @@ private:
     std::unique_ptr<TransmissionTask> m_task;
     std::unique_ptr<transport::TcpClient> m_client;
     protocol::EncodedMessage m_attach;
+    PathRate m_rate; ///< kept from one connection to the next: they take the same path
+    bool m_paced = false;
     std::uint64_t m_bytesSent = 0;
 };
 

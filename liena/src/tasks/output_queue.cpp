@@ -5,6 +5,20 @@
 
 namespace liena::tasks {
 
+namespace {
+
+void place(OutputBatch& out, const protocol::Segment& segment, const std::shared_ptr<const FieldBytes>& owner)
+{
+    out.append(segment, owner);
+}
+
+void place(std::vector<std::byte>& out, const protocol::Segment& segment, const std::shared_ptr<const FieldBytes>& /*owner*/)
+{
+    protocol::appendTo(out, segment);
+}
+
+} // namespace
+
 Rank rankOf(Priority priority)
 {
     switch (priority) {
@@ -20,33 +34,42 @@ Rank rankOf(Priority priority)
     return Rank::Bulk;
 }
 
+OutputQueue::Stream& OutputQueue::streamOf(Class& ofRank, const Entry& entry)
+{
+    const bool takesTurns = entry.rank == Rank::Status || entry.rank == Rank::Bulk;
+    return ofRank.streams[takesTurns ? entry.message.header.message.number : std::uint16_t{0}];
+}
+
 bool OutputQueue::push(Entry entry)
 {
-    auto& waiting = m_classes[static_cast<std::size_t>(entry.rank)];
+    auto& ofRank = m_classes[static_cast<std::size_t>(entry.rank)];
+    auto& stream = streamOf(ofRank, entry);
     const bool session = entry.message.header.message.isSessionManagement();
     const auto size = entry.message.part.size();
-    const auto gone = superseded(waiting, entry);
+    const auto gone = superseded(stream, entry);
     std::size_t freed = 0;
     for (const auto at : gone)
-        freed += waiting[at].entry.message.part.size();
+        freed += stream.waiting[at].part().size();
     if (!session && (m_count - gone.size() >= m_limits.messages || m_bytes - freed + size > m_limits.bytes))
         return false; // and what it would have replaced still leaves
-    for (auto at = gone.rbegin(); at != gone.rend(); ++at)
-        drop(waiting, waiting.begin() + static_cast<std::ptrdiff_t>(*at), Fate::Superseded);
+    if (stream.waiting.empty())
+        append(ofRank.turns, &stream);
     ++m_count;
     m_bytes += size;
-    waiting.push_back({std::move(entry), {}});
+    append(stream.waiting, Waiting{std::move(entry), {}});
+    for (auto at = gone.rbegin(); at != gone.rend(); ++at)
+        drop(stream, *at, Fate::Superseded);
     return true;
 }
 
 /// The places of those that `entry` takes the place of, in ascending order.
-std::vector<std::size_t> OutputQueue::superseded(const Class& waiting, const Entry& entry)
+OutputQueue::Places OutputQueue::superseded(const Stream& stream, const Entry& entry)
 {
-    std::vector<std::size_t> places;
+    Places places;
     if (entry.history == 0)
         return places;
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-        const auto& other = waiting[i];
+    for (std::size_t i = 0; i < stream.waiting.size(); ++i) {
+        const auto& other = stream.waiting[i];
         if (!other.encoder.begun() && other.entry.message.header.message == entry.message.header.message &&
             other.entry.message.header.target == entry.message.header.target)
             places.push_back(i);
@@ -55,29 +78,86 @@ std::vector<std::size_t> OutputQueue::superseded(const Class& waiting, const Ent
     return places;
 }
 
+bool OutputQueue::appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, OutputBatch& out)
+{
+    return appendNextTo(out, maximumSegment, now);
+}
+
 bool OutputQueue::appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, std::vector<std::byte>& out)
 {
-    for (auto& waiting : m_classes) {
-        while (!waiting.empty() && isExpired(waiting.front(), now)) {
-            const bool begun = waiting.front().encoder.begun();
-            const auto header = waiting.front().entry.message.header;
-            drop(waiting, waiting.begin(), Fate::Expired);
-            if (begun) {
-                protocol::DatagramEncoder().appendSegment(m_abandoning(header), maximumSegment, out);
-                return true;
-            }
-        }
-        if (waiting.empty())
+    return appendNextTo(out, maximumSegment, now);
+}
+
+template <typename Out>
+bool OutputQueue::appendNextTo(Out& out, std::size_t maximumSegment, std::chrono::steady_clock::time_point now)
+{
+    for (auto& ofRank : m_classes) {
+        if (expire(ofRank, maximumSegment, now, out))
+            return true;
+        if (ofRank.turns.empty())
             continue;
-        auto& front = waiting.front();
-        if (front.encoder.appendSegment(front.entry.message, maximumSegment, out)) {
-            m_bytes -= front.entry.message.part.size();
-            --m_count;
-            waiting.pop_front();
-        }
+        take(ofRank, maximumSegment, out);
         return true;
     }
     return false;
+}
+
+/// Until the stream whose turn it is has something that may still leave. True when a message that was begun is abandoned: that is a
+/// segment, too.
+template <typename Out>
+bool OutputQueue::expire(Class& from, std::size_t maximumSegment, std::chrono::steady_clock::time_point now, Out& out)
+{
+    while (!from.turns.empty()) {
+        auto& stream = *from.turns.front();
+        if (!isExpired(stream.waiting.front(), now))
+            return false;
+        const bool begun = stream.waiting.front().encoder.begun();
+        const auto header = stream.waiting.front().entry.message.header;
+        drop(stream, 0, Fate::Expired);
+        if (stream.waiting.empty())
+            endTurn(from);
+        if (begun) {
+            const auto abandon = m_abandoning(header);
+            place(out, protocol::DatagramEncoder().next(abandon.header, {abandon.part.data(), abandon.part.size()}, maximumSegment),
+                  nullptr);
+            return true;
+        }
+    }
+    return false;
+}
+
+template <typename Out>
+void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
+{
+    auto& stream = *from.turns.front();
+    if (stream.credit <= 0)
+        stream.credit += static_cast<std::ptrdiff_t>(maximumSegment);
+    auto& front = stream.waiting.front();
+    if (!front.begun && front.entry.message.part.size() >= OutputBatch::longBody)
+        front.begun = std::make_shared<const FieldBytes>(std::move(front.entry.message.part));
+    const auto part = front.part();
+    const auto segment = front.encoder.next(front.entry.message.header, part, maximumSegment);
+    place(out, segment, front.begun);
+    stream.credit -= static_cast<std::ptrdiff_t>(segment.header.size() + segment.body.size());
+    if (segment.last) {
+        m_bytes -= part.size();
+        --m_count;
+        stream.waiting.pop_front();
+    }
+    if (stream.waiting.empty()) {
+        endTurn(from);
+    } else if (stream.credit <= 0) {
+        from.turns.pop_front();
+        append(from.turns, &stream);
+    }
+}
+
+/// Of a stream that has nothing more to send.
+void OutputQueue::endTurn(Class& of)
+{
+    of.turns.front()->credit = 0;
+    settle(of.turns.front()->waiting);
+    of.turns.pop_front();
 }
 
 bool OutputQueue::isExpired(const Waiting& waiting, std::chrono::steady_clock::time_point now)
@@ -85,41 +165,60 @@ bool OutputQueue::isExpired(const Waiting& waiting, std::chrono::steady_clock::t
     return waiting.entry.expires && *waiting.entry.expires <= now;
 }
 
-void OutputQueue::drop(Class& waiting, Class::iterator at, Fate fate)
+/// Whoever calls sees to the stream's turn when nothing is left of it.
+void OutputQueue::drop(Stream& stream, std::size_t at, Fate fate)
 {
-    m_bytes -= at->entry.message.part.size();
+    const auto dropped = stream.waiting.begin() + static_cast<std::ptrdiff_t>(at);
+    m_bytes -= dropped->part().size();
     --m_count;
-    const auto entry = std::move(at->entry);
-    waiting.erase(at);
+    const auto entry = std::move(dropped->entry);
+    stream.waiting.erase(dropped);
     m_report(entry, fate);
+}
+
+template <typename Visit>
+void OutputQueue::forEachStream(Visit visit)
+{
+    for (auto& ofRank : m_classes) {
+        for (auto& [number, stream] : ofRank.streams)
+            visit(stream);
+        ofRank.turns.erase(
+            std::remove_if(ofRank.turns.begin(), ofRank.turns.end(), [](const Stream* stream) { return stream->waiting.empty(); }),
+            ofRank.turns.end());
+    }
 }
 
 void OutputQueue::restart()
 {
-    for (auto& waiting : m_classes)
-        if (!waiting.empty())
-            waiting.front().encoder = {};
+    forEachStream([](Stream& stream) {
+        if (!stream.waiting.empty())
+            stream.waiting.front().encoder = {};
+    });
 }
 
 void OutputQueue::discard(Rank rank)
 {
     // A control message is one segment, so none of them is ever half sent.
-    auto& waiting = m_classes[static_cast<std::size_t>(rank)];
-    while (!waiting.empty())
-        drop(waiting, waiting.begin(), Fate::Discarded);
+    auto& ofRank = m_classes[static_cast<std::size_t>(rank)];
+    for (auto& [number, stream] : ofRank.streams)
+        while (!stream.waiting.empty())
+            drop(stream, 0, Fate::Discarded);
+    ofRank.turns.clear();
 }
 
 void OutputQueue::discardApplication()
 {
     std::vector<protocol::EncodedMessage> abandoned;
-    for (auto& waiting : m_classes)
-        for (std::size_t i = waiting.size(); i-- > 0;) {
-            if (waiting[i].entry.message.header.message.isSessionManagement())
+    forEachStream([&](Stream& stream) {
+        for (std::size_t i = stream.waiting.size(); i-- > 0;) {
+            const auto& waiting = stream.waiting[i];
+            if (waiting.entry.message.header.message.isSessionManagement())
                 continue;
-            if (waiting[i].encoder.begun())
-                abandoned.push_back(m_abandoning(waiting[i].entry.message.header));
-            drop(waiting, waiting.begin() + static_cast<std::ptrdiff_t>(i), Fate::Discarded);
+            if (waiting.encoder.begun())
+                abandoned.push_back(m_abandoning(waiting.entry.message.header));
+            drop(stream, i, Fate::Discarded);
         }
+    });
     for (auto& message : abandoned)
         push({std::move(message), Rank::Safety, 0, std::nullopt, {}});
 }

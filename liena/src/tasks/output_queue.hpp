@@ -1,15 +1,20 @@
-// What waits to leave on one lane: strict order between classes, first come first served within one.
+// What waits to leave on one lane: strict order between classes, fair turns of the streams within one.
 #pragma once
 
 #include "liena/message_set.hpp"
 #include "protocol/datagram_encoder.hpp"
+#include "tasks/output_batch.hpp"
+#include "tasks/ring.hpp"
+
+#include <boost/container/small_vector.hpp>
 
 #include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -21,6 +26,10 @@ enum class Rank : std::uint8_t { Safety, Control, Status, Bulk, Last };
 Rank rankOf(Priority priority);
 
 /// Network thread. A message in several segments may be passed by a higher class between them.
+///
+/// The streams (message numbers) of the classes status and bulk take turns by deficit round robin (Shreedhar and Varghese, SIGCOMM 1995),
+/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, and control, are one stream each: the
+/// sequence of all control messages of a session is what the peer's guard checks.
 class OutputQueue {
 public:
     struct Limits {
@@ -52,6 +61,7 @@ public:
     bool push(Entry entry);
 
     /// Appends the next segment to `out`, with a body of at most `maximumSegment` bytes; false when nothing waits.
+    bool appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, OutputBatch& out);
     bool appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, std::vector<std::byte>& out);
 
     /// The lane was connected anew: a message that was cut off begins again.
@@ -69,12 +79,38 @@ private:
     struct Waiting {
         Entry entry;
         protocol::DatagramEncoder encoder;
+        std::shared_ptr<const FieldBytes> begun = nullptr; ///< the part of a long message once it is being sent: a write may need it longer
+
+        std::span<const std::byte> part() const
+        {
+            const auto& bytes = begun ? *begun : entry.message.part;
+            return {bytes.data(), bytes.size()};
+        }
     };
-    using Class = std::deque<Waiting>;
+    using Places = boost::container::small_vector<std::size_t, 16>;
+
+    struct Stream {
+        Ring<Waiting> waiting;
+        std::ptrdiff_t credit = 0; ///< bytes that it may still send in this turn
+    };
+    struct Class {
+        std::map<std::uint16_t, Stream> streams; ///< by message number
+        Ring<Stream*> turns;                     ///< those with something to send, the next one first
+    };
 
     static bool isExpired(const Waiting& waiting, std::chrono::steady_clock::time_point now);
-    void drop(Class& waiting, Class::iterator at, Fate fate);
-    static std::vector<std::size_t> superseded(const Class& waiting, const Entry& entry);
+    Stream& streamOf(Class& ofRank, const Entry& entry);
+    template <typename Out>
+    bool appendNextTo(Out& out, std::size_t maximumSegment, std::chrono::steady_clock::time_point now);
+    template <typename Out>
+    void take(Class& from, std::size_t maximumSegment, Out& out);
+    template <typename Out>
+    bool expire(Class& from, std::size_t maximumSegment, std::chrono::steady_clock::time_point now, Out& out);
+    void drop(Stream& stream, std::size_t at, Fate fate);
+    static void endTurn(Class& of);
+    static Places superseded(const Stream& stream, const Entry& entry);
+    template <typename Visit>
+    void forEachStream(Visit visit);
 
     Report m_report;
     Abandoning m_abandoning;

@@ -50,22 +50,43 @@ void ReceptionTask::process()
     m_sink->turned();
     if (m_closed || m_paused)
         return;
-    const auto judge = [this](const protocol::DatagramHeader& header) {
-        const auto judgement = m_sink->judge(m_lane, header);
-        m_maximum = judgement.maximum;
-        return m_closed || m_paused ? protocol::HeaderVerdict::Refuse : judgement.verdict;
-    };
-    m_decoder->process(judge,
-                       [this](const protocol::DatagramHeader& header, std::span<const std::byte> body) { return take(header, body); });
+    m_decoder->process([this](const protocol::DatagramHeader& header) { return judge(header); },
+                       [this](const protocol::DatagramHeader& header, std::span<const std::byte> body) {
+                           return conclude(header, m_reassembler.take(header, body, m_maximum), body);
+                       },
+                       [this](const protocol::DatagramHeader& header, std::span<const std::byte> bytes, bool last) {
+                           m_reassembler.add(bytes);
+                           return !last || conclude(header, m_reassembler.close(), {});
+                       });
     if (!m_closed && !m_paused && !m_reading) {
         m_reading = true;
-        m_channel->read(m_decoder->writable());
+        m_channel->read(m_decoder->writable(), m_decoder);
     }
 }
 
-bool ReceptionTask::take(const protocol::DatagramHeader& header, std::span<const std::byte> body)
+/// The segments of a long message go to its own buffer as they come.
+protocol::HeaderVerdict ReceptionTask::judge(const protocol::DatagramHeader& header)
 {
-    auto outcome = m_reassembler.take(header, body, m_maximum);
+    using protocol::HeaderVerdict;
+    const auto judgement = m_sink->judge(m_lane, header);
+    m_maximum = judgement.maximum;
+    if (m_closed || m_paused)
+        return HeaderVerdict::Refuse;
+    if (judgement.verdict != HeaderVerdict::Take || (!header.moreSegments && !m_reassembler.hasPartial()))
+        return judgement.verdict;
+    const auto outcome = m_reassembler.open(header, header.length, m_maximum);
+    if (std::holds_alternative<protocol::Reassembler::Incomplete>(outcome))
+        return HeaderVerdict::TakeInPieces;
+    if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome)) {
+        m_sink->violated(m_lane, violation->what);
+        return HeaderVerdict::Refuse;
+    }
+    return HeaderVerdict::Take;
+}
+
+bool ReceptionTask::conclude(const protocol::DatagramHeader& header, protocol::Reassembler::Outcome outcome,
+                             std::span<const std::byte> body)
+{
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_sink->violated(m_lane, violation->what);
     else if (std::holds_alternative<protocol::Reassembler::OverBudget>(outcome))

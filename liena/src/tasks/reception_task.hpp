@@ -68,10 +68,11 @@ private:
     void bytesWritten() override {}
     void channelLost(const std::string& detail, bool identity) override;
     void process();
-    bool take(const protocol::DatagramHeader& header, std::span<const std::byte> body);
+    protocol::HeaderVerdict judge(const protocol::DatagramHeader& header);
+    bool conclude(const protocol::DatagramHeader& header, protocol::Reassembler::Outcome outcome, std::span<const std::byte> body);
 
     std::shared_ptr<transport::TcpChannel> m_channel;
-    std::unique_ptr<protocol::DatagramDecoder> m_decoder;
+    std::shared_ptr<protocol::DatagramDecoder> m_decoder; ///< shared with a read in flight, whose bytes it takes
     protocol::Reassembler m_reassembler;
     std::uint8_t m_lane;
     LaneSink* m_sink;

@@ -1,14 +1,27 @@
 // The write loop of one lane.
 #include "tasks/transmission_task.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace liena::tasks {
 
-TransmissionTask::TransmissionTask(std::shared_ptr<transport::TcpChannel> channel, OutputQueue& queue, Settings settings, Lost lost)
-    : m_channel(std::move(channel)), m_queue(&queue), m_settings(settings), m_lost(std::move(lost))
+TransmissionTask::TransmissionTask(std::shared_ptr<transport::TcpChannel> channel, OutputQueue& queue, Settings settings, PathRate* rate,
+                                   Lost lost)
+    : m_channel(std::move(channel)),
+      m_buffers(std::make_shared<Buffers>(settings.batch + settings.segment + protocol::headerSize, !m_channel->isSecured())),
+      m_queue(&queue),
+      m_settings(settings),
+      m_rate(rate),
+      m_lost(std::move(lost))
 {
-    m_buffer.reserve(m_settings.batch + m_settings.segment + protocol::headerSize);
+    m_channel->tune(m_settings.traffic, m_settings.dscp);
+    if (m_rate != nullptr)
+        m_rate->restart();
+    if (m_settings.workers != nullptr)
+        m_channel->shareWork(*m_settings.workers);
     m_channel->setListener(this);
-    m_channel->read(m_unexpected);
+    m_channel->read(m_buffers->unexpected, m_buffers);
 }
 
 TransmissionTask::~TransmissionTask() { close(); }
@@ -21,7 +34,8 @@ void TransmissionTask::close()
 
 void TransmissionTask::sendFirst(const protocol::EncodedMessage& message)
 {
-    protocol::DatagramEncoder().appendSegment(message, m_settings.segment, m_buffer);
+    m_buffers->batch.append(
+        protocol::DatagramEncoder().next(message.header, {message.part.data(), message.part.size()}, m_settings.segment), nullptr);
     wake();
 }
 
@@ -30,19 +44,47 @@ void TransmissionTask::wake()
     if (m_writing || m_channel->isClosed())
         return;
     const auto now = std::chrono::steady_clock::now();
-    while (m_buffer.size() < m_settings.batch && m_queue->appendNext(m_settings.segment, now, m_buffer)) {
-    }
-    if (m_buffer.empty())
+    fill(now);
+    if (m_buffers->batch.empty()) {
+        if (m_rate != nullptr)
+            m_rate->pause(now);
         return;
+    }
+    if (m_rate != nullptr)
+        keepPace(now);
     m_writing = true;
-    m_bytesSent += m_buffer.size();
-    m_channel->write(m_buffer);
+    m_bytesSent += m_buffers->batch.size();
+    m_channel->write(m_buffers->batch.parts(), m_buffers);
+}
+
+/// A paced write is no more than a millisecond's: the rate is judged between two of them.
+void TransmissionTask::fill(std::chrono::steady_clock::time_point now)
+{
+    auto segment = m_settings.segment;
+    auto batch = m_settings.batch;
+    if (m_rate != nullptr) {
+        segment = std::min(segment, m_rate->segment());
+        batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, batch);
+    }
+    while (m_buffers->batch.size() < batch && m_queue->appendNext(segment, now, m_buffers->batch)) {
+    }
+}
+
+void TransmissionTask::keepPace(std::chrono::steady_clock::time_point now)
+{
+    constexpr double worthTelling = 0.005;
+    if (const auto facts = m_channel->facts())
+        m_rate->observe(*facts, now);
+    if (std::abs(m_rate->rate() - m_paced) <= m_paced * worthTelling)
+        return;
+    m_paced = m_rate->rate();
+    m_channel->pace(m_paced, m_rate->segment() + protocol::headerSize);
 }
 
 void TransmissionTask::bytesWritten()
 {
     m_writing = false;
-    m_buffer.clear();
+    m_buffers->batch.clear();
     wake();
 }
 

@@ -1,13 +1,16 @@
 // Sends what waits on one lane, one write at a time.
 #pragma once
 
+#include "tasks/interface_shares.hpp"
+#include "tasks/output_batch.hpp"
 #include "tasks/output_queue.hpp"
+#include "tasks/path_rate.hpp"
 #include "transport/tcp_channel.hpp"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace liena::tasks {
 
@@ -18,10 +21,15 @@ public:
     struct Settings {
         std::size_t segment = 8192; ///< largest body
         std::size_t batch = 32768;  ///< bytes per write, about
+        transport::TcpChannel::Traffic traffic = transport::TcpChannel::Traffic::Prompt;
+        std::uint8_t dscp = 0;
+        transport::WorkerThreads* workers = nullptr; ///< that may do the work; null: the network thread does
+        InterfaceShares* interfaces = nullptr;       ///< of a lane that is paced; outlives it
     };
     using Lost = std::function<void(const std::string& detail, bool identity)>;
 
-    TransmissionTask(std::shared_ptr<transport::TcpChannel> channel, OutputQueue& queue, Settings settings, Lost lost);
+    /// `rate` paces what is sent, and learns from it; null: as fast as the kernel takes it. It outlives the task, as the queue does.
+    TransmissionTask(std::shared_ptr<transport::TcpChannel> channel, OutputQueue& queue, Settings settings, PathRate* rate, Lost lost);
     ~TransmissionTask() override;
 
     /// Something was pushed.
@@ -47,12 +55,23 @@ private:
     void bytesWritten() override;
     void channelLost(const std::string& detail, bool identity) override;
 
+    void fill(std::chrono::steady_clock::time_point now);
+    void keepPace(std::chrono::steady_clock::time_point now);
+
+    /// A worker may still use them when the task is gone.
+    struct Buffers {
+        Buffers(std::size_t room, bool refers) : batch(room, refers) {}
+        OutputBatch batch; ///< what is being written
+        std::array<std::byte, 16> unexpected{};
+    };
+
     std::shared_ptr<transport::TcpChannel> m_channel;
+    std::shared_ptr<Buffers> m_buffers;
     OutputQueue* m_queue;
     Settings m_settings;
+    PathRate* m_rate;
+    double m_paced = 0; ///< bytes per second that the kernel was told
     Lost m_lost;
-    std::vector<std::byte> m_buffer;
-    std::array<std::byte, 16> m_unexpected{};
     bool m_writing = false;
     std::uint64_t m_bytesSent = 0;
 };

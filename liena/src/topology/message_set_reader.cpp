@@ -1,6 +1,7 @@
 // Reads message sets: the root, then the enumerations, then the messages that use them.
 #include "topology/message_set_reader.hpp"
 
+#include "protocol/wire_layout.hpp"
 #include "topology/file_bytes.hpp"
 #include "topology/message_reader.hpp"
 
@@ -21,6 +22,8 @@ std::shared_ptr<const MessageSet> MessageSetReader::read(const XmlDocument& docu
     reader.readMessages();
     if (root->findings().hasErrors())
         return nullptr;
+    for (auto& message : reader.m_set->m_messages)
+        message.layout = CompiledLayout(std::make_shared<const protocol::WireLayout>(message));
     reader.m_set->m_xml = xml;
     reader.m_set->m_hash = Sha256::of(xml);
     return reader.m_set;

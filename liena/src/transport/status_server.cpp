@@ -4,6 +4,7 @@
 #include "transport/timer.hpp"
 
 #include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 
 #include <fmt/format.h>
@@ -12,7 +13,9 @@
 #include <cerrno>
 #include <cstring>
 #include <list>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -73,11 +76,16 @@ struct StatusServer::State {
     struct Watcher {
         explicit Watcher(stream_protocol::socket accepted) : socket(std::move(accepted)) {}
         stream_protocol::socket socket;
-        std::string line; ///< on its way
-        std::array<char, 64> ignored{};
+        std::string line;    ///< on its way
+        std::string reply;   ///< waits behind it
+        std::string request; ///< so far
+        bool requested = false;
+        std::function<void()> gone; ///< of who was asked
+        std::array<char, 64> bytes{};
     };
 
-    State(std::filesystem::path socketFile, std::function<std::string()> makeLine) : file(std::move(socketFile)), line(std::move(makeLine))
+    State(std::filesystem::path socketFile, std::function<std::string()> makeLine, Requests takesRequests)
+        : file(std::move(socketFile)), line(std::move(makeLine)), requests(std::move(takesRequests))
     {}
 
     Result<void> listen()
@@ -141,24 +149,60 @@ struct StatusServer::State {
                               watcher->line.clear();
                               if (error)
                                   watchers.remove(watcher);
+                              else if (!watcher->reply.empty())
+                                  say(watcher, std::exchange(watcher->reply, {}));
                           });
     }
 
-    /// Only to notice that it has gone.
+    /// To notice that it has gone, and to take its request.
     void hear(const std::shared_ptr<Watcher>& watcher)
     {
-        watcher->socket.async_read_some(asio::buffer(watcher->ignored),
-                                        [this, watcher](const boost::system::error_code& error, std::size_t) {
-                                            if (!error)
+        watcher->socket.async_read_some(asio::buffer(watcher->bytes),
+                                        [this, watcher](const boost::system::error_code& error, std::size_t count) {
+                                            if (!error && take(watcher, {watcher->bytes.data(), count}))
                                                 return hear(watcher);
                                             boost::system::error_code ignored;
                                             watcher->socket.close(ignored);
                                             watchers.remove(watcher);
+                                            if (auto gone = std::exchange(watcher->gone, nullptr))
+                                                gone();
                                         });
+    }
+
+    /// False when it sent more than one request may have.
+    bool take(const std::shared_ptr<Watcher>& watcher, std::string_view bytes)
+    {
+        if (!requests)
+            return true;
+        if (watcher->requested || watcher->request.size() + bytes.size() > longestRequest)
+            return false;
+        watcher->request += bytes;
+        const auto end = watcher->request.find('\n');
+        if (end == std::string::npos)
+            return true;
+        watcher->requested = true;
+        watcher->request.resize(end);
+        const auto reply = [this, asked = std::weak_ptr(watcher)](const std::string& text) {
+            asio::post(io, [this, asked, text] {
+                if (const auto there = asked.lock())
+                    answer(there, text);
+            });
+        };
+        watcher->gone = requests(watcher->request, reply);
+        return true;
+    }
+
+    /// Unlike a line of the status, it is not missed by a watcher that is slow.
+    void answer(const std::shared_ptr<Watcher>& watcher, const std::string& text)
+    {
+        if (watcher->line.empty())
+            return say(watcher, text);
+        watcher->reply += (watcher->reply.empty() ? "" : "\n") + text;
     }
 
     std::filesystem::path file;
     std::function<std::string()> line;
+    Requests requests; ///< null: none are taken
     asio::io_context io{1};
     stream_protocol::acceptor acceptor{io};
     Timer pause{io};
@@ -169,9 +213,10 @@ struct StatusServer::State {
 
 StatusServer::StatusServer(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 
-Result<std::unique_ptr<StatusServer>> StatusServer::open(const std::filesystem::path& socket, std::function<std::string()> line)
+Result<std::unique_ptr<StatusServer>> StatusServer::open(const std::filesystem::path& socket, std::function<std::string()> line,
+                                                         Requests requests)
 {
-    auto state = std::make_unique<State>(socket, std::move(line));
+    auto state = std::make_unique<State>(socket, std::move(line), std::move(requests));
     if (auto listening = state->listen(); !listening)
         return listening.as_failure();
     state->accept();

@@ -2,68 +2,132 @@
 #include "transport/tcp_channel.hpp"
 
 #include "security/tls_identity.hpp"
+#include "transport/packet_mark.hpp"
+#include "transport/worker_threads.hpp"
 
-#include <boost/asio/ssl/error.hpp>
-#include <boost/asio/write.hpp>
-
-#include <openssl/ssl.h>
+#include <boost/asio/post.hpp>
 
 #include <linux/sockios.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <utility>
 
 namespace liena::transport {
 
 namespace asio = boost::asio;
+using asio::ip::tcp;
 
 namespace {
 
+constexpr int promptUnsent = 16 * 1024; // bytes in the kernel that are not on the wire yet: behind them the next message waits
+constexpr int promptBuffer = 256 * 1024;
+constexpr int mostBulkUnsent = 128 * 1024;
+constexpr std::size_t networkStep = 16 * 1024; // bytes, about, in one turn of the network thread
+constexpr std::size_t workerStep = 1024 * 1024;
+
+std::size_t sizeOf(TcpChannel::Parts parts)
+{
+    return std::accumulate(parts.begin(), parts.end(), std::size_t{0}, [](std::size_t sum, const auto part) { return sum + part.size(); });
+}
+
+void set(int socket, int level, int option, int value)
+{
+    (void)::setsockopt(socket, level, option, &value, sizeof value); // without it all works as before
+}
+
 /// What is lost twice waits for a timer of at least 200 ms and stalls the lane that long, twice that when it is lost again. Where the
-/// kernel can (Linux 6.15: TCP_RTO_MIN_US, which Debian's header does not name), the timer may be as short as a heartbeat.
+/// kernel can (Linux 6.15: TCP_RTO_MIN_US, which Debian's header does not name), the timer may be as short as a heartbeat. Not for bulk:
+/// a connection that was idle for longer than this timer forgets how fast it could send.
 void retransmitSoon(int socket)
 {
     constexpr int rtoMinUs = 45;
     constexpr int soonest = 20'000;
-    (void)::setsockopt(socket, IPPROTO_TCP, rtoMinUs, &soonest, sizeof soonest); // without it all works as before
+    set(socket, IPPROTO_TCP, rtoMinUs, soonest);
 }
 
 } // namespace
 
-TcpChannel::TcpChannel(asio::ip::tcp::socket socket) : m_socket(std::move(socket))
+TcpChannel::TcpChannel(tcp::socket socket)
+    : m_socket(std::move(socket)),
+      m_io(static_cast<asio::io_context&>(m_socket.get_executor().context())),
+      m_descriptor(m_socket.native_handle()),
+      m_end(m_descriptor)
 {
     boost::system::error_code ignored;
-    m_socket.set_option(asio::ip::tcp::no_delay(true), ignored);
-    retransmitSoon(m_socket.native_handle());
+    m_socket.set_option(tcp::no_delay(true), ignored);
     m_remote = m_socket.remote_endpoint(ignored);
+    m_localAddress = m_socket.local_endpoint(ignored).address();
+}
+
+void TcpChannel::tune(Traffic traffic, std::uint8_t dscp)
+{
+    if (m_closed)
+        return;
+    markPackets(m_descriptor, m_remote.address().is_v6(), dscp);
+    if (traffic == Traffic::Prompt) {
+        retransmitSoon(m_descriptor);
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, promptBuffer);
+        set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, promptUnsent);
+    }
+}
+
+void TcpChannel::pace(double bytesPerSecond, std::size_t burst)
+{
+    if (m_closed)
+        return;
+    const auto rate = static_cast<std::uint64_t>(bytesPerSecond);
+    (void)::setsockopt(m_descriptor, SOL_SOCKET, SO_MAX_PACING_RATE, &rate, sizeof rate);
+    // What is in the kernel can no longer give way to something newer: a hundredth of a second, within bounds.
+    const auto unsent = std::clamp(static_cast<int>(std::min(bytesPerSecond / 100, 1e9)), static_cast<int>(2 * burst), mostBulkUnsent);
+    set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, unsent);
+    m_burst = burst; // at the next step
 }
 
 TcpChannel::~TcpChannel() { close(); }
 
+/// The socket can be read, or written, or it is just time to go on.
+struct TcpChannel::Ready {
+    using allocator_type = HandlerAllocator<std::byte>;
+
+    std::shared_ptr<TcpChannel> channel;
+    Way* way;
+
+    allocator_type get_allocator() const { return allocator_type(way->memory); }
+    void operator()(const boost::system::error_code& /*error*/) { (*this)(); } // the next step meets it, too
+    void operator()() { channel->goOn(*way); }
+};
+
 void TcpChannel::secure(SSL_CTX* context, bool asServer, HandshakeHandler handler)
 {
-    SSL_CTX_up_ref(context); // the wrapper gives this reference back
-    m_context.emplace(context);
-    m_tls = std::make_unique<TlsStream>(m_socket, *m_context);
-    const auto side = asServer ? asio::ssl::stream_base::server : asio::ssl::stream_base::client;
-    m_tls->async_handshake(side, [self = shared_from_this(), handler = std::move(handler)](const boost::system::error_code& error) {
-        if (self->m_closed)
-            return;
-        if (!error)
-            return handler(ok());
-        auto* ssl = self->m_tls->native_handle();
-        handler(fail(Errc::CertificateInvalid,
-                     error.category() == asio::error::get_ssl_category()
-                         ? security::explainTlsFailure(static_cast<unsigned long>(error.value()), SSL_get_verify_result(ssl))
-                         : "the connection ended during the TLS handshake: " + error.message()));
-    });
+    m_handshake = std::move(handler);
+    if (!m_end.secure(context, asServer))
+        m_handshake = nullptr; // no memory: the deadline of whoever asked ends it
+    later(m_reading);
+}
+
+void TcpChannel::pursueHandshake()
+{
+    const auto done = m_end.shakeHands();
+    if (done.need != StreamEnd::Need::Nothing)
+        return awaitNeed(m_reading, done.need);
+    const auto handler = std::exchange(m_handshake, nullptr);
+    if (!done.failure)
+        return handler(ok());
+    handler(fail(Errc::CertificateInvalid,
+                 done.failure->tls ? done.failure->detail : "the connection ended during the TLS handshake: " + done.failure->detail));
 }
 
 Result<std::optional<DeviceId>> TcpChannel::peerDevice()
 {
-    if (!m_tls)
+    if (!isSecured())
         return std::optional<DeviceId>();
-    const auto device = security::peerDevice(m_tls->native_handle());
+    const auto device = security::peerDevice(m_end.tls());
     if (!device)
         return device.as_failure();
     return std::optional(device.value());
@@ -71,83 +135,172 @@ Result<std::optional<DeviceId>> TcpChannel::peerDevice()
 
 Result<security::DatagramKey> TcpChannel::datagramKey(std::uint64_t token) const
 {
-    if (!m_tls)
+    if (!isSecured())
         return fail(Errc::CertificateInvalid, "a connection in the clear has no keys");
-    return security::exportDatagramKey(m_tls->native_handle(), token);
+    return security::exportDatagramKey(m_end.tls(), token);
 }
 
 Result<void> TcpChannel::admitSession(security::TlsIdentity& identity)
 {
-    return m_tls ? identity.trust().admitSession(m_tls->native_handle()) : ok();
+    return isSecured() ? identity.trust().admitSession(m_end.tls()) : ok();
 }
 
-void TcpChannel::read(std::span<std::byte> buffer)
+void TcpChannel::read(std::span<std::byte> buffer, Keeper keeper)
 {
-    auto handler = [self = shared_from_this()](const boost::system::error_code& error, std::size_t count) {
-        self->finishRead(error, count);
-    };
-    const asio::mutable_buffer target(buffer.data(), buffer.size());
-    if (m_tls)
-        m_tls->async_read_some(target, std::move(handler));
+    m_buffer = buffer;
+    m_reading.keeper = std::move(keeper);
+    m_reading.active = true;
+    if (m_stepInFlight)
+        m_reading.due = true;
+    else if (m_end.mayHaveMore())
+        later(m_reading);
     else
-        m_socket.async_read_some(target, std::move(handler));
+        awaitNeed(m_reading, StreamEnd::Need::Readable);
 }
 
-void TcpChannel::write(std::span<const std::byte> bytes)
+void TcpChannel::write(Parts parts, Keeper keeper)
 {
-    auto handler = [self = shared_from_this()](const boost::system::error_code& error, std::size_t /*count*/) { self->finishWrite(error); };
-    const asio::const_buffer source(bytes.data(), bytes.size());
-    if (m_tls)
-        asio::async_write(*m_tls, source, std::move(handler));
-    else
-        asio::async_write(m_socket, source, std::move(handler));
+    m_parts = parts;
+    m_done = 0;
+    m_writing.keeper = std::move(keeper);
+    m_writing.active = true;
+    if (m_stepInFlight)
+        m_writing.due = true;
+    else if (hasWorkers())
+        startOnWorker(m_writing);
+    else {
+        m_writing.outcome = step(m_writing, networkStep); // now, and told later
+        later(m_writing);
+    }
 }
 
-void TcpChannel::finishRead(const boost::system::error_code& error, std::size_t count)
+bool TcpChannel::hasWorkers() const { return m_workers != nullptr && m_workers->count() > 0; }
+
+/// In a turn of its own.
+void TcpChannel::goOn(Way& way)
 {
     if (m_closed)
         return;
-    if (error)
-        lose(error);
-    else if (m_listener != nullptr)
-        m_listener->bytesRead(count);
+    if (m_handshake)
+        return pursueHandshake();
+    if (!way.active)
+        return;
+    if (way.outcome)
+        return settle(way, *std::exchange(way.outcome, std::nullopt));
+    if (m_stepInFlight)
+        way.due = true;
+    else if (hasWorkers())
+        startOnWorker(way);
+    else
+        settle(way, step(way, networkStep));
 }
 
-void TcpChannel::finishWrite(const boost::system::error_code& error)
+/// On whichever thread has its turn: it touches nothing but m_end and what belongs to this way.
+TcpChannel::Step TcpChannel::step(Way& way, std::size_t most)
 {
+    const bool counted = m_workers != nullptr && most == networkStep;
+    const auto begin = counted ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point();
+    if (&way == &m_writing)
+        m_end.limitBursts(m_burst);
+    auto done = &way == &m_reading ? m_end.read(m_buffer, most) : m_end.write(m_parts, m_done, most);
+    if (counted)
+        m_workers->noteTime(std::chrono::steady_clock::now() - begin);
+    return done;
+}
+
+class TcpChannel::WorkerStep : public WorkerThreads::Job {
+public:
+    WorkerStep(std::shared_ptr<TcpChannel> channel, Way& way) : m_channel(std::move(channel)), m_way(way) {}
+
+    void work() override { m_result = m_channel->step(m_way, workerStep); }
+    void finish() override { m_channel->stepFinished(m_way, m_result); }
+
+private:
+    std::shared_ptr<TcpChannel> m_channel;
+    Way& m_way;
+    Step m_result;
+};
+
+void TcpChannel::startOnWorker(Way& way)
+{
+    m_stepInFlight = true;
+    m_workers->run(std::make_shared<WorkerStep>(shared_from_this(), way));
+}
+
+void TcpChannel::stepFinished(Way& way, const Step& done)
+{
+    m_stepInFlight = false;
     if (m_closed)
+        return end();
+    auto& other = &way == &m_reading ? m_writing : m_reading;
+    if (std::exchange(other.due, false))
+        goOn(other);
+    if (!m_closed)
+        settle(way, done);
+}
+
+void TcpChannel::settle(Way& way, const Step& done)
+{
+    if (done.failure)
+        return lose(*done.failure);
+    const bool reading = &way == &m_reading;
+    if (m_workers != nullptr && done.bytes > 0)
+        m_workers->noteBytes(m_mark);
+    if (!reading)
+        m_done += done.bytes;
+    const bool over = reading ? done.bytes > 0 : m_done == sizeOf(m_parts);
+    if (!over)
+        return done.need == StreamEnd::Need::Nothing ? later(way) : awaitNeed(way, done.need);
+    way.active = false;
+    way.keeper.reset();
+    if (m_listener == nullptr)
         return;
-    if (error)
-        lose(error);
-    else if (m_listener != nullptr)
+    if (reading)
+        m_listener->bytesRead(done.bytes);
+    else
         m_listener->bytesWritten();
 }
 
-void TcpChannel::lose(const boost::system::error_code& error)
+void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
 {
-    const bool tls = error.category() == asio::error::get_ssl_category();
-    const auto detail = tls                         ? security::explainTlsFailure(static_cast<unsigned long>(error.value()), X509_V_OK)
-                        : error == asio::error::eof ? std::string("the peer closed the connection")
-                                                    : error.message();
-    const bool truncated = error == asio::ssl::error::stream_truncated;
+    m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
+                        Ready{shared_from_this(), &way});
+}
+
+void TcpChannel::later(Way& way) { asio::post(m_io, Ready{shared_from_this(), &way}); }
+
+void TcpChannel::lose(const StreamEnd::Failure& failure)
+{
     close();
     if (auto* listener = std::exchange(m_listener, nullptr))
-        listener->channelLost(truncated ? "the peer closed the connection" : detail, tls && !truncated);
+        listener->channelLost(failure.detail, failure.tls);
 }
 
 std::size_t TcpChannel::unacknowledged() const
 {
     int bytes = 0;
-    auto& socket = const_cast<asio::ip::tcp::socket&>(m_socket); // Asio's native_handle() is not const
-    return !m_closed && ::ioctl(socket.native_handle(), SIOCOUTQ, &bytes) == 0 && bytes > 0 ? static_cast<std::size_t>(bytes) : 0;
+    return !m_closed && ::ioctl(m_descriptor, SIOCOUTQ, &bytes) == 0 && bytes > 0 ? static_cast<std::size_t>(bytes) : 0;
 }
 
 void TcpChannel::close()
 {
     if (std::exchange(m_closed, true))
         return;
+    m_handshake = nullptr;
+    if (!m_stepInFlight)
+        return end();
+    // A worker uses the descriptor: it must not be another's before that step is over, and the connection ends all the same.
+    ::shutdown(m_descriptor, SHUT_RDWR);
+    boost::system::error_code ignored;
+    m_socket.cancel(ignored);
+}
+
+void TcpChannel::end()
+{
     boost::system::error_code ignored;
     m_socket.close(ignored);
+    m_reading.keeper.reset();
+    m_writing.keeper.reset();
 }
 
 } // namespace liena::transport

@@ -4,11 +4,12 @@
 #include "liena/device_id.hpp"
 #include "liena/error.hpp"
 #include "security/datagram_seal.hpp"
+#include "transport/handler_memory.hpp"
+#include "transport/path_facts.hpp"
+#include "transport/stream_end.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ssl/context.hpp>
-#include <boost/asio/ssl/stream.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -23,7 +24,12 @@ class TlsIdentity;
 
 namespace liena::transport {
 
+class WorkerThreads;
+
 /// Network thread only. Shared, because an operation in flight and its owner end independently; after close() no callback comes any more.
+///
+/// The bytes of a connection that shareWork() was called for are read, written, sealed and opened by worker threads while there are any:
+/// one step of one connection at a time, so that its order is kept. Everything else, and all that is told, stays on the network thread.
 class TcpChannel : public std::enable_shared_from_this<TcpChannel> {
 public:
     class Listener {
@@ -36,6 +42,10 @@ public:
     };
 
     using HandshakeHandler = std::function<void(Result<void>)>;
+    using Parts = StreamEnd::Parts;
+
+    /// What keeps bytes where they are while a step in flight needs them.
+    using Keeper = std::shared_ptr<const void>;
 
     explicit TcpChannel(boost::asio::ip::tcp::socket socket);
     ~TcpChannel();
@@ -54,11 +64,33 @@ public:
 
     void setListener(Listener* listener) { m_listener = listener; }
 
-    /// One read in flight at a time; `buffer` stays until bytesRead or close().
-    void read(std::span<std::byte> buffer);
+    /// From now on worker threads do the steps, whenever there are some; `workers` outlives the connection.
+    void shareWork(WorkerThreads& workers) { m_workers = &workers; }
 
-    /// One write in flight at a time; all of `bytes`, which stay until bytesWritten or close().
-    void write(std::span<const std::byte> bytes);
+    /// One read in flight at a time. `buffer` stays until bytesRead; after close() for as long as `keeper` does.
+    void read(std::span<std::byte> buffer, Keeper keeper = nullptr);
+
+    /// One write in flight at a time; all of `parts`, in order. They and their bytes stay until bytesWritten; after close() for as long as
+    /// `keeper` does. Under TLS each part is sealed by itself.
+    void write(Parts parts, Keeper keeper = nullptr);
+
+    /// What we send on this connection: small messages that must not wait, or much.
+    enum class Traffic : std::uint8_t { Prompt, Bulk };
+
+    /// Chooses the kernel's buffers and timers, and marks the packets with a DSCP (RFC 2474); a kernel that refuses one of them goes on
+    /// without.
+    void tune(Traffic traffic, std::uint8_t dscp);
+
+    /// Sends no faster than this, in bursts of at most so many bytes. Not while a write is in flight.
+    void pace(double bytesPerSecond, std::size_t burst);
+
+    std::optional<PathFacts> facts() const { return m_closed ? std::nullopt : readPathFacts(m_descriptor); }
+
+    /// Both ends are on this computer: there is no path that others share.
+    bool isLocal() const { return m_remote.address().is_loopback() || m_remote.address() == m_localAddress; }
+
+    /// Of our end: which of our interfaces it leaves by.
+    const boost::asio::ip::address& localAddress() const { return m_localAddress; }
 
     /// At once and without a word on the wire; harmless when repeated.
     void close();
@@ -67,20 +99,52 @@ public:
     std::size_t unacknowledged() const;
 
     bool isClosed() const { return m_closed; }
+    bool isSecured() const { return m_end.tls() != nullptr; }
     boost::asio::ip::tcp::endpoint remote() const { return m_remote; }
 
 private:
-    using TlsStream = boost::asio::ssl::stream<boost::asio::ip::tcp::socket&>;
+    using Step = StreamEnd::Step;
 
-    void finishRead(const boost::system::error_code& error, std::size_t count);
-    void finishWrite(const boost::system::error_code& error);
-    void lose(const boost::system::error_code& error);
+    /// One way of the connection, and its operation in flight.
+    struct Way {
+        bool active = false;         ///< asked for, and not over
+        bool due = false;            ///< could go on, but the other way's step is in flight
+        std::optional<Step> outcome; ///< of a step that was made and is not told yet
+        Keeper keeper;
+        HandlerMemory memory;
+    };
+    struct Ready;
+    class WorkerStep;
+
+    void pursueHandshake();
+    void goOn(Way& way);
+    Step step(Way& way, std::size_t most);
+    bool hasWorkers() const;
+    void startOnWorker(Way& way);
+    void stepFinished(Way& way, const Step& done);
+    void settle(Way& way, const Step& done);
+    void awaitNeed(Way& way, StreamEnd::Need need);
+    void later(Way& way);
+    void lose(const StreamEnd::Failure& failure);
+    void end();
 
     boost::asio::ip::tcp::socket m_socket;
+    boost::asio::io_context& m_io;
+    int m_descriptor;
     boost::asio::ip::tcp::endpoint m_remote;
-    std::optional<boost::asio::ssl::context> m_context;
-    std::unique_ptr<TlsStream> m_tls;
+    boost::asio::ip::address m_localAddress;
+    StreamEnd m_end; ///< a worker's while its step is in flight
+    HandshakeHandler m_handshake;
+    Way m_reading;
+    Way m_writing;
+    std::span<std::byte> m_buffer;
+    Parts m_parts;
+    std::size_t m_done = 0;  ///< bytes of m_parts that have left
+    std::size_t m_burst = 0; ///< for the next write
+    WorkerThreads* m_workers = nullptr;
+    std::uint64_t m_mark = 0;
     Listener* m_listener = nullptr;
+    bool m_stepInFlight = false; ///< on a worker
     bool m_closed = false;
 };
 

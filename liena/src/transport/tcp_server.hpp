@@ -45,6 +45,9 @@ public:
     /// Where it listens, once it does.
     boost::asio::ip::address address() const;
 
+    /// The listening socket.
+    int descriptor() { return m_acceptor.native_handle(); }
+
     void start();
     void close();
 

@@ -1,6 +1,8 @@
 // Binding, receiving in bursts, sending without waiting.
 #include "transport/udp_socket.hpp"
 
+#include "transport/packet_mark.hpp"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -16,7 +18,7 @@ UdpSocket::UdpSocket(asio::io_context& io, Handler handler, LogSink log)
 
 UdpSocket::~UdpSocket() { close(); }
 
-Result<void> UdpSocket::listen(const asio::ip::address& address, std::uint16_t port)
+Result<void> UdpSocket::listen(const asio::ip::address& address, std::uint16_t port, std::uint8_t dscp)
 {
     const udp::endpoint endpoint(address, port);
     boost::system::error_code error;
@@ -31,6 +33,7 @@ Result<void> UdpSocket::listen(const asio::ip::address& address, std::uint16_t p
                                 error == asio::error::address_in_use
                                     ? "another program has this port: end it, or give the device another port in the topology"
                                     : "the device's host in the topology must be an address of this computer"));
+    markPackets(m_socket.native_handle(), address.is_v6(), dscp);
     return ok();
 }
 

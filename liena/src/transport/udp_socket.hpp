@@ -31,7 +31,10 @@ public:
     UdpSocket& operator=(const UdpSocket&) = delete;
 
     /// Takes the port; an error names the address, the reason and what to do.
-    Result<void> listen(const boost::asio::ip::address& address, std::uint16_t port);
+    /// What is sent bears the mark.
+    Result<void> listen(const boost::asio::ip::address& address, std::uint16_t port, std::uint8_t dscp);
+
+    int descriptor() { return m_socket.native_handle(); }
 
     void start();
     void close();

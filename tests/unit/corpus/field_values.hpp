@@ -29,6 +29,11 @@ public:
     {
         compare('"' + value.value + '"', next());
     }
+    template <std::size_t Maximum>
+    void operator()(const protocol::Bytes<Maximum>& bytes)
+    {
+        (*this)(bytes.value);
+    }
     void operator()(const std::vector<std::byte>& value)
     {
         compare('"' + std::string(reinterpret_cast<const char*>(value.data()), value.size()) + '"', next());

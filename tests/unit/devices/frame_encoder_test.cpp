@@ -96,6 +96,21 @@ private slots:
         QVERIFY(pixels[0] < 8 && pixels[2399] > 247);
     }
 
+    void changesBetweenTwoPictures()
+    {
+        FrameEncoder encoder(Encoding::Raw, 0);
+        Picture picture = ramp(12);
+        QCOMPARE(encoder.encode(picture).value().size(), 4800U);
+        encoder.use(Encoding::JpegLs, 0);
+        QVERIFY(encoder.encode(picture).value().size() < 4800U);
+        encoder.use(Encoding::Jpeg, 50);
+        QVERIFY(at(encoder.encode(picture).value(), 0) == 0xFF);
+        QCOMPARE(encoder.quality(), 50U);
+        picture = ramp(12);
+        encoder.use(Encoding::Raw, 0);
+        QCOMPARE(encoder.encode(picture).value().size(), 4800U);
+    }
+
     void namesAreThoseOfTheMessageSet()
     {
         QCOMPARE(encodingFrom("raw"), Encoding::Raw);

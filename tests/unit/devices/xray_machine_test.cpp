@@ -50,6 +50,19 @@ private slots:
         QVERIFY(!rig.machine.beamOn());
     }
 
+    void pulsesThatAreLeftOutGiveNoDose()
+    {
+        Rig rig;
+        QVERIFY(rig.pedal(1));
+        rig.wait(10ms);
+        const double rate = rig.machine.dose().airKermaRate;
+        rig.machine.thinPulses(2);
+        rig.wait(10ms);
+        QCOMPARE(rig.machine.pulseRate(), 7.5);
+        QCOMPARE(rig.machine.askedPulseRate(), 15.0);
+        QCOMPARE(rig.machine.dose().airKermaRate, rate / 2);
+    }
+
     void beamEndsWithoutRepetition()
     {
         Rig rig;

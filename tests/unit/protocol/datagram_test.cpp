@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 using namespace liena;
 using namespace liena::protocol;
@@ -103,6 +104,9 @@ private slots:
     void endsAtRefusedHeader();
     void endsWhenTheTakerRefuses();
     void holdsTheLargestDatagram();
+    void handsOnABodyInPiecesAsItComes();
+    void piecesKeepTheirOrderBesideWholeBodies_data();
+    void piecesKeepTheirOrderBesideWholeBodies();
 };
 
 void DatagramTest::writesTheHeaderAsThePageSays()
@@ -265,6 +269,76 @@ void DatagramTest::holdsTheLargestDatagram()
     QVERIFY(feeder.feed(streamOf(messages), 10007));
     QCOMPARE(feeder.seen.size(), messages.size());
     QVERIFY(std::equal(feeder.seen[3].body.begin(), feeder.seen[3].body.end(), messages[3].part.begin(), messages[3].part.end()));
+}
+
+void DatagramTest::handsOnABodyInPiecesAsItComes()
+{
+    const auto stream = streamOf({messageOf(1000)});
+    DatagramDecoder decoder;
+    std::vector<std::size_t> pieces;
+    bool ended = false;
+    std::size_t at = 0;
+    for (const std::size_t count : {std::size_t{20}, std::size_t{300}, std::size_t{1}, std::size_t{699}}) {
+        std::memcpy(decoder.writable().data(), stream.data() + at, count);
+        decoder.commit(count);
+        at += count;
+        QVERIFY(decoder.process([](const DatagramHeader&) { return HeaderVerdict::TakeInPieces; },
+                                [](const DatagramHeader&, std::span<const std::byte>) { return false; },
+                                [&](const DatagramHeader&, std::span<const std::byte> bytes, bool last) {
+                                    pieces.push_back(bytes.size());
+                                    ended = last;
+                                    return true;
+                                }));
+        QCOMPARE(decoder.buffered(), std::size_t{0}); // nothing waits here
+        QCOMPARE(ended, at == stream.size());
+    }
+    QVERIFY((pieces == std::vector<std::size_t>{300, 1, 699}));
+}
+
+void DatagramTest::piecesKeepTheirOrderBesideWholeBodies_data()
+{
+    QTest::addColumn<quint64>("chunk");
+    for (const quint64 chunk : {1, 7, 20, 21, 1000, 65536})
+        QTest::addRow("%llu", static_cast<unsigned long long>(chunk)) << chunk;
+}
+
+void DatagramTest::piecesKeepTheirOrderBesideWholeBodies()
+{
+    QFETCH(quint64, chunk);
+    const std::vector messages{messageOf(70000, 0x0200), messageOf(30, 0x0201), messageOf(0, 0x0200), messageOf(5000, 0x0202),
+                               messageOf(33, 0x0200)};
+    const auto stream = streamOf(messages, 16384);
+    DatagramDecoder decoder;
+    std::map<std::uint16_t, std::vector<std::byte>> bytes;
+    std::map<std::uint16_t, std::vector<std::byte>> wanted;
+    for (const auto& message : messages)
+        if (message.header.message.number != 0x0202)
+            wanted[message.header.message.number].insert(wanted[message.header.message.number].end(), message.part.begin(),
+                                                         message.part.end());
+    int ends = 0;
+    for (std::span<const std::byte> left = stream; !left.empty();) {
+        const auto count = std::min({static_cast<std::size_t>(chunk), left.size(), decoder.writable().size()});
+        std::memcpy(decoder.writable().data(), left.data(), count);
+        decoder.commit(count);
+        left = left.subspan(count);
+        QVERIFY(decoder.process(
+            [](const DatagramHeader& header) {
+                return header.message.number == 0x0200   ? HeaderVerdict::TakeInPieces
+                       : header.message.number == 0x0202 ? HeaderVerdict::Skip
+                                                         : HeaderVerdict::Take;
+            },
+            [&](const DatagramHeader& header, std::span<const std::byte> body) {
+                bytes[header.message.number].insert(bytes[header.message.number].end(), body.begin(), body.end());
+                return true;
+            },
+            [&](const DatagramHeader& header, std::span<const std::byte> piece, bool last) {
+                bytes[header.message.number].insert(bytes[header.message.number].end(), piece.begin(), piece.end());
+                ends += last ? 1 : 0;
+                return true;
+            }));
+    }
+    QVERIFY(bytes == wanted);
+    QCOMPARE(ends, 5 + 1 + 1); // segments of 0x0200
 }
 
 QTEST_APPLESS_MAIN(DatagramTest)

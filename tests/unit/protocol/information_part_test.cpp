@@ -59,7 +59,10 @@ MessageDefinition message(std::vector<FieldDefinition> fields, Priority priority
 
 QString faultOf(const FieldDefinition& definition, const std::vector<std::byte>& bytes)
 {
-    const auto fault = checkFields(message({definition}), bytes);
+    const auto sample = message({definition});
+    const auto fault = checkFields(sample, bytes);
+    if (WireLayout(sample).accepts(bytes) == fault.has_value())
+        return QStringLiteral("the layout judges otherwise than the definition");
     return fault ? QString::fromStdString(*fault) : QString();
 }
 
@@ -248,6 +251,9 @@ void InformationPartTest::findsFieldsBehindVariableOnes()
         const auto span = locateField(definition, bytes, i);
         QCOMPARE(span.begin, expected[i].first);
         QCOMPARE(span.size, expected[i].second);
+        const auto compiled = WireLayout(definition).locate(bytes, i);
+        QCOMPARE(compiled.begin, expected[i].first);
+        QCOMPARE(compiled.size, expected[i].second);
     }
 }
 

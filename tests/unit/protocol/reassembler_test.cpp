@@ -74,6 +74,10 @@ private slots:
     void abandonEndsOnlyItsMessage();
     void clearDropsEverything();
     void lanesEndsGiveTheirBudgetBack();
+    void takesBodiesInPieces();
+    void judgesABodyBeforeItsPieces();
+    void abandonedBetweenPiecesStaysAbandoned();
+    void expectsTheNextToBeAsLong();
 };
 
 void ReassemblerTest::takesSingleSegmentAsItIs()
@@ -285,6 +289,62 @@ void ReassemblerTest::lanesEndsGiveTheirBudgetBack()
         QVERIFY(budget.used() > 0);
     }
     QCOMPARE(budget.used(), std::size_t{0});
+}
+
+void ReassemblerTest::takesBodiesInPieces()
+{
+    Lane lane;
+    const auto open = [&](std::size_t length, bool more) { return lane.reassembler.open(segment(7, length, more), length, plenty); };
+    QVERIFY(is<Reassembler::Incomplete>(open(5, true)));
+    lane.reassembler.add(bytesOfText("ab"));
+    lane.reassembler.add(bytesOfText("cde"));
+    QVERIFY(is<Reassembler::Incomplete>(lane.reassembler.close()));
+    QCOMPARE(lane.own.used(), std::size_t{5});
+    QVERIFY(is<Reassembler::Incomplete>(open(3, false)));
+    lane.reassembler.add(bytesOfText("fgh"));
+    QCOMPARE(textOf(lane.reassembler.close()), std::string("abcdefgh"));
+    QCOMPARE(lane.own.used(), std::size_t{0});
+    QVERIFY(!lane.reassembler.hasPartial());
+}
+
+void ReassemblerTest::judgesABodyBeforeItsPieces()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Whole>(lane.reassembler.open(segment(1, 3, false), 3, plenty)));
+    QVERIFY(is<Reassembler::Violation>(lane.reassembler.open(segment(1, 11, true), 11, 10)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(5, "abc", true)));
+    QVERIFY(is<Reassembler::Violation>(lane.reassembler.open(segment(5, 8, true), 8, 10)));
+    QVERIFY(is<Reassembler::Violation>(lane.reassembler.open(segment(4, 1, true), 1, 10)));
+    QVERIFY(is<Reassembler::Incomplete>(lane.reassembler.close())); // nothing was opened
+}
+
+void ReassemblerTest::abandonedBetweenPiecesStaysAbandoned()
+{
+    Lane lane;
+    QVERIFY(is<Reassembler::Incomplete>(lane.reassembler.open(segment(7, 5, true), 5, plenty)));
+    lane.reassembler.add(bytesOfText("ab"));
+    lane.reassembler.abandon(0x0200, Timestamp{7});
+    lane.reassembler.add(bytesOfText("cde"));
+    QVERIFY(is<Reassembler::Incomplete>(lane.reassembler.close()));
+    QCOMPARE(lane.own.used(), std::size_t{0});
+    QCOMPARE(lane.reassembler.abandoned(), std::uint64_t{1});
+}
+
+/// The buffer of an image is not made anew while it grows.
+void ReassemblerTest::expectsTheNextToBeAsLong()
+{
+    Lane lane;
+    const std::string half(30'000, 'x');
+    for (std::uint64_t round = 1; round <= 3; ++round) {
+        QVERIFY(is<Reassembler::Incomplete>(lane.take(round, half, true)));
+        QCOMPARE(lane.own.kept(), round == 1 ? std::size_t{0} : 2 * half.size());
+        const auto outcome = lane.take(round, half, false);
+        QCOMPARE(textOf(outcome), half + half);
+        QCOMPARE(lane.own.kept(), std::size_t{0});
+    }
+    QVERIFY(is<Reassembler::Incomplete>(lane.take(9, half, true)));
+    lane.reassembler.clear(); // what was given up serves the next
+    QVERIFY(lane.own.kept() >= 2 * half.size());
 }
 
 QTEST_APPLESS_MAIN(ReassemblerTest)

@@ -46,6 +46,10 @@ constexpr std::array kinds{
     Kind{"IncidentDismissed", 0x0042, 8 + 4 + 2 + 256},
     Kind{"LinkReport", 0x0050, 4 + 6 * 8 + 4},
     Kind{"Abandon", 0x0051, 2 + 8},
+    Kind{"MeasureRequest", 0x0060, 4 + 4 + 4 + 8},
+    Kind{"MeasureAnswer", 0x0061, 4 + 1 + 1 + 4 + 4 + 8 + 2 + 256},
+    Kind{"Probe", 0x0062, 4 + 1 + 4 + 8 + 4 + 8 * 1024 * 1024},
+    Kind{"ProbeEcho", 0x0063, 4 + 1 + 4 + 8 + 4},
 };
 
 /// The body of the message's file, which is one datagram.
@@ -152,6 +156,13 @@ void SessionMessagesTest::refusesMalformedBodies_data()
     QTest::newRow("text of another length") << 0x0020 << patched(0x0020, 8, "02 00");
     QTest::newRow("text beyond the body") << 0x0020 << patched(0x0020, 8, "ff ff");
     QTest::newRow("set beyond the body") << 0x0005 << patched(0x0005, 32, "ff ff ff ff");
+    QTest::newRow("no such verdict") << 0x0061 << patched(0x0061, 4, "05");
+    QTest::newRow("verdict 0") << 0x0061 << patched(0x0061, 4, "00");
+    QTest::newRow("in use neither 0 nor 1") << 0x0061 << patched(0x0061, 5, "02");
+    QTest::newRow("no such way") << 0x0062 << patched(0x0062, 4, "04");
+    QTest::newRow("way 0") << 0x0063 << patched(0x0063, 4, "00");
+    QTest::newRow("padding beyond the body") << 0x0062 << patched(0x0062, 17, "05");
+    QTest::newRow("padding that ends before the body") << 0x0062 << patched(0x0062, 17, "03");
     auto tooLong = bytesOf("88 77 66 55 44 33 22 11 01 01");
     tooLong.resize(tooLong.size() + 257, std::byte{'a'});
     QTest::newRow("reason of 257 bytes") << 0x0020 << tooLong;
@@ -181,6 +192,10 @@ void SessionMessagesTest::takesEveryDeclaredValue_data()
         QTest::addRow("state %d", state) << 0x0010 << 33 << state;
     for (int cause = 1; cause <= 5; ++cause)
         QTest::addRow("cause %d", cause) << 0x0040 << 16 << cause;
+    for (int verdict = 1; verdict <= 4; ++verdict)
+        QTest::addRow("verdict %d", verdict) << 0x0061 << 4 << verdict;
+    for (int way = 1; way <= 3; ++way)
+        QTest::addRow("way %d", way) << 0x0063 << 4 << way;
 }
 
 void SessionMessagesTest::takesEveryDeclaredValue()

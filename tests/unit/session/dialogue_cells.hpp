@@ -51,6 +51,10 @@ StandByReport              Closed
 IncidentDismissed          Closed
 LinkReport                 Closed
 Abandon                    Closed
+MeasureRequest             Closed
+MeasureAnswer              Closed
+Probe                      Closed
+ProbeEcho                  Closed
 )"},
     {"Opening-initiator", R"(
 OpenRequested              Opening
@@ -93,6 +97,10 @@ StandByReport              Closed        Rejected CloseLanes Failed:ProtocolViol
 IncidentDismissed          Closed        Rejected CloseLanes Failed:ProtocolViolation
 LinkReport                 Closed        Rejected CloseLanes Failed:ProtocolViolation
 Abandon                    Closed        Rejected CloseLanes Failed:ProtocolViolation
+MeasureRequest             Closed        Rejected CloseLanes Failed:ProtocolViolation
+MeasureAnswer              Closed        Rejected CloseLanes Failed:ProtocolViolation
+Probe                      Closed        Rejected CloseLanes Failed:ProtocolViolation
+ProbeEcho                  Closed        Rejected CloseLanes Failed:ProtocolViolation
 )"},
     {"Opening-responder", R"(
 OpenRequested              Opening
@@ -135,6 +143,10 @@ StandByReport              Closed        Rejected CloseLanes Failed:ProtocolViol
 IncidentDismissed          Closed        Rejected CloseLanes Failed:ProtocolViolation
 LinkReport                 Closed        Rejected CloseLanes Failed:ProtocolViolation
 Abandon                    Closed        Rejected CloseLanes Failed:ProtocolViolation
+MeasureRequest             Closed        Rejected CloseLanes Failed:ProtocolViolation
+MeasureAnswer              Closed        Rejected CloseLanes Failed:ProtocolViolation
+Probe                      Closed        Rejected CloseLanes Failed:ProtocolViolation
+ProbeEcho                  Closed        Rejected CloseLanes Failed:ProtocolViolation
 )"},
     {"StandBy", R"(
 OpenRequested              StandBy
@@ -177,6 +189,10 @@ StandByReport              StandBy
 IncidentDismissed          StandBy
 LinkReport                 StandBy
 Abandon                    StandBy
+MeasureRequest             StandBy
+MeasureAnswer              StandBy
+Probe                      StandBy
+ProbeEcho                  StandBy
 )"},
     {"Reopening-initiator", R"(
 OpenRequested              Reopening
@@ -219,6 +235,10 @@ StandByReport              StandBy       Rejected CloseLanes Failed:ProtocolViol
 IncidentDismissed          StandBy       Rejected CloseLanes Failed:ProtocolViolation
 LinkReport                 StandBy       Rejected CloseLanes Failed:ProtocolViolation
 Abandon                    StandBy       Rejected CloseLanes Failed:ProtocolViolation
+MeasureRequest             StandBy       Rejected CloseLanes Failed:ProtocolViolation
+MeasureAnswer              StandBy       Rejected CloseLanes Failed:ProtocolViolation
+Probe                      StandBy       Rejected CloseLanes Failed:ProtocolViolation
+ProbeEcho                  StandBy       Rejected CloseLanes Failed:ProtocolViolation
 )"},
     {"Reopening-responder", R"(
 OpenRequested              Reopening
@@ -261,6 +281,10 @@ StandByReport              StandBy       Rejected CloseLanes Failed:ProtocolViol
 IncidentDismissed          StandBy       Rejected CloseLanes Failed:ProtocolViolation
 LinkReport                 StandBy       Rejected CloseLanes Failed:ProtocolViolation
 Abandon                    StandBy       Rejected CloseLanes Failed:ProtocolViolation
+MeasureRequest             StandBy       Rejected CloseLanes Failed:ProtocolViolation
+MeasureAnswer              StandBy       Rejected CloseLanes Failed:ProtocolViolation
+Probe                      StandBy       Rejected CloseLanes Failed:ProtocolViolation
+ProbeEcho                  StandBy       Rejected CloseLanes Failed:ProtocolViolation
 )"},
 };
 // clang-format on

@@ -51,6 +51,10 @@ StandByReport              Open
 IncidentDismissed          Open
 LinkReport                 Open
 Abandon                    Open
+MeasureRequest             Open
+MeasureAnswer              Open
+Probe                      Open
+ProbeEcho                  Open
 )"},
     {"Suspect", R"(
 OpenRequested              Suspect
@@ -93,6 +97,10 @@ StandByReport              Suspect
 IncidentDismissed          Suspect
 LinkReport                 Suspect
 Abandon                    Suspect
+MeasureRequest             Suspect
+MeasureAnswer              Suspect
+Probe                      Suspect
+ProbeEcho                  Suspect
 )"},
     {"Reconnecting", R"(
 OpenRequested              Reconnecting
@@ -135,6 +143,10 @@ StandByReport              Reconnecting
 IncidentDismissed          Reconnecting
 LinkReport                 Reconnecting
 Abandon                    Reconnecting
+MeasureRequest             Reconnecting
+MeasureAnswer              Reconnecting
+Probe                      Reconnecting
+ProbeEcho                  Reconnecting
 )"},
     {"Closing-initiator", R"(
 OpenRequested              Closing
@@ -177,6 +189,10 @@ StandByReport              Closing
 IncidentDismissed          Closing
 LinkReport                 Closing
 Abandon                    Closing
+MeasureRequest             Closing
+MeasureAnswer              Closing
+Probe                      Closing
+ProbeEcho                  Closing
 )"},
     {"Closing-responder", R"(
 OpenRequested              Closing
@@ -219,6 +235,10 @@ StandByReport              Closing
 IncidentDismissed          Closing
 LinkReport                 Closing
 Abandon                    Closing
+MeasureRequest             Closing
+MeasureAnswer              Closing
+Probe                      Closing
+ProbeEcho                  Closing
 )"},
 };
 // clang-format on

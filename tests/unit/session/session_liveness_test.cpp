@@ -150,7 +150,7 @@ void SessionLivenessTest::silenceIsShownThenActedOn()
     side.tick(1ns);
     QVERIFY(side.machine.state() == SessionState::Suspect);
     QVERIFY(raisedTo(side, 1));
-    side.tick(39ms - 1ns);
+    side.tick(37ms - 1ns);
     QVERIFY(side.machine.state() == SessionState::Suspect);
     const auto lost = side.tick(1ns);
     QVERIFY(side.machine.state() == SessionState::Reconnecting);

@@ -36,6 +36,7 @@ private slots:
     void firstDropOfACauseIsToldAtOnce();
     void causesAndNumbersAreToldApart();
     void distinctCausesDoNotFillTheBooks();
+    void reportsAreNoMoreFrequentThanHeartbeats();
     void reportCountsItsWindowOnly();
     void reportsTheMedianLatency_data();
     void reportsTheMedianLatency();
@@ -79,6 +80,13 @@ void BooksTest::causesAndNumbersAreToldApart()
     QVERIFY(books.dropped("not open", 0x0200, start));
     QVERIFY(!books.dropped("not open", 0x0200, start));
     QCOMPARE(books.messagesDropped(), std::uint64_t{4});
+}
+
+void BooksTest::reportsAreNoMoreFrequentThanHeartbeats()
+{
+    QCOMPARE(reportPeriod(20ms), std::chrono::nanoseconds(200ms));
+    QCOMPARE(reportPeriod(200ms), std::chrono::nanoseconds(200ms));
+    QCOMPARE(reportPeriod(1s), std::chrono::nanoseconds(1s));
 }
 
 void BooksTest::reportCountsItsWindowOnly()

@@ -66,6 +66,10 @@ private slots:
     void higherClassLeavesFirst();
     void firstComesFirstWithinAClass();
     void higherClassPassesBetweenSegments();
+    void streamsOfAClassTakeTurns();
+    void smallMessagesShareATurn();
+    void controlKeepsTheOrderOfAllItsMessages();
+    void bothPartialsBeginAgainOnAnotherConnection();
     void newerSupersedesUndelivered();
     void historyKeepsThatMany();
     void historyIsPerTargetAndNumber();
@@ -122,6 +126,53 @@ void OutputQueueTest::higherClassPassesBetweenSegments()
     QCOMPARE(lane.next(2), std::string("cc"));
     QCOMPARE(lane.next(2), std::string("dd"));
     QVERIFY(lane.queue.empty());
+}
+
+void OutputQueueTest::streamsOfAClassTakeTurns()
+{
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, "aabbccdd");
+    lane.push(0x0202, Rank::Bulk, "ee");
+    lane.push(0x0241, Rank::Bulk, "1122");
+    lane.push(0x0242, Rank::Bulk, "xx");
+    for (const char* expected : {"aa+", "11+", "xx", "bb+", "22", "cc+", "dd", "ee", "-"})
+        QCOMPARE(lane.next(2), std::string(expected));
+}
+
+/// A turn is a segment's worth of bytes, not a message.
+void OutputQueueTest::smallMessagesShareATurn()
+{
+    Lane lane;
+    const std::string large(1000, 'L');
+    lane.push(0x0202, Rank::Status, large);
+    for (int i = 0; i < 100; ++i)
+        lane.push(0x0241, Rank::Status, std::string(30, 's')); // 50 bytes with the header
+    QCOMPARE(lane.next(500), large.substr(0, 500) + "+");
+    for (int i = 0; i < 10; ++i)
+        QCOMPARE(lane.next(500), std::string(30, 's'));
+    QCOMPARE(lane.next(500), large.substr(500));
+}
+
+/// The peer's guard drops a control message that comes after one with a higher sequence.
+void OutputQueueTest::controlKeepsTheOrderOfAllItsMessages()
+{
+    Lane lane;
+    for (const auto& [number, text] : {std::pair(0x0101, "1"), std::pair(0x0101, "2"), std::pair(0x0103, "3"), std::pair(0x0101, "4")})
+        lane.push(static_cast<std::uint16_t>(number), Rank::Control, text);
+    for (const char* expected : {"1", "2", "3", "4"})
+        QCOMPARE(lane.next(1), std::string(expected));
+}
+
+void OutputQueueTest::bothPartialsBeginAgainOnAnotherConnection()
+{
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, "aabb");
+    lane.push(0x0241, Rank::Bulk, "1122");
+    QCOMPARE(lane.next(2), std::string("aa+"));
+    QCOMPARE(lane.next(2), std::string("11+"));
+    lane.queue.restart();
+    for (const char* expected : {"aa+", "11+", "bb", "22", "-"})
+        QCOMPARE(lane.next(2), std::string(expected));
 }
 
 void OutputQueueTest::newerSupersedesUndelivered()
@@ -188,9 +239,9 @@ void OutputQueueTest::messageThatHasBegunIsAbandonedWhenItExpires()
     auto entry = Lane::entry(0x0202, Rank::Bulk, "aabbcc");
     entry.expires = now + 50ms;
     lane.queue.push(entry);
-    lane.push(0x0241, Rank::Bulk, "next");
     QCOMPARE(lane.next(2), std::string("aa+"));
     QCOMPARE(lane.next(2, now + 49ms), std::string("bb+"));
+    lane.push(0x0241, Rank::Bulk, "next");
     QCOMPARE(lane.next(2, now + 50ms), std::string("A\x02"));
     QVERIFY((lane.reports == std::vector{std::pair(std::uint16_t{0x0202}, Fate::Expired)}));
     QCOMPARE(lane.next(9, now + 50ms), std::string("next"));

@@ -1,0 +1,136 @@
+// Which rate and encoding the way to the viewers carries: a declared ladder, stepped down at once and up with patience.
+#pragma once
+
+#include "frame_encoder.hpp"
+#include "xray_machine.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace liena::devices {
+
+/// How pictures are taken and encoded.
+struct PictureRung {
+    unsigned divisor = 1; ///< one pulse of so many that were asked for
+    Encoding encoding = Encoding::Raw;
+    unsigned quality = 0; ///< as FrameEncoder says
+
+    friend bool operator==(const PictureRung&, const PictureRung&) = default;
+};
+
+/// `7.5 of 15 /s, lossy 75`: for logs.
+std::string describe(const PictureRung& rung, double askedRate);
+
+/// How far the ladder may go. Who asks for lossy pictures permits those, and with Lossless no worse ones.
+enum class Reduction : std::uint8_t { None, Lossless, Lossy };
+
+/// The way to one viewer since the last look.
+struct PathReading {
+    std::optional<double> bulkRate; ///< bytes per second that it can count on
+    std::uint64_t withheld = 0;     ///< pictures that did not leave
+};
+
+/// The rungs, best first, for pictures asked for as raw:
+///
+///     raw        full rate, 1/2                      lossy 75   full rate, 1/2
+///     lossless   full rate, 1/2                      lossy 50   full rate, 1/2, 1/3, 1/4
+///     lossy 90   full rate, 1/2
+///
+/// First the rate, then the encoding: 7.5 pictures a second are usual in low-dose work, a wire of a third of a millimetre is what a lossy
+/// encoding blurs first, and a pulse that is not emitted is dose saved. So each encoding is tried at half the rate before the next one
+/// begins. Lossless costs no pixel and still comes after raw at half the rate: it costs computing time, which is age. Only the last
+/// encoding goes below half, for then nothing else is left, and no rung lowers the rate below `leastRate`: pictures further apart would
+/// count as frozen. Behind the last rung the library withholds. Where lossy pictures are not permitted, lossless is the last encoding.
+/// Pictures asked for as JPEG-LS or JPEG begin there. Every acquisition mode has the same ladder.
+///
+/// Down at once: to the best lighter rung that the known rate carries, as soon as it does not carry the present one; by one when two
+/// pictures were withheld within `withheldWindow`. Up after `patience` without a withheld picture: to the best rung that the known rate
+/// carried all the time with `headroom`; by one while no rate is known, so that the whole way up takes 4.4 s at 15 or 30 pulses a second.
+/// With `leastHeadroom` it takes `longPatience`, and goes by one. A step up that fails within `proven` makes the next wait: `firstWait`,
+/// then twice as long each time, at most `longestWait`; unless the rate is far above the one that was relied on.
+///
+/// Sizes are measured as pictures are encoded, assumed before. What is encoded only to be measured, toMeasure() says: each encoding once,
+/// and on a lower rung the better ones again, since the way up is judged by them. Of several viewers the worst decides. Pure: time comes
+/// from the caller.
+class PictureLadder {
+public:
+    static constexpr double leastRate = 5; ///< /s
+    static constexpr double fill = 0.9;    ///< of the known rate: the most that a rung stepped down to may need
+    static constexpr double headroom = 1.25;
+    static constexpr double leastHeadroom = 1.05;
+    static constexpr std::chrono::milliseconds patience{350};
+    static constexpr std::chrono::milliseconds longPatience{2500};
+    static constexpr std::chrono::seconds withheldWindow{1};
+    static constexpr std::chrono::seconds proven{10};
+    static constexpr std::chrono::seconds firstWait{2};
+    static constexpr std::chrono::seconds longestWait{30};
+    static constexpr std::chrono::seconds measureAgain{2};
+
+    PictureLadder(Encoding asked, unsigned quality, Reduction permitted);
+
+    /// Before each pulse; true when the rung has changed. `askedRate`: pictures per second, above 0.
+    bool update(SteadyTime now, double askedRate, std::span<const PathReading> viewers);
+
+    /// What the newest picture came to in the encoding of `rung`, and what its pixels were before.
+    void measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded);
+
+    /// Whose encoding the newest picture is to be measured in, besides its own; mostly none.
+    std::optional<PictureRung> toMeasure(SteadyTime now) const;
+
+    const PictureRung& rung() const { return m_rungs[m_step]; }
+    std::size_t step() const { return m_step; } ///< 0: as asked
+    const std::vector<PictureRung>& rungs() const { return m_rungs; }
+
+private:
+    struct Cost {
+        Encoding encoding = Encoding::Raw;
+        unsigned quality = 0;
+        double share = 1; ///< of the bytes before encoding
+        std::optional<SteadyTime> measured;
+    };
+
+    void declare(Reduction permitted);
+    std::size_t costOf(const PictureRung& rung) const;
+    double load(std::size_t step) const; ///< bytes per second
+    bool isPermitted(std::size_t step) const;
+
+    void hear(SteadyTime now, std::span<const PathReading> viewers);
+    void noteWithheld(SteadyTime now, std::uint64_t count);
+    std::size_t lighter() const;
+    std::size_t above() const;
+    std::size_t better() const;
+    bool isSteady(SteadyTime now);
+    void stepDown(SteadyTime now);
+    void endWatch(SteadyTime now);
+    void climbTo(std::size_t step, SteadyTime now);
+    bool mayClimb(SteadyTime now) const;
+    void beginWatch(SteadyTime now);
+
+    std::vector<Cost> m_costs;
+    std::vector<PictureRung> m_rungs;
+    std::size_t m_step = 0;
+    double m_askedRate = 15;
+    double m_unencoded = 0; ///< bytes of the newest picture's pixels; 0 before the first
+
+    std::optional<SteadyTime> m_updated;
+    std::optional<double> m_rate; ///< known now, of the worst viewer
+    std::uint64_t m_withheld = 0; ///< within the window
+    SteadyTime m_lastWithheld;
+    SteadyTime m_settled; ///< the pictures of a heavier rung have left by then
+
+    SteadyTime m_watchBegan;                 ///< nothing was withheld since
+    std::optional<double> m_carriedRate;     ///< the least known rate since; nothing while one was missing
+    std::optional<SteadyTime> m_steadySince; ///< the known rate carries the next better rung, if barely
+    std::optional<SteadyTime> m_climbed;     ///< and not proven
+    std::optional<double> m_promise;         ///< the rate that the climb relied on
+    std::optional<double> m_broken;          ///< a promise that was not kept
+    std::chrono::nanoseconds m_wait{firstWait};
+    SteadyTime m_notBefore;
+};
+
+} // namespace liena::devices

@@ -1,0 +1,51 @@
+// The memory of all partial messages of a process: how much of it is used, and the buffers that are used again.
+#pragma once
+
+#include "liena/message.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace liena::protocol {
+
+/// Network thread. What partial messages hold never exceeds the limit; room that is kept before its bytes come, in their buffers and in
+/// spare ones, never exceeds a quarter of it, and is only taken while there is that much.
+class PartialBudget {
+public:
+    explicit PartialBudget(std::size_t limit = std::size_t{64} << 20U) : m_limit(limit) {}
+
+    bool take(std::size_t bytes)
+    {
+        if (bytes > m_limit - m_used)
+            return false;
+        m_used += bytes;
+        return true;
+    }
+    void giveBack(std::size_t bytes) { m_used -= bytes; }
+    std::size_t used() const { return m_used; }
+
+    struct Buffer {
+        FieldBytes bytes;     ///< empty
+        std::size_t room = 0; ///< that was kept for it, to be released when its message is whole or given up
+    };
+
+    /// With room for `bytes` where that much may be kept.
+    Buffer buffer(std::size_t bytes);
+    void release(std::size_t room) { m_kept -= room; }
+
+    /// What the application has no use for any more serves the next long message.
+    void recycle(FieldBytes&& used);
+
+    /// Room that is kept and holds nothing that is counted as used.
+    std::size_t kept() const { return m_kept; }
+
+private:
+    bool keep(std::size_t bytes);
+
+    std::size_t m_limit;
+    std::size_t m_used = 0;
+    std::size_t m_kept = 0;
+    std::vector<FieldBytes> m_spare;
+};
+
+} // namespace liena::protocol

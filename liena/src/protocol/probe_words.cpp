@@ -1,0 +1,38 @@
+// The same bytes as the session messages' visitor writes and reads.
+#include "protocol/probe_words.hpp"
+
+#include "protocol/byte_reader.hpp"
+#include "protocol/byte_writer.hpp"
+
+namespace liena::protocol {
+
+FieldBytes encodeProbe(const ProbeHead& head, std::span<const std::byte> padding)
+{
+    FieldBytes bytes;
+    bytes.reserve(probeHeadSize + padding.size());
+    ByteWriter(bytes)
+        .write(head.run)
+        .write(static_cast<std::uint8_t>(head.way))
+        .write(head.sequence)
+        .write(head.sentNs)
+        .write(static_cast<std::uint32_t>(padding.size()))
+        .append(padding);
+    return bytes;
+}
+
+std::optional<ProbeHead> decodeProbe(std::span<const std::byte> body)
+{
+    ByteReader reader(body);
+    ProbeHead head;
+    head.run = reader.read<std::uint32_t>();
+    head.way = static_cast<ProbeWay>(reader.read<std::uint8_t>());
+    head.sequence = reader.read<std::uint32_t>();
+    head.sentNs = reader.read<std::uint64_t>();
+    const std::size_t padding = reader.read<std::uint32_t>();
+    const bool declared = head.way >= ProbeWay::Prompt && head.way <= ProbeWay::Image;
+    if (!reader.ok() || !declared || padding > maximumProbePadding || reader.remaining() != padding)
+        return std::nullopt;
+    return head;
+}
+
+} // namespace liena::protocol

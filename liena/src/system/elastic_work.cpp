@@ -1,0 +1,51 @@
+// Asking the policy, and the processors that it may count on.
+#include "system/elastic_work.hpp"
+
+#include "system/real_time.hpp"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace liena::system {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto period = 100ms;
+
+double share(std::chrono::nanoseconds busy, std::chrono::nanoseconds time)
+{
+    return std::chrono::duration<double>(busy) / std::chrono::duration<double>(time);
+}
+
+/// Of the processors one is the network thread's and one the application's: where there are no others, a step on another thread costs more
+/// than it relieves. A network thread that looks for work does not leave its processor, and one that is bound to some leaves its threads no
+/// others.
+std::size_t mostWorkers(const Settings& settings)
+{
+    constexpr unsigned taken = 2;
+    if (settings.bulkWorkers)
+        return *settings.bulkWorkers;
+    if (settings.realTime.search > 0us || !settings.realTime.processors.empty())
+        return 0;
+    return std::max(std::thread::hardware_concurrency(), taken) - taken;
+}
+
+} // namespace
+
+ElasticWork::ElasticWork(boost::asio::io_context& network, const Settings& settings)
+    : m_workers(network, runAsOrdinaryThread), m_balancer(mostWorkers(settings)), m_begin(std::chrono::steady_clock::now())
+{}
+
+void ElasticWork::balance(std::chrono::steady_clock::time_point now)
+{
+    if (now - m_begin < period)
+        return;
+    const auto busy = m_workers.takeBusy();
+    const auto time = now - std::exchange(m_begin, now);
+    m_workers.resize(m_balancer.judge({share(busy.network, time), share(busy.workers, time), busy.connections}, now));
+}
+
+} // namespace liena::system

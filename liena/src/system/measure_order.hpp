@@ -1,0 +1,28 @@
+// What `liena bench --live` asks of a running device, as one line of text.
+#pragma once
+
+#include "liena/device_id.hpp"
+#include "liena/error.hpp"
+#include "liena/measurement.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace liena::system {
+
+/// `measure 0x00008208 5 500 524288 15`: peer, seconds of each phase, commands a second, bytes of an image, images a second.
+struct MeasureOrder {
+    DeviceId peer;
+    std::uint32_t seconds = 0;
+    std::uint32_t commandsPerSecond = 0;
+    std::uint32_t imageBytes = 0;
+    double imagesPerSecond = 0;
+
+    /// Strict: just these words, within their bounds.
+    static Result<MeasureOrder> parse(std::string_view line);
+
+    /// Only phases that do not try to fill the line.
+    MeasurementPlan plan() const;
+};
+
+} // namespace liena::system

@@ -1,0 +1,117 @@
+// Asking the kernel, and looking for work before sleeping.
+#include "system/real_time.hpp"
+
+#include "system/card_search.hpp"
+
+#include <boost/asio/io_context.hpp>
+
+#include <fmt/format.h>
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+
+#include <cerrno>
+#include <cstring>
+#include <thread>
+
+namespace liena::system {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto longestSearch = 1s; // longer is a processor of its own, and then that is what it needs
+
+Result<void> checkValues(const RealTimeOptions& options)
+{
+    const int highest = ::sched_get_priority_max(SCHED_FIFO);
+    if (options.priority < 0 || options.priority > highest)
+        return fail(Errc::InvalidArgument, fmt::format("real-time priority {} is not 0 to {}", options.priority, highest));
+    for (const int processor : options.processors)
+        if (processor < 0 || processor >= CPU_SETSIZE)
+            return fail(Errc::InvalidArgument, fmt::format("processor {} is not 0 to {}", processor, CPU_SETSIZE - 1));
+    if (options.search < 0us || options.search > longestSearch)
+        return fail(Errc::InvalidArgument, fmt::format("a search of {} us is not 0 to {} us", options.search.count(),
+                                                       std::chrono::microseconds(longestSearch).count()));
+    return ok();
+}
+
+Result<void> takePriority(int priority)
+{
+    if (priority == 0)
+        return ok();
+    sched_param parameters{};
+    parameters.sched_priority = priority;
+    if (const int error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters); error != 0)
+        return fail(Errc::Forbidden, fmt::format("real-time priority {} is not permitted to this user ({}): allow it with `rtprio` in "
+                                                 "/etc/security/limits.d, with LimitRTPRIO= in the systemd unit, or with CAP_SYS_NICE",
+                                                 priority, std::strerror(error)));
+    return ok();
+}
+
+Result<void> takeProcessors(const std::vector<int>& processors)
+{
+    if (processors.empty())
+        return ok();
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    for (const int processor : processors)
+        CPU_SET(processor, &set);
+    if (const int error = ::pthread_setaffinity_np(::pthread_self(), sizeof set, &set); error != 0)
+        return fail(Errc::InvalidArgument, fmt::format("none of the chosen processors may be used here ({}): `nproc --all` and "
+                                                       "`taskset -p $$` say which there are",
+                                                       std::strerror(error)));
+    return ok();
+}
+
+Result<void> takeThread(const RealTimeOptions& options)
+{
+    auto taken = takeProcessors(options.processors);
+    return taken ? takePriority(options.priority) : taken;
+}
+
+} // namespace
+
+Result<void> prepareRealTime(const RealTimeOptions& options)
+{
+    auto done = checkValues(options);
+    if (done)
+        done = checkCardSearch(options.cardSearch);
+    if (!done)
+        return done;
+    std::thread trial([&] { done = takeThread(options); });
+    trial.join();
+    if (!done)
+        return done;
+    if (options.lockMemory && ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
+        return fail(Errc::Forbidden, fmt::format("memory cannot be locked ({}): allow it with `memlock unlimited` in "
+                                                 "/etc/security/limits.d, with LimitMEMLOCK=infinity in the systemd unit, or with "
+                                                 "CAP_IPC_LOCK",
+                                                 std::strerror(errno)));
+    return ok();
+}
+
+void runAsOrdinaryThread()
+{
+    const sched_param parameters{};
+    (void)::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &parameters); // less is always permitted
+}
+
+void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options)
+{
+    (void)takeThread(options); // it was permitted when it was tried
+    if (options.search <= 0us) {
+        context.run();
+        return;
+    }
+    auto worked = std::chrono::steady_clock::now();
+    while (!context.stopped()) {
+        if (context.poll() > 0)
+            worked = std::chrono::steady_clock::now();
+        else if (std::chrono::steady_clock::now() - worked > options.search && context.run_one() > 0)
+            worked = std::chrono::steady_clock::now();
+    }
+}
+
+} // namespace liena::system

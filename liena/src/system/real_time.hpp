@@ -1,0 +1,23 @@
+// What a process asks of the scheduler and of memory so that its network thread is not kept waiting (sched(7), mlockall(2)).
+#pragma once
+
+#include "liena/error.hpp"
+#include "liena/settings.hpp"
+
+namespace boost::asio {
+class io_context;
+}
+
+namespace liena::system {
+
+/// Checks all options, on a thread of its own where they belong to a thread, and locks the memory. The error names what is not permitted
+/// and how to permit it.
+Result<void> prepareRealTime(const RealTimeOptions& options);
+
+/// The network thread's life: takes priority and processors, then works until the context is stopped.
+void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options);
+
+/// For a thread that the network thread makes and that must not stand in its way: threads inherit their priority.
+void runAsOrdinaryThread();
+
+} // namespace liena::system

@@ -1,0 +1,26 @@
+// Bulk lanes of any session that leave by one interface come to even rates where they wait in one queue.
+#pragma once
+
+#include <vector>
+
+namespace liena::tasks {
+
+class PathRate;
+
+/// Pure. Each lane finds its rate by itself, and two that grow and yield in proportion keep whatever proportion they met in. So
+/// whenever one of them meets a queue, the fastest that waits as long gives a part of its excess to those below the mean: the sum stays.
+/// Who waits for less or more than the others has a bottleneck of its own, and is left alone.
+class FairShare {
+public:
+    /// From now on the lane has something to send. Each call but the first of several changes nothing.
+    void enter(PathRate& rate);
+    void leave(PathRate& rate);
+
+    /// `met` met a queue and has yielded.
+    void even(const PathRate& met);
+
+private:
+    std::vector<PathRate*> m_busy;
+};
+
+} // namespace liena::tasks

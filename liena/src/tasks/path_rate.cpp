@@ -1,0 +1,159 @@
+// Growing and yielding.
+#include "tasks/path_rate.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace liena::tasks {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto shortestWindow = 2ms; // between decisions, however near the peer is
+constexpr auto gentlePause = 20ms;   // between two steps near the ceiling
+constexpr auto alwaysTolerated = 300us;
+constexpr auto mostUnrest = 500us;           // of a long path
+constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
+constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
+constexpr double margin = 0.93;              // of what was delivered while a queue stood
+constexpr double quickest = 1.25;            // a step while nothing is known
+constexpr double gentle = 1.01;              // a step near the ceiling
+constexpr double nearCeiling = 0.9;          // gently from here
+constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
+constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
+constexpr std::size_t smallestSegment = 4096;
+constexpr std::size_t largestSegment = 16384;
+
+double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+
+} // namespace
+
+PathRate::~PathRate() { shareWith(nullptr); }
+
+void PathRate::shareWith(std::shared_ptr<FairShare> share)
+{
+    if (m_share)
+        m_share->leave(*this);
+    m_share = std::move(share);
+}
+
+void PathRate::restart()
+{
+    m_window.reset();
+    m_burst.reset();
+    m_draining = false;
+    m_effective = 0;
+}
+
+void PathRate::pause(Instant now)
+{
+    if (m_share)
+        m_share->leave(*this);
+    m_window.reset();
+    m_draining = false; // it drains by itself
+    if (m_burst && !m_burst->end)
+        m_burst->end = now;
+}
+
+void PathRate::observe(const transport::PathFacts& facts, Instant now)
+{
+    if (facts.bytesAcknowledged < provenBytes)
+        return;
+    m_waiting = facts.roundTrip - facts.leastRoundTrip;
+    if (m_share)
+        m_share->enter(*this);
+    if (!m_window) {
+        if (m_burst)
+            judgeBurst(facts, now);
+        m_burst = Burst{now, std::nullopt, facts.bytesSent};
+        m_window = Window{now, facts.bytesAcknowledged, facts.windowClosed, true};
+        return;
+    }
+    if (m_draining && !hasQueue(facts))
+        m_draining = false;
+    const auto elapsed = now - m_window->begin;
+    if (elapsed < std::max<Nanoseconds>(shortestWindow, facts.leastRoundTrip))
+        return;
+    const Window ended = std::exchange(*m_window, Window{now, facts.bytesAcknowledged, facts.windowClosed, false});
+    if (ended.first && facts.leastRoundTrip > shortestWindow)
+        return; // nothing of it is acknowledged yet
+    const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
+    m_burst.reset();
+    const double delivered = static_cast<double>(facts.bytesAcknowledged - ended.acknowledged) / secondsOf(elapsed);
+    if (hasQueue(facts)) {
+        if (isEffective(facts) || delivered * margin < m_rate * used)
+            meetQueue(facts, delivered, now);
+    } else if (!receiverLimits && delivered > m_rate * used) {
+        grow(now);
+    }
+}
+
+/// It was over before its acknowledgements came; what they said of it is known when the next one begins.
+void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
+{
+    constexpr double leastBytes = 4096;  // fewer meet no queue of their own
+    constexpr double leastProof = 0.002; // seconds at the present rate: shorter bursts do not show that the path carries more
+    const double bytes = static_cast<double>(facts.bytesSent - m_burst->bytesSent);
+    const double seconds = std::max(secondsOf(m_burst->end.value_or(now) - m_burst->begin), bytes / m_rate);
+    if (bytes < leastBytes || !isEffective(facts))
+        return;
+    if (hasQueue(facts))
+        meetQueue(facts, bytes / (seconds + secondsOf(facts.roundTrip - facts.leastRoundTrip)), now);
+    else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof)
+        grow(now);
+    m_draining = false; // it had the pause for that
+}
+
+bool PathRate::isEffective(const transport::PathFacts& facts) const { return facts.bytesAcknowledged >= m_effective; }
+
+bool PathRate::hasQueue(const transport::PathFacts& facts) const { return facts.roundTrip - facts.leastRoundTrip > tolerated(facts); }
+
+/// A path's own unrest, and two of our segments.
+PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
+{
+    const std::chrono::duration<double> segments(2 * static_cast<double>(segment()) / m_rate);
+    return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(segments) +
+           std::min<Nanoseconds>(facts.leastRoundTrip / 16, mostUnrest);
+}
+
+void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, Instant now)
+{
+    m_ceiling = std::clamp(delivered, least, most);
+    m_rate = std::clamp(std::min(m_rate, delivered) * margin, least, most);
+    m_draining = true;
+    m_step = gentle;
+    m_nextStep = now + gentlePause;
+    m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
+    if (m_share)
+        m_share->even(*this);
+}
+
+void PathRate::shift(double bytesPerSecond)
+{
+    m_rate = std::clamp(m_rate + bytesPerSecond, least, most);
+    if (m_ceiling)
+        m_ceiling = std::clamp(*m_ceiling + bytesPerSecond, least, most);
+}
+
+void PathRate::grow(Instant now)
+{
+    if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
+        m_rate = std::min(m_rate * quickest, most);
+        return;
+    }
+    if (now < m_nextStep)
+        return;
+    m_rate = std::min(m_rate * m_step, most);
+    if (m_rate > *m_ceiling)
+        m_step = std::min(1 + (m_step - 1) * bolder, quickest);
+    m_nextStep = m_step < quickest ? now + gentlePause : now;
+}
+
+std::size_t PathRate::segment() const
+{
+    const auto half = static_cast<std::size_t>(m_rate * 0.0005);
+    return std::clamp(half / smallestSegment * smallestSegment, smallestSegment, largestSegment);
+}
+
+} // namespace liena::tasks

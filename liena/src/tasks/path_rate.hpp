@@ -1,0 +1,101 @@
+// How fast bulk may leave so that no queue builds on the path: control then finds it empty.
+#pragma once
+
+#include "tasks/fair_share.hpp"
+#include "transport/path_facts.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace liena::tasks {
+
+/// Pure. The rate grows while a round trip takes what it takes on the idle path, and falls below what was delivered as soon as it takes
+/// longer: the difference is a queue that control would wait behind. Growth is quick up to the rate at which a queue was met last, gentle
+/// near it, and bolder with each step beyond it, so that a path that heals is used within moments.
+///
+/// In the spirit of delay-based congestion control (LEDBAT, RFC 6817; TIMELY, SIGCOMM 2015), with the kernel's own congestion control
+/// below it: that one decides what the network bears at all.
+class PathRate {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    static constexpr double least = 125'000;    ///< bytes per second: 1 Mbit/s
+    static constexpr double first = 12'500'000; ///< before anything is known: 100 Mbit/s
+    static constexpr double most = 12.5e9;      ///< 100 Gbit/s: no limit worth the name
+
+    PathRate() = default;
+    ~PathRate();
+    PathRate(const PathRate&) = delete;
+    PathRate& operator=(const PathRate&) = delete;
+
+    /// With whom it shares the interface; null: with nobody.
+    void shareWith(std::shared_ptr<FairShare> share);
+
+    /// While something is being sent: at each write that begins or ends.
+    void observe(const transport::PathFacts& facts, Instant now);
+
+    /// From now on the facts are those of another connection.
+    void restart();
+
+    /// There is nothing more to send for now.
+    void pause(Instant now);
+
+    /// Bytes per second at which to send.
+    double rate() const { return m_draining ? m_rate * drain : m_rate; }
+
+    /// The rate without the moments in which a queue drains.
+    double steady() const { return m_rate; }
+
+    /// Moves the rate, and what it remembers as the path's, by so many bytes per second.
+    void shift(double bytesPerSecond);
+
+    /// In queues before the narrowest place, as last seen.
+    Nanoseconds waiting() const { return m_waiting; }
+
+    /// Bytes per second that the path is known to carry; nothing until it was filled once.
+    std::optional<double> known() const { return m_ceiling ? std::optional(m_rate) : std::nullopt; }
+
+    /// The largest segment in bytes that a control message should wait for: half a millisecond of the path, within bounds.
+    std::size_t segment() const;
+
+private:
+    /// From one decision to the next.
+    struct Window {
+        Instant begin;
+        std::uint64_t acknowledged = 0;
+        Nanoseconds windowClosed{};
+        bool first = true; ///< after a pause: the acknowledgements of what was sent in it are still to come
+    };
+
+    struct Burst {
+        Instant begin;
+        std::optional<Instant> end;
+        std::uint64_t bytesSent = 0; ///< before it
+    };
+
+    static constexpr double drain = 0.25; ///< of the rate, while a queue drains
+
+    void judgeBurst(const transport::PathFacts& facts, Instant now);
+    bool isEffective(const transport::PathFacts& facts) const;
+    bool hasQueue(const transport::PathFacts& facts) const;
+    Nanoseconds tolerated(const transport::PathFacts& facts) const;
+    void meetQueue(const transport::PathFacts& facts, double delivered, Instant now);
+    void grow(Instant now);
+
+    std::shared_ptr<FairShare> m_share;
+    Nanoseconds m_waiting{};
+    double m_rate = first;
+    std::optional<double> m_ceiling; ///< delivered when a queue was met last
+    bool m_draining = false;
+    std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
+    double m_step = 1;             ///< the next one near the ceiling
+    Instant m_nextStep{};
+    std::optional<Window> m_window;
+    std::optional<Burst> m_burst; ///< nothing was decided since it began
+};
+
+} // namespace liena::tasks

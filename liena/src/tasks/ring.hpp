@@ -1,0 +1,34 @@
+// A queue that keeps its memory while it is short: a message that comes and goes asks for none.
+#pragma once
+
+#include <boost/circular_buffer.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace liena::tasks {
+
+template <typename T>
+using Ring = boost::circular_buffer<T>;
+
+/// Behind the last one, whatever the ring's capacity was.
+template <typename T>
+void append(Ring<T>& ring, T value)
+{
+    constexpr std::size_t fewest = 8;
+    if (ring.full())
+        ring.set_capacity(std::max(fewest, 2 * ring.capacity()));
+    ring.push_back(std::move(value));
+}
+
+/// After what was taken away: a burst's memory is given back.
+template <typename T>
+void settle(Ring<T>& ring)
+{
+    constexpr std::size_t longest = 64;
+    if (ring.empty() && ring.capacity() > longest)
+        ring.set_capacity(longest);
+}
+
+} // namespace liena::tasks

@@ -1,0 +1,77 @@
+// One end of a TCP connection, in the clear or under TLS: what can be read or written at once.
+#pragma once
+
+#include "security/openssl_types.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <openssl/ssl.h>
+
+namespace liena::transport {
+
+/// Never waits. One thread at a time, whichever; the descriptor is its owner's and outlives it.
+class StreamEnd {
+public:
+    enum class Need : std::uint8_t { Nothing, Readable, Writable };
+
+    struct Failure {
+        std::string detail;
+        bool tls = false; ///< TLS ended it, over a certificate or a forged byte
+    };
+
+    /// What was done, and what has to come first before anything more can be done.
+    struct Step {
+        std::size_t bytes = 0;
+        Need need = Need::Nothing;
+        std::optional<Failure> failure;
+    };
+
+    using Parts = std::span<const std::span<const std::byte>>;
+
+    explicit StreamEnd(int descriptor) : m_wire{descriptor} {}
+    StreamEnd(const StreamEnd&) = delete;
+    StreamEnd& operator=(const StreamEnd&) = delete;
+
+    /// False when there is no memory for it.
+    bool secure(SSL_CTX* context, bool asServer);
+    SSL* tls() const { return m_tls.get(); }
+
+    /// Nothing is needed any more when it is done.
+    Step shakeHands();
+
+    /// At least one byte, or what is needed for it; no more than fit, and no more than about `most`.
+    Step read(std::span<std::byte> buffer, std::size_t most);
+
+    /// The bytes of `parts` behind the first `done` of them; about `most` at once.
+    Step write(Parts parts, std::size_t done, std::size_t most);
+
+    /// Whether read() may find something without waiting.
+    bool mayHaveMore() const;
+
+    /// The kernel joins what is written to packets of up to 64 KiB and sends each in one burst, behind which a control message of another
+    /// connection waits: from now on it is given no more than this at a time, and told to keep two writes apart. 0: as it likes.
+    void limitBursts(std::size_t bytes);
+
+    /// What TLS calls to reach the socket.
+    struct Wire {
+        int descriptor;
+        std::size_t burst = 0;
+        int error = 0;        ///< of the last call that failed
+        bool drained = false; ///< the last read found no more
+    };
+
+private:
+    Step readClear(std::span<std::byte> buffer);
+    Step writeClear(Parts parts, std::size_t done);
+    Step explain(int result, Step step);
+
+    Wire m_wire;
+    std::size_t m_burst = 0;
+    security::SslPtr m_tls;
+};
+
+} // namespace liena::transport

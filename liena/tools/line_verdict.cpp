@@ -1,0 +1,174 @@
+// Figures out of phases, and each against its limits.
+#include "line_verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace liena::tools {
+
+namespace {
+
+double milliseconds(std::uint64_t ns) { return static_cast<double>(ns) / 1e6; }
+
+double secondsOf(const ProbeFigures& figures) { return std::chrono::duration<double>(figures.spent).count(); }
+
+std::optional<double> roundTrip(const ProbeFigures& figures, std::string& why)
+{
+    if (figures.echoed == 0) {
+        why = "no echo came back";
+        return std::nullopt;
+    }
+    return milliseconds(figures.roundTrip.quantile(0.99));
+}
+
+/// Without a way by UDP nothing can be said of packets: a firewall is no loss.
+const ProbeFigures* packetsOf(const Measurement& measurement, std::string& why)
+{
+    const auto* phase = phaseOf(measurement, phases::paced);
+    if (phase == nullptr || phase->packets.sent == 0) {
+        why = "packets were not measured";
+        return nullptr;
+    }
+    if (phase->packets.echoed == 0) {
+        why = "no packet came back: UDP does not pass (a firewall?), so commands travel by TCP alone";
+        return nullptr;
+    }
+    return &phase->packets;
+}
+
+std::optional<double> lossOf(const Measurement& measurement, std::string& why)
+{
+    const auto* packets = packetsOf(measurement, why);
+    if (packets == nullptr)
+        return std::nullopt;
+    return 100.0 * (1.0 - static_cast<double>(packets->echoed) / static_cast<double>(packets->sent));
+}
+
+/// ITU-T Y.1541 calls it IPDV: the 99.9th percentile less the least; here of the way there and back.
+std::optional<double> jitterOf(const Measurement& measurement, std::string& why)
+{
+    const auto* packets = packetsOf(measurement, why);
+    if (packets == nullptr)
+        return std::nullopt;
+    return milliseconds(packets->roundTrip.quantile(0.999) - packets->roundTrip.least());
+}
+
+std::optional<double> imageRateOf(const Measurement& measurement, std::string& why)
+{
+    const auto* phase = phaseOf(measurement, phases::images);
+    const auto* most = phase != nullptr ? &phase->images : nullptr;
+    if (most == nullptr || most->limited) {
+        why = most == nullptr ? "was not measured, since that fills the line" : "the budget for measuring is less than the line may carry";
+        return std::nullopt;
+    }
+    if (most->echoed == 0 || secondsOf(*most) <= 0) {
+        why = "no image arrived in time";
+        return 0.0;
+    }
+    return static_cast<double>(most->echoed) * most->asked.bytes / secondsOf(*most) / 1e6;
+}
+
+std::optional<double> imagesCarried(const ProbeFigures& images)
+{
+    const auto due = images.sent + images.withheld;
+    return due > 0 ? std::optional(100.0 * static_cast<double>(images.echoed) / static_cast<double>(due)) : std::nullopt;
+}
+
+std::optional<double> besideImages(Figure figure, const Measurement& measurement, std::string& why)
+{
+    const auto* phase = phaseOf(measurement, phases::besideImages);
+    if (phase == nullptr || phase->images.sent == 0) {
+        why = "images were not measured";
+        return std::nullopt;
+    }
+    if (phase->images.limited)
+        why = fmt::format("measured with {:.1f} images a second, which is what the budget allows, not {:.1f}", phase->images.perSecond,
+                          phase->images.asked.perSecond);
+    if (figure == Figure::RoundTripBesideImages)
+        return roundTrip(phase->prompt, why);
+    if (figure == Figure::ImagesCarried)
+        return imagesCarried(phase->images);
+    return roundTrip(phase->images, why);
+}
+
+JudgedFigure judgeFigure(const FigureKind& kind, const Measurement& measurement, const LineProfile& profile)
+{
+    JudgedFigure judged;
+    judged.figure = kind.figure;
+    std::string why;
+    judged.value = valueOf(kind.figure, measurement, why);
+    if (const auto limits = profile.limits.find(kind.figure); limits != profile.limits.end())
+        judged.limits = limits->second;
+    judged.reason = why;
+    if (!judged.limits)
+        return judged;
+    if (!judged.value || !why.empty())
+        judged.verdict = Verdict::Caution;
+    if (!judged.value)
+        return judged;
+    const auto within = [&](double limit) { return kind.leastWanted ? *judged.value >= limit : *judged.value <= limit; };
+    const auto found = within(judged.limits->go) ? Verdict::Go : within(judged.limits->caution) ? Verdict::Caution : Verdict::NoGo;
+    judged.verdict = std::max(judged.verdict, found);
+    if (found != Verdict::Go)
+        judged.reason =
+            fmt::format("{:.3g} {} is {} {:g} {}{}{}", *judged.value, kind.unit, kind.leastWanted ? "less than" : "more than",
+                        found == Verdict::NoGo ? judged.limits->caution : judged.limits->go, kind.unit, why.empty() ? "" : "; ", why);
+    return judged;
+}
+
+} // namespace
+
+std::string_view wordOf(Verdict verdict)
+{
+    switch (verdict) {
+    case Verdict::Go:
+        return "GO";
+    case Verdict::Caution:
+        return "CAUTION";
+    case Verdict::NoGo:
+        break;
+    }
+    return "NO-GO";
+}
+
+const PhaseFigures* phaseOf(const Measurement& measurement, std::string_view name)
+{
+    const auto& all = measurement.phases;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const PhaseFigures& phase) { return phase.name == name; });
+    return found != all.end() ? &*found : nullptr;
+}
+
+std::optional<double> valueOf(Figure figure, const Measurement& measurement, std::string& why)
+{
+    switch (figure) {
+    case Figure::RoundTrip: {
+        const auto* phase = phaseOf(measurement, phases::paced);
+        why = phase != nullptr ? "" : "commands were not measured";
+        return phase != nullptr ? roundTrip(phase->prompt, why) : std::nullopt;
+    }
+    case Figure::Jitter:
+        return jitterOf(measurement, why);
+    case Figure::Loss:
+        return lossOf(measurement, why);
+    case Figure::ImageRate:
+        return imageRateOf(measurement, why);
+    case Figure::RoundTripBesideImages:
+    case Figure::ImagesCarried:
+    case Figure::ImageDelivery:
+        break;
+    }
+    return besideImages(figure, measurement, why);
+}
+
+LineVerdict judge(const Measurement& measurement, const LineProfile& profile)
+{
+    LineVerdict judged;
+    for (const auto& kind : figureKinds) {
+        judged.figures.push_back(judgeFigure(kind, measurement, profile));
+        judged.verdict = std::max(judged.verdict, judged.figures.back().verdict);
+    }
+    return judged;
+}
+
+} // namespace liena::tools

@@ -1,0 +1,49 @@
+// Whether a line is good enough: the figures of a measurement against what a procedure asks.
+#pragma once
+
+#include "line_profile.hpp"
+
+#include <liena/measurement.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace liena::tools {
+
+/// The phases of a bench run, by name.
+namespace phases {
+inline constexpr auto paced = "paced";                ///< commands in their rhythm, and packets
+inline constexpr auto backToBack = "back-to-back";    ///< one command at a time, the next on its echo
+inline constexpr auto messages = "messages";          ///< as many commands as go
+inline constexpr auto besideImages = "beside-images"; ///< as paced, while images flow in theirs
+inline constexpr auto images = "images";              ///< as many images as go
+} // namespace phases
+
+enum class Verdict : std::uint8_t { Go, Caution, NoGo };
+
+/// `GO`, `CAUTION`, `NO-GO`.
+std::string_view wordOf(Verdict verdict);
+
+struct JudgedFigure {
+    Figure figure = Figure::RoundTrip;
+    std::optional<double> value;        ///< in the figure's unit; nothing when it could not be measured
+    std::optional<FigureLimits> limits; ///< nothing when the profile has none
+    Verdict verdict = Verdict::Go;
+    std::string reason; ///< for a person; empty when all is well
+};
+
+struct LineVerdict {
+    Verdict verdict = Verdict::Go;     ///< the worst of the figures'
+    std::vector<JudgedFigure> figures; ///< in the order of the table of figures
+};
+
+/// What of a measurement is a figure; nothing when it was not measured, `why` says the reason then.
+std::optional<double> valueOf(Figure figure, const Measurement& measurement, std::string& why);
+
+LineVerdict judge(const Measurement& measurement, const LineProfile& profile);
+
+/// The phase of that name; null when it was not measured.
+const PhaseFigures* phaseOf(const Measurement& measurement, std::string_view name);
+
+} // namespace liena::tools

@@ -1,0 +1,80 @@
+// Writing, and saying why it failed.
+#include "report_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace liena::tools {
+
+namespace {
+
+auto notWritten(const std::string& what, int error)
+{
+    const auto* remedy = error == ENOSPC || error == EDQUOT ? "; make room on the disk" : "";
+    return fail(Errc::FileUnwritable, fmt::format("{} was not written: {}{}", what, std::strerror(error), remedy));
+}
+
+/// 0, or why it failed.
+int writeAll(int descriptor, std::string_view content)
+{
+    while (!content.empty()) {
+        const auto count = ::write(descriptor, content.data(), content.size());
+        if (count < 0 && errno != EINTR)
+            return errno;
+        if (count > 0)
+            content.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return 0;
+}
+
+int writeAndClose(int descriptor, std::string_view content, bool synced)
+{
+    if (descriptor < 0)
+        return errno;
+    int error = writeAll(descriptor, content);
+    if (error == 0 && synced && ::fsync(descriptor) != 0)
+        error = errno;
+    if (::close(descriptor) != 0 && error == 0)
+        error = errno;
+    return error;
+}
+
+} // namespace
+
+Result<void> writeReport(const std::filesystem::path& file, std::string_view content)
+{
+    struct stat status {};
+    if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+        const int error = writeAndClose(::open(file.c_str(), O_WRONLY | O_CLOEXEC), content, false);
+        return error == 0 ? Result<void>(ok()) : notWritten(file.string(), error);
+    }
+    auto temporary = file.string() + ".XXXXXX";
+    const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+    if (descriptor < 0)
+        return notWritten(file.string(), errno);
+    constexpr mode_t readable = 0644;
+    (void)::fchmod(descriptor, readable);
+    int error = writeAndClose(descriptor, content, true);
+    if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0)
+        error = errno;
+    if (error == 0)
+        return ok();
+    ::unlink(temporary.c_str());
+    return notWritten(file.string(), error);
+}
+
+Result<void> printReport(std::string_view content)
+{
+    std::fflush(stdout);
+    const int error = writeAll(STDOUT_FILENO, content);
+    return error == 0 ? Result<void>(ok()) : notWritten("the report", error);
+}
+
+} // namespace liena::tools

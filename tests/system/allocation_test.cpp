@@ -1,0 +1,139 @@
+// The control path makes no request to the C++ heap: each of the two network threads' is counted while messages pass between two devices.
+// What OpenSSL takes with malloc for its records is not counted.
+#include "support/counting_new.hpp"
+#include "test_system.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <atomic>
+
+namespace {
+
+thread_local bool isNetworkThread = false;
+std::atomic<bool> counting = false;
+std::atomic<std::uint64_t> allocations = 0;
+
+} // namespace
+
+void liena::test::heapAsked()
+{
+    if (isNetworkThread && counting)
+        ++allocations;
+}
+
+using namespace liena;
+using namespace liena::test;
+
+namespace {
+
+constexpr auto armSet =
+    R"(<message-set xmlns="urn:liena:message-set:1" name="probe-arm" version="1.0" class="hand" manufacturer="9" type="1"
+             device-version="1" vendor="Test" title="Takes commands">
+  <message number="0x0101" name="Move" role="command" priority="control" title="By TCP">
+    <field name="number" type="uint32" title="Counts"/>
+    <field name="velocity" type="float32" min="-40" max="40" title="Any"/>
+  </message>
+  <message number="0x0102" name="Steer" role="command" priority="control" path="datagram" history="1" title="By UDP">
+    <field name="number" type="uint32" title="Counts"/>
+  </message>
+  <message number="0x0201" name="State" role="report" priority="status" title="The other way">
+    <field name="number" type="uint32" title="Counts"/>
+    <field name="force" type="float32[6]" title="Any"/>
+  </message>
+</message-set>
+)";
+constexpr auto deskSet = R"(<message-set xmlns="urn:liena:message-set:1" name="desk" version="1.0" class="brain" manufacturer="9" type="1"
+             device-version="1" vendor="Test" title="Gives commands"/>
+)";
+const DeviceSpec arm{"arm", "0x00048208", "probe-arm"};
+const DeviceSpec desk{"desk", "0x40048208", "desk"};
+
+Settings settingsOf(TestSystem& system, const std::string& name)
+{
+    const auto folder = system.folder() / "sets";
+    QDir().mkpath(QString::fromStdString(folder.string()));
+    for (const auto& [file, text] : {std::pair("probe-arm.xml", armSet), std::pair("desk.xml", deskSet)}) {
+        QFile out(QString::fromStdString((folder / file).string()));
+        if (!out.open(QIODevice::WriteOnly) || out.write(text) < 0)
+            throw std::runtime_error("cannot write the message sets");
+    }
+    auto settings = system.settingsOf(name);
+    settings.registry = {folder};
+    settings.log = [](const LogLine&) {};
+    return settings;
+}
+
+} // namespace
+
+class AllocationTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void messagesPassWithoutAskingForMemory_data()
+    {
+        QTest::addColumn<QString>("message");
+        QTest::addColumn<bool>("fromDesk");
+        QTest::newRow("a command by TCP") << "Move" << true;
+        QTest::newRow("a command by UDP") << "Steer" << true;
+        QTest::newRow("a report") << "State" << false;
+    }
+
+    void messagesPassWithoutAskingForMemory()
+    {
+        QFETCH(QString, message);
+        QFETCH(bool, fromDesk);
+        const auto name = message.toStdString();
+        constexpr std::uint32_t before = 200;
+        constexpr std::uint32_t counted = 1000;
+        TestSystem system({arm, desk}, {"arm desk"});
+        const auto armId = system.idOf("arm");
+        const auto deskId = system.idOf("desk");
+        std::atomic<bool> sending = false;
+        std::atomic<std::uint32_t> received = 0;
+        const auto receive = [&](DistributedSystem& device) {
+            if (!device.subscribe(name, [&](const Message& heard) { received = heard.get<std::uint32_t>(std::size_t{0}); }))
+                throw std::runtime_error("cannot subscribe");
+        };
+        const auto send = [&](DistributedSystem& device) {
+            device.every(std::chrono::milliseconds(1), [&, next = std::uint32_t{0}]() mutable {
+                if (!sending)
+                    return;
+                auto made = fromDesk ? device.command(armId, name) : device.report(name);
+                (void)device.send(fromDesk ? armId : deskId, std::move(made.value().set(std::size_t{0}, ++next)));
+            });
+        };
+        TestDevice armDevice(settingsOf(system, "arm"), fromDesk ? TestDevice::Setup(receive) : TestDevice::Setup(send));
+        TestDevice deskDevice(settingsOf(system, "desk"), fromDesk ? TestDevice::Setup(send) : TestDevice::Setup(receive));
+        QVERIFY(deskDevice->openChannel(armId));
+        QTRY_VERIFY(deskDevice.state(armId) == SessionState::Open && armDevice.state(deskId) == SessionState::Open);
+        QTRY_VERIFY(deskDevice->links().front().packetsHeardByPeer > 0 && armDevice->links().front().packetsHeardByPeer > 0);
+        for (auto* device : {&armDevice, &deskDevice})
+            (*device)->post([] { isNetworkThread = true; });
+        // Heartbeats, reports and figures of the link share the threads and may ask for some: as much as without messages.
+        const auto beats = [&] { return deskDevice->links().front().heartbeatsReceived; };
+        constexpr std::uint64_t quietBeats = 40;
+        const auto quietFrom = beats();
+        counting = true;
+        QTRY_VERIFY_WITH_TIMEOUT(beats() >= quietFrom + quietBeats, 30000);
+        const double quiet = static_cast<double>(allocations.exchange(0)) / static_cast<double>(quietBeats);
+        counting = false;
+
+        sending = true;
+        QTRY_VERIFY_WITH_TIMEOUT(received >= before, 30000);
+        const auto first = received.load();
+        const auto busyFrom = beats();
+        allocations = 0;
+        counting = true;
+        QTRY_VERIFY_WITH_TIMEOUT(received >= first + counted, 60000);
+        counting = false;
+        const auto asked = static_cast<double>(allocations.load());
+        const auto expected = quiet * static_cast<double>(beats() - busyFrom);
+        qInfo("%.0f allocations beside %u messages, %.0f expected without them", asked, received.load() - first, expected);
+        QVERIFY2(asked < 1.5 * expected + counted / 10.0, qPrintable(QString::number(asked)));
+    }
+};
+
+QTEST_GUILESS_MAIN(AllocationTest)
+#include "allocation_test.moc"

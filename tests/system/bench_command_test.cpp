@@ -1,0 +1,267 @@
+// `liena bench` as a biomedical engineer uses it: the three ways, what goes wrong, and that sessions are unharmed.
+#include "test_system.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTest>
+
+#include <atomic>
+
+using namespace liena;
+using namespace liena::test;
+using Kind = SessionEvent::Kind;
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    QString output;
+    QString errors;
+};
+
+const QString program = QStringLiteral(LIENA_PROGRAM_DIR "/liena");
+constexpr int longest = 60'000;
+
+Outcome outcomeOf(QProcess& process)
+{
+    if (!process.waitForFinished(longest) || process.exitStatus() != QProcess::NormalExit)
+        return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
+}
+
+Outcome run(const QStringList& arguments)
+{
+    QProcess process;
+    process.start(program, arguments);
+    return outcomeOf(process);
+}
+
+QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+/// What any line keeps that works at all, under sanitizers and on a busy machine.
+constexpr auto patient = "commands 100 /s\nframes 5 /s\nimage 20 KiB\nround-trip-p99 50000 ms 60000 ms\n"
+                         "round-trip-beside-images-p99 50000 ms 60000 ms\nimages-carried 10 % 5 %\n";
+
+struct Stage {
+    TestSystem system{{reference::cockpit, reference::robot, reference::arm}, {"cockpit robot"}};
+    DeviceId cockpitId = system.idOf("cockpit");
+    DeviceId robotId = system.idOf("robot");
+
+    Stage() { write("patient.profile", patient); }
+
+    QString write(const char* name, const QByteArray& content) const
+    {
+        QFile file(text(system.folder() / name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+            throw std::runtime_error("cannot write a profile");
+        return file.fileName();
+    }
+
+    QStringList bench(const QStringList& more, const char* to = "robot", const QString& profile = {})
+    {
+        const auto own = system.settingsOf("cockpit");
+        const bool named = more.contains(QStringLiteral("--seconds"));
+        const auto seconds = named ? QStringList() : QStringList{QStringLiteral("--seconds"), QStringLiteral("1")};
+        return QStringList{QStringLiteral("bench"),
+                           QStringLiteral("--topology"),
+                           text(own.topology),
+                           QStringLiteral("--from"),
+                           QStringLiteral("cockpit"),
+                           QStringLiteral("--to"),
+                           QString::fromLatin1(to),
+                           QStringLiteral("--pki"),
+                           text(own.certificate.parent_path()),
+                           QStringLiteral("--registry"),
+                           text(own.registry.front()),
+                           QStringLiteral("--store"),
+                           text(system.folder() / "bench-sets"),
+                           QStringLiteral("--folder"),
+                           text(own.status),
+                           QStringLiteral("--profile"),
+                           profile.isEmpty() ? text(system.folder() / "patient.profile") : profile} +
+               seconds + more;
+    }
+};
+
+bool harmed(const TestDevice& device)
+{
+    return device.heard(Kind::Lost) || device.heard(Kind::Interrupted) || device.heard(Kind::StandByBegan);
+}
+
+QString said(const Outcome& outcome) { return QString::number(outcome.status) + QLatin1Char('\n') + outcome.output + outcome.errors; }
+
+} // namespace
+
+class BenchCommandTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void bothDevicesOnThisComputer()
+    {
+        Stage stage;
+        const auto svg = text(stage.system.folder() / "line.svg");
+        const auto found = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), svg}));
+        QVERIFY2(found.status == 0, qPrintable(said(found)));
+        QVERIFY2(found.output.startsWith(QStringLiteral("GO: the line from cockpit to robot (both on this computer)")),
+                 qPrintable(found.output));
+        for (const char* row : {"commands, paced", "commands, back to back", "commands beside images", "packets by UDP", "images at most"})
+            QVERIFY2(found.output.contains(QLatin1String(row)), qPrintable(found.output));
+        QFile plot(svg);
+        QVERIFY(plot.open(QIODevice::ReadOnly));
+        QVERIFY(plot.readAll().endsWith("</svg>\n"));
+        QCOMPARE(QDir(QDir::tempPath()).entryList({QStringLiteral("liena-bench.*")}, QDir::Dirs).size(), 0);
+    }
+
+    void theExitStatusIsTheVerdict()
+    {
+        Stage stage;
+        const auto impossible = stage.write("impossible.profile", "commands 50 /s\nround-trip-p99 0 ms 0 ms\n");
+        const auto found = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--json")}, "robot", impossible));
+        QVERIFY2(found.status == 4, qPrintable(said(found)));
+        const auto json = QJsonDocument::fromJson(found.output.toUtf8()).object();
+        QCOMPARE(json["verdict"].toString(), QStringLiteral("NO-GO"));
+        QCOMPARE(json["measurement"].toObject()["phases"].toArray().size(), 5);
+        const auto unsure = stage.write("unsure.profile", "commands 50 /s\nround-trip-p99 0 ms 60000 ms\n");
+        QCOMPARE(run(stage.bench({QStringLiteral("--local")}, "robot", unsure)).status, 3);
+    }
+
+    void inTheDevicesPlace()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        for (int times = 1; times <= 2; ++times) { // and again, at once
+            const auto found = run(stage.bench({}));
+            QVERIFY2(found.status == 0, qPrintable(said(found) + QString::fromStdString(robot.story())));
+            QTRY_COMPARE(robot.events(Kind::Closed).size(), static_cast<std::size_t>(times));
+        }
+        QVERIFY2(!harmed(robot), robot.story().c_str());
+        QCOMPARE(words(robot.state(stage.cockpitId)), words(SessionState::Closed));
+    }
+
+    void insideALiveSession()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        auto settings = stage.system.settingsOf("cockpit");
+        settings.measureOnRequest = true;
+        std::atomic<int> sent = 0;
+        TestDevice cockpit(settings, [&](DistributedSystem& system) {
+            system.every(std::chrono::milliseconds(50), [&] {
+                auto command = system.command(stage.robotId, "GripperCommand");
+                sent += command && system.send(stage.robotId, std::move(command.value())) ? 1 : 0;
+            });
+        });
+        const auto early = run(stage.bench({QStringLiteral("--live")}));
+        QVERIFY2(early.status == 1 && early.errors.contains(QStringLiteral("closed")), qPrintable(said(early)));
+        QVERIFY(cockpit->openChannel(stage.robotId));
+        QTRY_VERIFY(sent > 2);
+        const auto found = run(stage.bench({QStringLiteral("--live"), QStringLiteral("--commands"), QStringLiteral("1000")}));
+        QVERIFY2(found.status == 0, qPrintable(said(found)));
+        QVERIFY2(found.output.contains(QStringLiteral("budget: 200 probes a second")), qPrintable(found.output));
+        QVERIFY2(found.output.contains(QStringLiteral("a device is in use")), qPrintable(found.output));
+        const auto commands = static_cast<std::size_t>(sent.load());
+        QTRY_VERIFY(robot.messages("GripperCommand").size() >= commands);
+        QVERIFY2(!harmed(robot) && !harmed(cockpit), cockpit.story().c_str());
+        QCOMPARE(words(cockpit.state(stage.robotId)), words(SessionState::Open));
+    }
+
+    void whoLeavesEndsItsMeasurement()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        auto settings = stage.system.settingsOf("cockpit");
+        settings.measureOnRequest = true;
+        TestDevice cockpit(settings);
+        QVERIFY(cockpit->openChannel(stage.robotId));
+        QTRY_VERIFY(robot.heard(Kind::Opened));
+        QProcess process;
+        process.start(program, stage.bench({QStringLiteral("--live"), QStringLiteral("--seconds"), QStringLiteral("30")}));
+        const auto before = robot->links().front().bytesReceived;
+        QTRY_VERIFY_WITH_TIMEOUT(robot->links().front().bytesReceived > before + 20'000, 20000); // it measures
+        process.terminate();
+        const auto stopped = outcomeOf(process);
+        QVERIFY2(stopped.status == 1 && stopped.errors.contains(QStringLiteral("stopped")), qPrintable(said(stopped)));
+        const auto again = [&] { return run(stage.bench({QStringLiteral("--live")})).status == 0; };
+        QTRY_VERIFY_WITH_TIMEOUT(again(), longest); // the line is free
+        QVERIFY2(!harmed(robot) && !harmed(cockpit), cockpit.story().c_str());
+    }
+
+    void aLiveDeviceThatTakesNoRequestsIsNamed()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        const auto none = run(stage.bench({QStringLiteral("--live")}));
+        QVERIFY2(none.status == 1 && none.errors.contains(QStringLiteral("cockpit does not run here")), qPrintable(said(none)));
+        TestDevice cockpit(stage.system.settingsOf("cockpit"));
+        const auto closed = run(stage.bench({QStringLiteral("--live")}));
+        QVERIFY2(closed.status == 1 && closed.errors.contains(QStringLiteral("--measure-on-request")), qPrintable(said(closed)));
+        const auto taken = run(stage.bench({}));
+        QVERIFY2(taken.status == 1 && taken.errors.contains(QStringLiteral("measure with --live")), qPrintable(said(taken)));
+    }
+
+    void anOrderToEndClosesInOrder()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        QProcess process;
+        process.start(program, stage.bench({QStringLiteral("--seconds"), QStringLiteral("60")}));
+        QTRY_VERIFY_WITH_TIMEOUT(robot.heard(Kind::Opened), 20000);
+        process.terminate();
+        const auto stopped = outcomeOf(process);
+        QVERIFY2(stopped.status == 1 && stopped.errors.contains(QStringLiteral("stopped")), qPrintable(said(stopped)));
+        QTRY_VERIFY2(robot.heard(Kind::Closed), robot.story().c_str());
+        QVERIFY2(!harmed(robot), robot.story().c_str());
+    }
+
+    void whatCannotBeMeasuredIsSaid()
+    {
+        Stage stage;
+        const auto unreachable = run(stage.bench({}));
+        QVERIFY2(unreachable.status == 1 && unreachable.errors.contains(QStringLiteral("no session with robot")),
+                 qPrintable(said(unreachable)));
+        QVERIFY(unreachable.errors.contains(QStringLiteral("liena probe robot")));
+        QVERIFY(run(stage.bench({}, "arm")).errors.contains(QStringLiteral("no link between cockpit and arm")));
+        QVERIFY(run(stage.bench({}, "scalpel")).errors.contains(QStringLiteral("scalpel")));
+        const auto profile = stage.write("wrong.profile", "loss 0.1 %\n");
+        const auto wrong = run(stage.bench({}, "robot", profile));
+        QVERIFY2(wrong.status == 1 && wrong.errors.contains(QStringLiteral("wrong.profile:1: write `loss")), qPrintable(said(wrong)));
+        QVERIFY(run(stage.bench({}, "robot", QStringLiteral("brain-surgery"))).errors.contains(QStringLiteral("no profile brain-surgery")));
+        QCOMPARE(run({QStringLiteral("bench")}).status, 2);
+        QCOMPARE(run(stage.bench({QStringLiteral("--live"), QStringLiteral("--local")})).status, 2);
+        QCOMPARE(run(stage.bench({QStringLiteral("--image"), QStringLiteral("9MiB")})).status, 2);
+        QFile(text(stage.system.topology())).remove();
+        QCOMPARE(run(stage.bench({})).status, 1);
+    }
+
+    void aRefusedMeasurementIsSaid()
+    {
+        Stage stage;
+        auto settings = stage.system.settingsOf("robot");
+        settings.measuring.allowed = false;
+        TestDevice robot(settings);
+        const auto refused = run(stage.bench({}));
+        QVERIFY2(refused.status == 1 && refused.errors.contains(QStringLiteral("robot refuses to be measured")), qPrintable(said(refused)));
+        QTRY_VERIFY(robot.heard(Kind::Closed));
+        QVERIFY(!harmed(robot));
+    }
+
+    void aFullDiskForTheReportIsSaid()
+    {
+        Stage stage;
+        QProcess process;
+        process.setStandardOutputFile(QStringLiteral("/dev/full"));
+        process.start(program, stage.bench({QStringLiteral("--local"), QStringLiteral("--json")}));
+        const auto full = outcomeOf(process);
+        QVERIFY2(full.status == 1 && full.errors.contains(QStringLiteral("make room on the disk")), qPrintable(said(full)));
+        const auto plot = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/dev/full")}));
+        QVERIFY2(plot.status == 1 && plot.errors.contains(QStringLiteral("/dev/full was not written")), qPrintable(said(plot)));
+        QVERIFY(plot.output.startsWith(QStringLiteral("GO: "))); // the figures are not lost with it
+    }
+};
+
+QTEST_GUILESS_MAIN(BenchCommandTest)
+#include "bench_command_test.moc"

@@ -1,0 +1,208 @@
+// The X-ray system on a way whose rate the test says: every picture tells its rung, and is what it tells.
+#include "test_system.hpp"
+#include "xray_device.hpp"
+
+#include <QTest>
+
+#include <atomic>
+#include <set>
+
+using namespace liena;
+using namespace liena::test;
+using namespace liena::devices;
+
+namespace {
+
+constexpr std::uint16_t edge = 64;
+constexpr double askedRate = 30;
+constexpr double rawLoad = edge * edge * 2 * askedRate;
+constexpr int patience = 30000;
+
+/// Grey ramps of 12 bits.
+class Ramp : public ImageSource {
+public:
+    std::string describe() const override { return "a ramp"; }
+
+    Result<void> next(const Exposure&, Picture& picture) override
+    {
+        picture.format = {};
+        picture.format.rows = picture.format.columns = edge;
+        picture.format.bitsStored = 12;
+        picture.format.windowCentre = 2048;
+        picture.format.windowWidth = 4096;
+        picture.pixels.resize(std::size_t(edge) * edge);
+        for (std::size_t pixel = 0; pixel < picture.pixels.size(); ++pixel)
+            picture.pixels[pixel] = static_cast<std::uint16_t>((pixel * 37 + pixel / edge * 101) % 4096);
+        return ok();
+    }
+};
+
+/// What one picture tells, and what it is.
+struct Said {
+    std::uint32_t frame = 0;
+    unsigned rung = 0;
+    double rate = 0;
+    double askedRate = 0;
+    Encoding askedEncoding = Encoding::Raw;
+    Encoding encoding = Encoding::Raw;
+    unsigned quality = 0;
+    std::vector<std::byte> pixels;
+};
+
+Said said(const Message& message)
+{
+    const auto pixels = message.get<std::span<const std::byte>>("pixels");
+    return {message.get<std::uint32_t>("frame"), message.get<unsigned>("rung"),           message.get<double>("rate"),
+            message.get<double>("asked_rate"),   message.get<Encoding>("asked_encoding"), message.get<Encoding>("encoding"),
+            message.get<unsigned>("quality"),    {pixels.begin(), pixels.end()}};
+}
+
+/// An X-ray system, and a cockpit that holds the pedal and keeps what it is told.
+class Theatre {
+public:
+    explicit Theatre(Reduction reduction)
+        : m_files({reference::cockpit, reference::xray}, {"cockpit xray"}),
+          m_xray(m_files.settingsOf("xray"), [this, reduction](DistributedSystem& system) { build(system, reduction); }),
+          m_cockpit(m_files.settingsOf("cockpit"), [this](DistributedSystem& system) { watch(system); })
+    {
+        (void)m_cockpit->openChannel(m_files.idOf("xray"));
+    }
+
+    ~Theatre()
+    {
+        m_cockpit->stop();
+        m_xray->stop();
+        m_device.reset();
+    }
+
+    void say(std::optional<double> rate) { m_rate = rate.value_or(-1); }
+
+    std::vector<Said> pictures() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_pictures;
+    }
+
+    std::optional<unsigned> newestRung() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_pictures.empty() ? std::nullopt : std::optional(m_pictures.back().rung);
+    }
+
+    double statedPulseRate() const { return m_pulseRate; }
+    std::string story() const { return m_cockpit.story() + m_xray.story(); }
+
+private:
+    void build(DistributedSystem& system, Reduction reduction)
+    {
+        XrayOptions options{std::make_unique<Ramp>(), Encoding::Raw, 0, reduction, {}};
+        options.links = [this, &system] {
+            auto links = system.links();
+            const double rate = m_rate;
+            for (LinkStatus& link : links) {
+                link.messagesSuperseded = 0; // a busy computer is another matter
+                link.bulkRate = rate >= 0 ? std::optional(rate) : std::nullopt;
+            }
+            return links;
+        };
+        m_device = std::move(XrayDevice::create(system, std::move(options), [](const LogLine&) {}).value());
+    }
+
+    void watch(DistributedSystem& system)
+    {
+        QVERIFY(system.subscribe("XrayFrame", [this](const Message& message) {
+            const std::lock_guard lock(m_mutex);
+            m_pictures.push_back(said(message));
+        }));
+        QVERIFY(system.subscribe("AcquisitionStatus", [this](const Message& message) { m_pulseRate = message.get<double>("pulse_rate"); }));
+        system.every(std::chrono::milliseconds(50), [this, &system] {
+            auto command = system.command(m_files.idOf("xray"), "AcquisitionCommand").value();
+            command.set("mode", "fluoroscopy").set("pulse_rate", askedRate).set("pedal", true).set("press", ++m_repeats / 100 + 1);
+            (void)system.send(m_files.idOf("xray"), command);
+        });
+    }
+
+    TestSystem m_files;
+    std::atomic<double> m_rate = -1;
+    std::atomic<double> m_pulseRate = 0;
+    std::uint32_t m_repeats = 0;
+    mutable std::mutex m_mutex;
+    std::vector<Said> m_pictures;
+    std::unique_ptr<XrayDevice> m_device;
+    TestDevice m_xray;
+    TestDevice m_cockpit;
+};
+
+bool isMarker(const Said& picture, std::size_t at, unsigned marker)
+{
+    return picture.pixels.size() > at + 1 && std::to_integer<unsigned>(picture.pixels[at]) == 0xFF &&
+           std::to_integer<unsigned>(picture.pixels[at + 1]) == marker;
+}
+
+/// What the bytes are, whatever the fields say.
+Encoding encodingOf(const Said& picture)
+{
+    if (picture.pixels.size() == std::size_t(edge) * edge * 2)
+        return Encoding::Raw;
+    return isMarker(picture, 2, 0xF7) ? Encoding::JpegLs : Encoding::Jpeg; // start of frame, ISO 14495-1
+}
+
+} // namespace
+
+class ReducedPicturesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyPictureIsWhatItSays()
+    {
+        const PictureLadder declared(Encoding::Raw, 0, Reduction::Lossy);
+        Theatre theatre(Reduction::Lossy);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.newestRung() == 0U, theatre.story().c_str(), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.statedPulseRate(), askedRate, patience);
+        for (const double share : {0.6, 0.1, 0.0}) {
+            const auto before = theatre.newestRung();
+            theatre.say(rawLoad * share);
+            QTRY_VERIFY2_WITH_TIMEOUT(theatre.newestRung() > before, theatre.story().c_str(), patience);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.statedPulseRate(), askedRate / 4, patience); // no pulses that nobody will see
+        theatre.say(rawLoad * 10);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.newestRung() == 0U, theatre.story().c_str(), patience);
+        std::set<unsigned> rungs;
+        for (const Said& picture : theatre.pictures()) {
+            rungs.insert(picture.rung);
+            const PictureRung& rung = declared.rungs().at(picture.rung);
+            QCOMPARE(picture.encoding, rung.encoding);
+            QCOMPARE(picture.encoding, encodingOf(picture));
+            QCOMPARE(picture.quality, rung.quality);
+            QCOMPARE(picture.rate, askedRate / rung.divisor);
+            QCOMPARE(picture.askedRate, askedRate);
+            QCOMPARE(picture.askedEncoding, Encoding::Raw);
+        }
+        QVERIFY(rungs.contains(0) && rungs.contains(1) && rungs.contains(11));
+    }
+
+    void neverSendsLossyPicturesWithoutPermission()
+    {
+        Theatre theatre(Reduction::Lossless);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.newestRung() == 0U, theatre.story().c_str(), patience);
+        theatre.say(0);
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.newestRung().value_or(0), 5U, patience);
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.statedPulseRate(), askedRate / 4, patience);
+        for (const Said& picture : theatre.pictures()) {
+            QVERIFY(picture.encoding != Encoding::Jpeg && encodingOf(picture) != Encoding::Jpeg);
+            QCOMPARE(picture.quality, 0U);
+        }
+    }
+
+    void staysAsAskedWithoutPermissionToReduce()
+    {
+        Theatre theatre(Reduction::None);
+        theatre.say(0);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.pictures().size() >= 20, theatre.story().c_str(), patience);
+        for (const Said& picture : theatre.pictures())
+            QVERIFY(picture.rung == 0 && encodingOf(picture) == Encoding::Raw && picture.rate == askedRate);
+    }
+};
+
+QTEST_GUILESS_MAIN(ReducedPicturesTest)
+#include "reduced_pictures_test.moc"

@@ -1,0 +1,65 @@
+// What the picture ladder hears of the links.
+#include "viewer_paths.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::devices;
+
+namespace {
+
+const DeviceId cockpit(0x40018208);
+const DeviceId recorder(0xE0018208);
+const DeviceId robot(0x00008208);
+
+LinkStatus link(DeviceId peer, std::uint64_t superseded, SessionState state = SessionState::Open)
+{
+    LinkStatus status;
+    status.peer = peer;
+    status.state = state;
+    status.messagesSuperseded = superseded;
+    return status;
+}
+
+} // namespace
+
+class ViewerPathsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void countsWhatWasReplacedSinceTheLastLook()
+    {
+        ViewerPaths paths({cockpit});
+        QCOMPARE(paths.read({link(cockpit, 3)}, {}).at(0).withheld, std::uint64_t(3));
+        QCOMPARE(paths.read({link(cockpit, 3)}, {}).at(0).withheld, std::uint64_t(0));
+        QCOMPARE(paths.read({link(cockpit, 5)}, {}).at(0).withheld, std::uint64_t(2));
+        QCOMPARE(paths.read({link(cockpit, 0)}, {}).at(0).withheld, std::uint64_t(0)); // a counter that begins anew
+    }
+
+    void addsWhatWasAcceptedAndLost()
+    {
+        ViewerPaths paths({cockpit, recorder});
+        const auto readings = paths.read({link(cockpit, 1), link(recorder, 0)}, {{cockpit, 2}});
+        QCOMPARE(readings.at(0).withheld, std::uint64_t(3));
+        QCOMPARE(readings.at(1).withheld, std::uint64_t(0));
+    }
+
+    void passesTheKnownRateOn()
+    {
+        ViewerPaths paths({cockpit});
+        LinkStatus status = link(cockpit, 0);
+        QVERIFY(!paths.read({status}, {}).at(0).bulkRate);
+        status.bulkRate = 2e6;
+        QCOMPARE(paths.read({status}, {}).at(0).bulkRate, std::optional(2e6));
+    }
+
+    void leavesOutWhoSeesNoPictures()
+    {
+        ViewerPaths paths({cockpit, recorder});
+        QVERIFY(paths.read({link(robot, 9), link(cockpit, 4, SessionState::StandBy)}, {{robot, 1}}).empty());
+        QCOMPARE(paths.read({link(cockpit, 4)}, {}).at(0).withheld, std::uint64_t(0)); // not what was lost before it came back
+    }
+};
+
+QTEST_GUILESS_MAIN(ViewerPathsTest)
+#include "viewer_paths_test.moc"

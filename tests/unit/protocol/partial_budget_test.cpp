@@ -1,0 +1,91 @@
+// The memory of partial messages: what is used, and the buffers that are used again.
+#include "protocol/partial_budget.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::protocol;
+
+class PartialBudgetTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void takesUpToItsLimit();
+    void recycledBufferServesTheNextMessage();
+    void shortBuffersAreNotKept();
+    void muchTooLargeBufferIsNotTaken();
+    void keepsNoMoreThanAQuarter();
+    void spareBuffersMakeRoomForThoseInUse();
+};
+
+void PartialBudgetTest::takesUpToItsLimit()
+{
+    PartialBudget budget(100);
+    QVERIFY(budget.take(60) && !budget.take(41) && budget.take(40));
+    budget.giveBack(60);
+    QCOMPARE(budget.used(), std::size_t{40});
+}
+
+void PartialBudgetTest::recycledBufferServesTheNextMessage()
+{
+    PartialBudget budget;
+    auto first = budget.buffer(1'000'000);
+    QVERIFY(first.bytes.empty() && first.bytes.capacity() >= 1'000'000);
+    const auto* place = first.bytes.data();
+    first.bytes.resize(5);
+    budget.release(first.room);
+    QCOMPARE(budget.kept(), std::size_t{0});
+    budget.recycle(std::move(first.bytes));
+    const auto kept = budget.kept();
+    QVERIFY(kept >= 1'000'000);
+    const auto second = budget.buffer(990'000);
+    QCOMPARE(second.bytes.data(), place);
+    QVERIFY(second.bytes.empty());
+    QCOMPARE(budget.kept(), kept); // as before, now in use
+    budget.release(second.room);
+    QCOMPARE(budget.kept(), std::size_t{0});
+}
+
+void PartialBudgetTest::shortBuffersAreNotKept()
+{
+    PartialBudget budget;
+    QCOMPARE(budget.buffer(1000).room, std::size_t{0});
+    budget.recycle(FieldBytes(1000));
+    QCOMPARE(budget.kept(), std::size_t{0});
+}
+
+void PartialBudgetTest::muchTooLargeBufferIsNotTaken()
+{
+    PartialBudget budget;
+    budget.recycle(FieldBytes(4'000'000));
+    const auto kept = budget.kept();
+    const auto buffer = budget.buffer(100'000);
+    QVERIFY(buffer.bytes.capacity() < 1'000'000);
+    QCOMPARE(budget.kept(), kept + buffer.room);
+}
+
+void PartialBudgetTest::keepsNoMoreThanAQuarter()
+{
+    PartialBudget budget(4'000'000);
+    QCOMPARE(budget.buffer(1'000'001).room, std::size_t{0});
+    const auto one = budget.buffer(600'000);
+    QCOMPARE(one.room, std::size_t{600'000});
+    QCOMPARE(budget.buffer(600'000).room, std::size_t{0}); // it grows as its bytes come
+    QCOMPARE(budget.kept(), std::size_t{600'000});
+    budget.recycle(FieldBytes(600'000)); // larger than an eighth
+    QCOMPARE(budget.kept(), std::size_t{600'000});
+}
+
+void PartialBudgetTest::spareBuffersMakeRoomForThoseInUse()
+{
+    PartialBudget budget(4'000'000);
+    budget.recycle(FieldBytes(400'000));
+    budget.recycle(FieldBytes(400'000));
+    QVERIFY(budget.kept() >= 800'000);
+    const auto needed = budget.buffer(950'000);
+    QCOMPARE(needed.room, std::size_t{950'000});
+    QCOMPARE(budget.kept(), needed.room);
+}
+
+QTEST_APPLESS_MAIN(PartialBudgetTest)
+#include "partial_budget_test.moc"

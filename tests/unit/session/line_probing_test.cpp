@@ -1,0 +1,213 @@
+// A measurement in virtual time: rhythms, windows, limits, loss, and what is withheld.
+#include "session/line_probing.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::session;
+using namespace std::chrono_literals;
+using protocol::ProbeWay;
+
+namespace {
+
+constexpr Instant start{1h};
+
+/// A line with a delay, which loses what it is told to lose.
+struct Line {
+    LineProbing probing;
+    Nanoseconds roundTrip = 4ms;
+    std::uint32_t loseEvery = 0; ///< packets
+    Nanoseconds imageTime{};     ///< that the line needs for one image
+    Instant now = start;
+    std::vector<LineProbing::Order> sent;
+    std::uint32_t heard[4] = {};
+
+    struct Echo {
+        Instant at;
+        protocol::ProbeEcho echo;
+    };
+    std::vector<Echo> onTheWay;
+    Instant lineFree = start;
+
+    Line(MeasurementPlan plan, MeasuringLimits limits = {}) : probing(std::move(plan), limits, start) {}
+
+    void send(const LineProbing::Order& order)
+    {
+        sent.push_back(order);
+        if (order.way == ProbeWay::Packet && loseEvery > 0 && order.sequence % loseEvery == 0)
+            return;
+        auto arrives = now;
+        if (order.way == ProbeWay::Image)
+            arrives = lineFree = std::max(lineFree, now) + imageTime;
+        const auto count = ++heard[static_cast<std::size_t>(order.way)];
+        onTheWay.push_back({arrives + roundTrip, {1, order.way, order.sequence, order.sentNs, count}});
+    }
+
+    /// Until nothing happens any more; true when the plan is over.
+    bool run()
+    {
+        for (int turns = 0; turns < 2'000'000 && !probing.isOver(); ++turns) {
+            while (const auto order = probing.next(now))
+                send(*order);
+            if (probing.isOver())
+                break;
+            const auto next = std::min_element(onTheWay.begin(), onTheWay.end(), [](const Echo& a, const Echo& b) { return a.at < b.at; });
+            const auto wake = std::max(now, probing.wakeAt());
+            if (next != onTheWay.end() && next->at <= wake) {
+                now = std::max(now, next->at);
+                const auto echo = next->echo;
+                onTheWay.erase(next);
+                probing.heard(echo, now);
+            } else {
+                now = std::max(wake, now + 1ns);
+            }
+        }
+        return probing.isOver();
+    }
+
+    const PhaseFigures& phase(std::size_t place = 0) const { return probing.figures().at(place); }
+};
+
+MeasurementPhase paced(double perSecond, Nanoseconds duration) { return {"paced", duration, {perSecond}, {}, {}}; }
+
+} // namespace
+
+class LineProbingTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void keepsItsRhythmAndFindsTheRoundTrip()
+    {
+        Line line({paced(500, 2s)});
+        QVERIFY(line.run());
+        const auto& prompt = line.phase().prompt;
+        QCOMPARE(prompt.sent, std::uint64_t{1000});
+        QCOMPARE(prompt.echoed, std::uint64_t{1000});
+        QCOMPARE(prompt.heard, std::uint64_t{1000});
+        QCOMPARE(prompt.withheld, std::uint64_t{0});
+        QVERIFY(!prompt.limited);
+        QCOMPARE(prompt.roundTrip.least(), std::uint64_t{4'000'000});
+        QCOMPARE(prompt.roundTrip.max(), std::uint64_t{4'000'000});
+        QVERIFY(line.now >= start + 2s && line.now < start + 2s + 10ms); // no longer than the last echo takes
+    }
+
+    void aLateSenderCountsAsLatencyAndLeavesNothingOut()
+    {
+        Line line({paced(500, 5s)});
+        const auto first = line.probing.next(line.now);
+        QVERIFY(first && !line.probing.next(line.now));
+        line.now += 50ms; // it did not run
+        for (std::uint64_t late = 1; late <= 25; ++late) {
+            const auto order = line.probing.next(line.now);
+            QVERIFY(order);
+            QCOMPARE(order->sentNs, first->sentNs + late * 2'000'000); // when it was due
+        }
+        QVERIFY(!line.probing.next(line.now));
+        line.now += 3s; // what is as late as that is not made up for
+        QVERIFY(line.probing.next(line.now) && !line.probing.next(line.now));
+    }
+
+    void backToBackSendsTheNextOnTheEcho()
+    {
+        Line line({{"back-to-back", 1s, {0, 1, 64}, {}, {}}});
+        QVERIFY(line.run());
+        QCOMPARE(line.phase().prompt.sent, std::uint64_t{250}); // 4 ms each
+        QCOMPARE(line.phase().prompt.echoed, std::uint64_t{250});
+        for (std::size_t i = 1; i < line.sent.size(); ++i)
+            QCOMPARE(line.sent[i].sentNs - line.sent[i - 1].sentNs, std::uint64_t{4'000'000});
+    }
+
+    void aWindowIsNeverExceeded()
+    {
+        Line line({{"messages", 100ms, {0, 32, 64}, {}, {}}});
+        std::size_t most = 0;
+        while (!line.probing.isOver() && line.now < start + 10s) {
+            while (const auto order = line.probing.next(line.now))
+                line.send(*order);
+            most = std::max(most, line.onTheWay.size());
+            if (line.onTheWay.empty()) {
+                line.now += 1ms;
+                continue;
+            }
+            line.now = line.onTheWay.front().at;
+            const auto echo = line.onTheWay.front().echo;
+            line.onTheWay.erase(line.onTheWay.begin());
+            line.probing.heard(echo, line.now);
+        }
+        QVERIFY(line.probing.isOver());
+        QCOMPARE(most, std::size_t{32});
+        QCOMPARE(line.phase().prompt.echoed, std::uint64_t{32 * 25});
+    }
+
+    void countsWhatIsLost()
+    {
+        Line line({{"paced", 2s, {}, {100}, {}}});
+        line.loseEvery = 10;
+        QVERIFY(line.run());
+        const auto& packets = line.phase().packets;
+        QCOMPARE(packets.sent, std::uint64_t{200});
+        QCOMPARE(packets.echoed, std::uint64_t{180});
+        QCOMPARE(packets.heard, std::uint64_t{180});
+        QVERIFY(line.now >= start + 3s && line.now < start + 3s + 10ms); // it waited a second for them
+    }
+
+    void countsNoEchoTwiceAndNoneThatIsForeign()
+    {
+        Line line({paced(10, 1s)});
+        const auto first = line.probing.next(line.now);
+        QVERIFY(first);
+        const protocol::ProbeEcho echo{1, first->way, first->sequence, first->sentNs, 1};
+        line.probing.heard(echo, line.now + 1ms);
+        line.probing.heard(echo, line.now + 2ms);
+        line.probing.heard({1, ProbeWay::Prompt, 77, 0, 5}, line.now + 2ms);
+        line.probing.heard({1, ProbeWay::Image, 0, 0, 5}, line.now + 2ms);
+        line.run();
+        QCOMPARE(line.phase().prompt.echoed, line.phase().prompt.sent);
+        QCOMPARE(line.phase().images.echoed, std::uint64_t{0});
+    }
+
+    void withholdsImagesThatTheLineDoesNotCarry()
+    {
+        Line line({{"beside-images", 5s, {100}, {}, {20, 0, 1'000'000}}});
+        line.imageTime = 200ms; // a quarter of what is asked
+        QVERIFY(line.run());
+        const auto& images = line.phase().images;
+        QCOMPARE(images.sent + images.withheld, std::uint64_t{100});
+        QVERIFY2(images.sent < 35, qPrintable(QString::number(images.sent)));
+        QCOMPARE(images.echoed, images.sent);
+        QCOMPARE(line.phase().prompt.sent, std::uint64_t{500}); // that is the images' own affair
+    }
+
+    void staysWithinItsLimits()
+    {
+        const MeasuringLimits limits{200, 4'000'000, 60s};
+        Line line({{"both", 2s, {500}, {500}, {15, 0, 2'000'000}}, {"back-to-back", 2s, {0, 1}, {}, {}}}, limits);
+        QVERIFY(line.run());
+        const auto& both = line.phase(0);
+        QVERIFY(both.prompt.limited && both.packets.limited && both.images.limited);
+        QCOMPARE(both.prompt.sent + both.packets.sent, std::uint64_t{400});
+        QCOMPARE(both.images.sent, std::uint64_t{4}); // two a second
+        QCOMPARE(both.images.perSecond, 2.0);
+        const auto& single = line.phase(1);
+        QVERIFY(single.prompt.limited);
+        QVERIFY2(single.prompt.sent <= 400, qPrintable(QString::number(single.prompt.sent)));
+    }
+
+    void endsThoughNothingComesBack()
+    {
+        Line line({paced(100, 1s), {"images", 1s, {}, {}, {0, 3, 1000}}});
+        for (int turns = 0; turns < 10000 && !line.probing.isOver(); ++turns) {
+            while (line.probing.next(line.now)) {
+            }
+            if (!line.probing.isOver())
+                line.now = std::max(line.now + 1ns, line.probing.wakeAt());
+        }
+        QVERIFY(line.probing.isOver());
+        QCOMPARE(line.phase(0).prompt.echoed, std::uint64_t{0});
+        QCOMPARE(line.phase(1).images.sent, std::uint64_t{3});
+        QVERIFY(line.now - start <= LineProbing::longest({paced(100, 1s), paced(100, 1s)}));
+    }
+};
+
+QTEST_APPLESS_MAIN(LineProbingTest)
+#include "line_probing_test.moc"

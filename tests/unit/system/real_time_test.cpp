@@ -1,0 +1,100 @@
+// What a process may ask of the scheduler, and the network thread's way to wait.
+#include "system/real_time.hpp"
+
+#include <QTest>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include <sched.h>
+
+#include <atomic>
+#include <thread>
+
+using namespace liena;
+using namespace liena::system;
+using namespace std::chrono_literals;
+
+class RealTimeTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void asksForNothingByDefault()
+    {
+        QVERIFY(prepareRealTime({}));
+        QCOMPARE(::sched_getscheduler(0), SCHED_OTHER);
+    }
+
+    void refusesWhatCannotBe_data()
+    {
+        QTest::addColumn<int>("priority");
+        QTest::addColumn<int>("processor");
+        QTest::addColumn<int>("searchUs");
+        QTest::addColumn<QString>("says");
+        QTest::newRow("priority too high") << 100 << 0 << 0 << "real-time priority 100 is not 0 to 99";
+        QTest::newRow("priority negative") << -1 << 0 << 0 << "real-time priority -1";
+        QTest::newRow("no such number of a processor") << 0 << 5000 << 0 << "processor 5000 is not";
+        QTest::newRow("processor that is not here") << 0 << 1000 << 0 << "none of the chosen processors";
+        QTest::newRow("search too long") << 0 << 0 << 2'000'000 << "a search of 2000000 us is not";
+        QTest::newRow("search negative") << 0 << 0 << -1 << "a search of -1 us is not";
+    }
+
+    void refusesWhatCannotBe()
+    {
+        QFETCH(int, priority);
+        QFETCH(int, processor);
+        QFETCH(int, searchUs);
+        QFETCH(QString, says);
+        const auto done = prepareRealTime({priority, {processor}, false, std::chrono::microseconds(searchUs)});
+        QVERIFY(!done);
+        QVERIFY2(QString::fromStdString(done.error().what).contains(says), done.error().what.c_str());
+    }
+
+    void tryingLeavesTheCallersThreadAsItWas()
+    {
+        cpu_set_t before;
+        cpu_set_t after;
+        QCOMPARE(::sched_getaffinity(0, sizeof before, &before), 0);
+        QVERIFY(prepareRealTime({0, {0}, false, 0us}));
+        QCOMPARE(::sched_getaffinity(0, sizeof after, &after), 0);
+        QVERIFY(CPU_EQUAL(&before, &after) != 0);
+    }
+
+    void networkThreadRunsOnItsProcessors()
+    {
+        boost::asio::io_context context;
+        int processors = 0;
+        boost::asio::post(context, [&] {
+            cpu_set_t set;
+            if (::sched_getaffinity(0, sizeof set, &set) == 0 && CPU_ISSET(0, &set) != 0)
+                processors = CPU_COUNT(&set);
+            context.stop();
+        });
+        std::thread([&] { runNetworkThread(context, {0, {0}, false, 0us}); }).join();
+        QCOMPARE(processors, 1);
+    }
+
+    void searchingThreadWorksSleepsAndEnds()
+    {
+        boost::asio::io_context context;
+        boost::asio::steady_timer timer(context);
+        auto work = boost::asio::make_work_guard(context);
+        std::atomic<int> done = 0;
+        std::thread thread([&] { runNetworkThread(context, {0, {}, false, 200us}); });
+        boost::asio::post(context, [&] { ++done; });
+        timer.expires_after(20ms); // it sleeps long before
+        timer.async_wait([&](const boost::system::error_code&) {
+            ++done;
+            boost::asio::post(context, [&] {
+                ++done;
+                context.stop();
+            });
+        });
+        thread.join();
+        QCOMPARE(done.load(), 3);
+    }
+};
+
+QTEST_GUILESS_MAIN(RealTimeTest)
+#include "real_time_test.moc"

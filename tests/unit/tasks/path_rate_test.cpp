@@ -1,0 +1,281 @@
+// The rate of bulk on a path in virtual time: a bottleneck with a queue before it.
+#include "tasks/path_rate.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <deque>
+
+using namespace liena::tasks;
+using namespace std::chrono_literals;
+using Nanoseconds = std::chrono::nanoseconds;
+
+namespace {
+
+constexpr double gigabit = 125e6; // bytes per second
+
+QByteArray millisecondsOf(Nanoseconds time, const char* what)
+{
+    return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
+}
+
+/// A sender at the rate's pace, a bottleneck, and the kernel's smoothed view of the round trip.
+class Path {
+public:
+    Path(double bytesPerSecond, Nanoseconds idleRoundTrip) : capacity(bytesPerSecond), m_idle(idleRoundTrip), m_smoothed(idleRoundTrip) {}
+
+    void run(Nanoseconds time, bool busy = true)
+    {
+        if (!busy)
+            rate.pause(m_now);
+        for (const auto end = m_now + time; m_now < end; m_now += step) {
+            const double seconds = std::chrono::duration<double>(step).count();
+            const double offered = busy ? rate.rate() * seconds : 0;
+            const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds);
+            const double taken = std::min(offered, deepest() + carried - m_queue);
+            m_queue += taken - carried;
+            m_entered += taken;
+            m_entries.push_back({m_now, m_entered});
+            m_left += carried;
+            while (m_entries.size() > 1 && m_entries.front().total < m_left)
+                m_entries.pop_front();
+            m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at, carried, carried / seconds});
+            acknowledge();
+            m_sent += offered;
+            longestWait = std::max(longestWait, waiting());
+            late += waiting() > 2ms ? step : Nanoseconds::zero();
+            if (busy)
+                observe();
+        }
+    }
+
+    /// What was carried a round trip ago is known now.
+    void acknowledge()
+    {
+        for (; !m_onItsWay.empty() && m_onItsWay.front().known <= m_now; m_onItsWay.pop_front()) {
+            const auto& news = m_onItsWay.front();
+            if (news.bytes <= 0)
+                continue;
+            m_delivered += news.bytes;
+            m_deliveryRate = news.rate;
+            m_smoothed += ((m_idle + news.waiting) - m_smoothed) / 4;
+        }
+    }
+
+    void observe()
+    {
+        m_closed += receiverLimits ? step : Nanoseconds::zero();
+        rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered), m_deliveryRate,
+                      m_closed, 0},
+                     m_now);
+    }
+
+    void forget()
+    {
+        longestWait = late = Nanoseconds::zero();
+        m_sent = 0;
+    }
+    Nanoseconds waiting() const { return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(m_queue / capacity)); }
+    double sent() const { return m_sent; }
+
+    PathRate rate;
+    double capacity;
+    bool stalled = false;
+    bool receiverLimits = false;
+    Nanoseconds longestWait{};
+    Nanoseconds late{};
+
+private:
+    struct News {
+        PathRate::Instant known;
+        Nanoseconds waiting{};
+        double bytes = 0;
+        double rate = 0;
+    };
+
+    /// A switch has half a megabyte or so, a faster one more.
+    double deepest() const { return std::max(512e3, capacity * 0.005); }
+
+    struct Entry {
+        PathRate::Instant at;
+        double total = 0;
+    };
+
+    static constexpr Nanoseconds step = 250us;
+
+    Nanoseconds m_idle;
+    Nanoseconds m_smoothed;
+    PathRate::Instant m_now{1h};
+    double m_queue = 0;
+    double m_entered = 0;
+    double m_left = 0;
+    std::deque<Entry> m_entries; ///< of what waits: since when
+    double m_delivered = 0;
+    double m_deliveryRate = 0;
+    std::deque<News> m_onItsWay;
+    double m_sent = 0;
+    Nanoseconds m_closed{};
+};
+
+} // namespace
+
+class PathRateTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void findsWhatThePathCarriesAndKeepsItsQueueShort_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("roundTripUs");
+        for (const double megabits : {20.0, 100.0, 400.0, 1000.0, 10000.0})
+            for (const int roundTrip : {100, 2000, 40000})
+                QTest::addRow("%.0f Mbit/s, %d us", megabits, roundTrip) << megabits * 125'000 << roundTrip;
+    }
+
+    void findsWhatThePathCarriesAndKeepsItsQueueShort()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, roundTripUs);
+        Path path(capacity, std::chrono::microseconds(roundTripUs));
+        path.run(4s);
+        path.forget();
+        path.run(10s);
+        QVERIFY2(path.sent() > 0.88 * capacity * 10, qPrintable(QString::number(path.sent() / capacity / 10)));
+        const auto segment = std::chrono::duration<double>(static_cast<double>(path.rate.segment()) / capacity);
+        const auto bound = 2ms + 3 * std::chrono::duration_cast<Nanoseconds>(segment) + std::chrono::microseconds(roundTripUs / 4);
+        QVERIFY2(path.longestWait < bound, millisecondsOf(path.longestWait, "ms").constData());
+        QVERIFY(path.rate.known().has_value());
+    }
+
+    void findsItFromFramesWithPausesBetweenThem_data()
+    {
+        QTest::addColumn<int>("roundTripMs");
+        for (const int roundTrip : {0, 1, 10, 40, 100})
+            QTest::addRow("%d ms", roundTrip) << roundTrip;
+    }
+
+    void findsItFromFramesWithPausesBetweenThem()
+    {
+        QFETCH(int, roundTripMs);
+        Path path(gigabit, 200us + std::chrono::milliseconds(roundTripMs));
+        const auto frame = [&] { // two megabytes, fifteen times a second
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < 2.1e6; taken += 1000us)
+                path.run(1ms);
+            path.run(std::max(66'000us - taken, 0us), false);
+            return taken;
+        };
+        for (int i = 0; i < 60; ++i)
+            frame();
+        auto slowest = 0us;
+        Nanoseconds longestWait{};
+        for (int i = 0; i < 150; ++i) {
+            slowest = std::max(slowest, frame());
+            longestWait = std::max(longestWait, path.longestWait);
+        }
+        QVERIFY2(slowest <= 20ms, millisecondsOf(slowest, "ms, of at least 17").constData());
+        QVERIFY2(longestWait < 3ms, millisecondsOf(longestWait, "ms").constData());
+    }
+
+    void yieldsAtOnceWhenThePathCollapsesToATenth()
+    {
+        Path path(gigabit, 200us);
+        path.run(4s);
+        path.capacity = gigabit / 10;
+        path.forget();
+        path.run(10s);
+        QVERIFY2(path.late < 50ms, millisecondsOf(path.late, "ms over 2 ms").constData());
+        QVERIFY(path.sent() > 0.85 * gigabit / 10 * 10);
+        QVERIFY(path.rate.known().value() < gigabit / 10 * 1.1);
+    }
+
+    void usesAPathThatHealsWithinASecond()
+    {
+        Path path(gigabit / 10, 200us);
+        path.run(4s);
+        path.capacity = gigabit;
+        path.run(1s);
+        QVERIFY2(path.rate.rate() > 0.85 * gigabit, qPrintable(QString::number(path.rate.rate() / gigabit)));
+    }
+
+    /// Thirty kilobytes fifteen times a second are nothing to the path before, and too much to the path after.
+    void yieldsWithSmallFramesOnAPathThatHasBecomeNarrow()
+    {
+        Path path(gigabit, 200us);
+        const auto frame = [&] {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < 30e3 && taken < 66'000us; taken += 1000us)
+                path.run(1ms);
+            path.run(std::max(66'000us - taken, 0us), false);
+        };
+        for (int i = 0; i < 30; ++i)
+            frame();
+        path.capacity = 250e3; // 2 Mbit/s
+        for (int i = 0; i < 5; ++i)
+            frame();
+        QVERIFY2(path.rate.rate() < 250e3, qPrintable(QString::number(path.rate.rate())));
+        QVERIFY2(path.waiting() < 100ms, millisecondsOf(path.waiting(), "ms").constData());
+        path.capacity = gigabit;
+        for (int i = 0; i < 75; ++i)
+            frame();
+        QVERIFY2(path.rate.rate() > 30e3 / 0.066 * 4, qPrintable(QString::number(path.rate.rate())));
+    }
+
+    void isBackSoonAfterAMomentWithoutAnyDelivery()
+    {
+        Path path(gigabit, 200us);
+        path.run(4s);
+        path.stalled = true;
+        path.run(20ms);
+        path.stalled = false;
+        path.run(500ms);
+        QVERIFY2(path.rate.rate() > 0.85 * gigabit, qPrintable(QString::number(path.rate.rate() / gigabit)));
+    }
+
+    void doesNotGrowWhenTheReceiverIsTheLimit()
+    {
+        Path path(10 * gigabit, 200us);
+        path.run(1s);
+        path.receiverLimits = true;
+        const double before = path.rate.rate();
+        path.run(1s);
+        QVERIFY(path.rate.rate() <= before);
+    }
+
+    void takesANewConnectionsFirstFactsAsABeginning()
+    {
+        Path path(gigabit, 200us);
+        path.run(4s);
+        const double before = path.rate.rate();
+        path.rate.restart();
+        path.rate.observe({200us, 200us, 20, 10, 0, {}, 0}, PathRate::Instant{2h});
+        QCOMPARE(path.rate.rate(), before);
+    }
+
+    /// The handshake's computing is in a new connection's round trip, and the first bytes leave one by one.
+    void doesNotTakeAHandshakeForAQueue()
+    {
+        PathRate rate;
+        rate.restart();
+        auto now = PathRate::Instant{1h};
+        for (std::uint64_t sent = 1000; sent < 60'000; sent += 3000, now += 5ms)
+            rate.observe({44ms, 40ms, sent, sent / 2, 2e5, {}, 0}, now);
+        QCOMPARE(rate.rate(), PathRate::first);
+        QVERIFY(!rate.known());
+    }
+
+    void makesSegmentsSmallerOnSlowerPaths()
+    {
+        Path fast(gigabit, 200us);
+        Path slow(gigabit / 10, 200us);
+        fast.run(4s);
+        slow.run(4s);
+        QCOMPARE(fast.rate.segment(), std::size_t{16384});
+        QCOMPARE(slow.rate.segment(), std::size_t{4096});
+    }
+};
+
+QTEST_GUILESS_MAIN(PathRateTest)
+#include "path_rate_test.moc"

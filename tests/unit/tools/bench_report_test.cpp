@@ -1,0 +1,141 @@
+// What a bench run shows: text, JSON that can be read again, the plot, and files that are there whole or not at all.
+#include "bench_report.hpp"
+#include "invented_measurement.hpp"
+#include "json_value.hpp"
+#include "latency_plot.hpp"
+#include "report_file.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+using namespace liena;
+using namespace liena::test;
+using namespace liena::tools;
+
+namespace {
+
+const BenchSubject subject{"t", "cock<pit", "robot", "inside its session"};
+
+std::string textOf(const Measurement& measurement)
+{
+    return benchText(subject, strictProfile(), judge(measurement, strictProfile()), measurement);
+}
+
+} // namespace
+
+class BenchReportTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void theVerdictComesFirst()
+    {
+        const auto good = textOf(goodLine());
+        QVERIFY2(good.starts_with("GO: the line from cock<pit to robot"), good.c_str());
+        auto measurement = goodLine();
+        measurement.phases[0].packets.echoed = 490;
+        const auto bad = textOf(measurement);
+        QVERIFY2(bad.starts_with("NO-GO: "), bad.c_str());
+        QVERIFY2(bad.find("-> 2 % is more than 1 %") != std::string::npos, bad.c_str());
+        QVERIFY2(bad.find("500 sent, 500 heard there, 490 echoes heard here") != std::string::npos, bad.c_str());
+    }
+
+    void theTextSaysWhatWasCarried()
+    {
+        const auto text = textOf(goodLine());
+        for (const char* part :
+             {"commands, paced", "2.0", "commands at most", "20000 a second", "images at most", "52.4 MB/s", "75 of 75 that were due"})
+            QVERIFY2(text.find(part) != std::string::npos, (std::string(part) + "\n" + text).c_str());
+    }
+
+    void theBudgetIsSaid()
+    {
+        auto measurement = goodLine();
+        measurement.inUse = true;
+        measurement.limits = {200, 4'000'000, std::chrono::seconds(60)};
+        const auto text = textOf(measurement);
+        QVERIFY2(text.find("budget: 200 probes a second, 4.0 MB/s of images; a device is in use") != std::string::npos, text.c_str());
+    }
+
+    void theJsonIsReadAgain()
+    {
+        auto measurement = goodLine();
+        measurement.phases[0].prompt.roundTrip.record(123'456'789);
+        measurement.phases[3].images.limited = true;
+        measurement.phases[3].images.withheld = 3;
+        const auto text = benchJson(subject, strictProfile(), judge(measurement, strictProfile()), measurement);
+        QVERIFY(text.find('\n') == std::string::npos);
+        const auto json = JsonValue::parse(text);
+        QVERIFY(json);
+        QCOMPARE((*json)["verdict"].text(), std::string("CAUTION"));
+        QCOMPARE((*json)["from"].text(), std::string("cock<pit"));
+        QCOMPARE((*json)["figures"].items().size(), figureKinds.size());
+        const auto again = measurementFrom((*json)["measurement"]);
+        QVERIFY(again);
+        QCOMPARE(again->phases.size(), measurement.phases.size());
+        const auto& prompt = again->phases[0].prompt;
+        QCOMPARE(prompt.sent, measurement.phases[0].prompt.sent);
+        QCOMPARE(prompt.roundTrip.count(), std::uint64_t{2501});
+        for (const double fraction : {0.5, 0.99, 0.9999, 1.0})
+            QCOMPARE(prompt.roundTrip.quantile(fraction), measurement.phases[0].prompt.roundTrip.quantile(fraction));
+        QVERIFY(again->phases[3].images.limited && again->phases[3].images.withheld == 3);
+        QVERIFY(!again->phases[1].images.asked.isUsed());
+        QCOMPARE(textOf(*again), textOf(measurement));
+    }
+
+    void whatIsNoMeasurementIsNone()
+    {
+        for (const char* text : {"{}", "[]", "3", "null", R"({"phases":null})"})
+            QVERIFY2(!measurementFrom(*JsonValue::parse(text)), text);
+        const auto odd =
+            measurementFrom(*JsonValue::parse(R"({"phases":[{"prompt":{"sent":-5,"buckets_ns":[[1],[2,3,4],"x",[9,1e99]]}}]})"));
+        QVERIFY(odd && odd->phases[0].prompt.sent == 0 && odd->phases[0].prompt.roundTrip.count() == 0);
+    }
+
+    void thePlotIsXmlWithACurveForEach()
+    {
+        const auto svg = latencyPlot(subject, strictProfile(), judge(goodLine(), strictProfile()), goodLine());
+        QXmlStreamReader reader(QByteArray::fromStdString(svg));
+        int curves = 0;
+        int dashes = 0;
+        QString texts;
+        while (!reader.atEnd()) {
+            reader.readNext();
+            curves += reader.isStartElement() && reader.name() == QLatin1String("polyline") ? 1 : 0;
+            dashes += reader.isStartElement() && reader.attributes().hasAttribute(QLatin1String("stroke-dasharray")) ? 1 : 0;
+            texts += reader.isCharacters() ? reader.text().toString() : QString();
+        }
+        QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
+        QCOMPARE(curves, 5);
+        QCOMPARE(dashes, 2); // the limits
+        QVERIFY2(texts.contains(QStringLiteral("GO: the line from cock<pit to robot")), qPrintable(texts));
+        QVERIFY(!QXmlStreamReader(QByteArray::fromStdString(latencyPlot(subject, strictProfile(), {}, Measurement()))).hasError());
+    }
+
+    void aReportIsWholeOrNotThere()
+    {
+        const QTemporaryDir folder;
+        const auto file = folder.path().toStdString() + "/line.svg";
+        QVERIFY(writeReport(file, "old"));
+        QVERIFY(writeReport(file, "new"));
+        QFile read(QString::fromStdString(file));
+        QVERIFY(read.open(QIODevice::ReadOnly));
+        QCOMPARE(read.readAll(), QByteArray("new"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+        const auto nowhere = writeReport(folder.path().toStdString() + "/no/line.svg", "new");
+        QVERIFY(!nowhere && nowhere.error().what.find("No such file") != std::string::npos);
+    }
+
+    void aFullDiskIsSaid()
+    {
+        const auto full = writeReport("/dev/full", "much");
+        QVERIFY(!full);
+        QVERIFY2(full.error().what.find("make room") != std::string::npos, full.error().what.c_str());
+        QVERIFY(QFile::exists(QStringLiteral("/dev/full")));
+    }
+};
+
+QTEST_APPLESS_MAIN(BenchReportTest)
+#include "bench_report_test.moc"

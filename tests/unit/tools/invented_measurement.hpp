@@ -1,0 +1,46 @@
+// A measurement of a good line, for tests to spoil.
+#pragma once
+
+#include "line_verdict.hpp"
+
+namespace liena::test {
+
+inline ProbeFigures figures(ProbeStream asked, std::uint64_t count, std::int64_t roundTripNs)
+{
+    ProbeFigures made;
+    made.asked = asked;
+    made.perSecond = asked.perSecond;
+    made.sent = made.heard = made.echoed = count;
+    made.spent = std::chrono::seconds(5);
+    made.roundTrip.record(roundTripNs, count);
+    return made;
+}
+
+inline Measurement goodLine()
+{
+    using namespace tools;
+    Measurement measurement;
+    const ProbeStream commands{500};
+    const ProbeStream packets{100};
+    measurement.phases = {
+        {phases::paced, figures(commands, 2500, 2'000'000), figures(packets, 500, 1'900'000), {}},
+        {phases::backToBack, figures({0, 1}, 1250, 2'000'000), {}, {}},
+        {phases::messages, figures({0, 256}, 100'000, 9'000'000), {}, {}},
+        {phases::besideImages, figures(commands, 2500, 3'000'000), figures(packets, 500, 2'900'000),
+         figures({15, 0, 524'288}, 75, 20'000'000)},
+        {phases::images, {}, {}, figures({0, 3, 524'288}, 500, 60'000'000)},
+    };
+    return measurement;
+}
+
+inline tools::LineProfile strictProfile()
+{
+    const auto profile =
+        tools::LineProfile::parse("title A <robot> & \"more\"\nround-trip-p99 10 ms 20 ms\nround-trip-beside-images-p99 10 ms 20 ms\n"
+                                  "jitter 5 ms 10 ms\nloss 0.1 % 1 %\nimage-rate 20 MB/s 10 MB/s\n"
+                                  "images-carried 99 % 90 %\nimage-delivery-p99 50 ms 100 ms\n",
+                                  "strict.profile");
+    return profile.value();
+}
+
+} // namespace liena::test

@@ -1,0 +1,101 @@
+// The verdict: the worst figure decides, and each says why.
+#include "invented_measurement.hpp"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace liena;
+using namespace liena::test;
+using namespace liena::tools;
+
+namespace {
+
+struct Spoiled {
+    const char* name;
+    std::function<void(Measurement&)> spoil;
+    Figure figure;
+    Verdict verdict;
+    const char* reason;
+};
+
+PhaseFigures& of(Measurement& measurement, std::size_t place) { return measurement.phases.at(place); }
+
+const std::vector<Spoiled>& spoiled()
+{
+    static const std::vector<Spoiled> all{
+        {"slow", [](Measurement& m) { of(m, 0).prompt.roundTrip.record(15'000'000, 50); }, Figure::RoundTrip, Verdict::Caution,
+         "ms is more than 10 ms"},
+        {"very slow", [](Measurement& m) { of(m, 0).prompt.roundTrip.record(25'000'000, 50); }, Figure::RoundTrip, Verdict::NoGo,
+         "ms is more than 20 ms"},
+        {"a rare late one", [](Measurement& m) { of(m, 0).prompt.roundTrip.record(25'000'000, 20); }, Figure::RoundTrip, Verdict::Go, ""},
+        {"late beside images", [](Measurement& m) { of(m, 3).prompt.roundTrip.record(90'000'000, 50); }, Figure::RoundTripBesideImages,
+         Verdict::NoGo, "more than 20 ms"},
+        {"jitter", [](Measurement& m) { of(m, 0).packets.roundTrip.record(8'000'000, 5); }, Figure::Jitter, Verdict::Caution,
+         "more than 5 ms"},
+        {"loss", [](Measurement& m) { of(m, 0).packets.echoed = 490; }, Figure::Loss, Verdict::NoGo, "2 % is more than 1 %"},
+        {"no UDP", [](Measurement& m) { of(m, 0).packets.echoed = 0; }, Figure::Loss, Verdict::Caution, "UDP does not pass"},
+        {"no UDP, no jitter", [](Measurement& m) { of(m, 0).packets.echoed = 0; }, Figure::Jitter, Verdict::Caution, "UDP does not pass"},
+        {"thin", [](Measurement& m) { of(m, 4).images.echoed = 150; }, Figure::ImageRate, Verdict::Caution, "less than 20 MB/s"},
+        {"too thin", [](Measurement& m) { of(m, 4).images.echoed = 0; }, Figure::ImageRate, Verdict::NoGo, "no image arrived"},
+        {"limited", [](Measurement& m) { of(m, 4).images.limited = true; }, Figure::ImageRate, Verdict::Caution, "budget"},
+        {"left out", [](Measurement& m) { m.phases.pop_back(); }, Figure::ImageRate, Verdict::Caution, "fills the line"},
+        {"withheld", [](Measurement& m) { of(m, 3).images.withheld = 25; }, Figure::ImagesCarried, Verdict::NoGo, "75 % is less than 90 %"},
+        {"old images", [](Measurement& m) { of(m, 3).images.roundTrip.record(70'000'000, 5); }, Figure::ImageDelivery, Verdict::Caution,
+         "more than 50 ms"},
+        {"fewer images", [](Measurement& m) { of(m, 3).images.limited = true; }, Figure::ImageDelivery, Verdict::Caution, "budget allows"},
+        {"nothing back", [](Measurement& m) { of(m, 0).prompt.echoed = 0; }, Figure::RoundTrip, Verdict::Caution, "no echo"},
+    };
+    return all;
+}
+
+} // namespace
+
+class LineVerdictTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aGoodLineIsGo()
+    {
+        const auto verdict = judge(goodLine(), strictProfile());
+        QCOMPARE(verdict.figures.size(), figureKinds.size());
+        for (const auto& judged : verdict.figures)
+            QVERIFY2(judged.verdict == Verdict::Go && judged.reason.empty(), kindOf(judged.figure).name.data());
+        QVERIFY(verdict.verdict == Verdict::Go);
+    }
+
+    void eachFigureIsJudgedByItself_data()
+    {
+        QTest::addColumn<int>("place");
+        for (std::size_t place = 0; place < spoiled().size(); ++place)
+            QTest::newRow(spoiled()[place].name) << static_cast<int>(place);
+    }
+    void eachFigureIsJudgedByItself()
+    {
+        QFETCH(int, place);
+        const auto& row = spoiled()[static_cast<std::size_t>(place)];
+        auto measurement = goodLine();
+        row.spoil(measurement);
+        const auto verdict = judge(measurement, strictProfile());
+        const auto& judged = verdict.figures.at(static_cast<std::size_t>(row.figure));
+        QCOMPARE(wordOf(judged.verdict).data(), wordOf(row.verdict).data());
+        QVERIFY2(judged.reason.find(row.reason) != std::string::npos, judged.reason.c_str());
+        QVERIFY(verdict.verdict >= judged.verdict);
+    }
+
+    void whatHasNoLimitDecidesNothing()
+    {
+        auto profile = strictProfile();
+        profile.limits.erase(Figure::Loss);
+        auto measurement = goodLine();
+        of(measurement, 0).packets.echoed = 250;
+        const auto verdict = judge(measurement, profile);
+        QVERIFY(verdict.verdict == Verdict::Go);
+        QVERIFY(verdict.figures.at(static_cast<std::size_t>(Figure::Loss)).value == 50.0); // and is shown
+    }
+
+    void anEmptyMeasurementIsNeverGo() { QVERIFY(judge(Measurement(), strictProfile()).verdict == Verdict::Caution); }
+};
+
+QTEST_APPLESS_MAIN(LineVerdictTest)
+#include "line_verdict_test.moc"
