@@ -57,8 +57,8 @@ bool CockpitApplication::prepare(QString* error)
 {
     if (!loadRecording(error))
         return false;
-    LinkSettings settings{m_options.topology,    m_options.device, m_options.registry, m_options.store,
-                          m_options.certificate, m_options.key,    m_options.authority};
+    LinkSettings settings{m_options.topology,    m_options.device, m_options.registry,  m_options.store,
+                          m_options.certificate, m_options.key,    m_options.authority, m_options.measureOnRequest};
     m_link = SystemLink::create(settings, m_models, m_pipeline, error);
     if (!m_link)
         return false;
@@ -139,6 +139,11 @@ void CockpitApplication::connectPictures()
             [this](quint32, const QString& reason) { m_models.picture.noteRefused(reason); });
     connect(&m_models.picture, &PictureState::refused, this, [this](const QString& reason) {
         m_models.log.append(LogKind::Trouble, tr("picture refused: %1").arg(reason), QDateTime::currentMSecsSinceEpoch());
+    });
+    connect(&m_models.picture, &PictureState::reductionChanged, this, [this](const PictureReduction& reduction) {
+        const QString what = reduction.stands() ? tr("picture %1: the line does not carry more").arg(line(reduction))
+                                                : tr("picture as asked for again, in rate and encoding");
+        m_models.log.append(reduction.stands() ? LogKind::Trouble : LogKind::Note, what, QDateTime::currentMSecsSinceEpoch());
     });
     m_sceneClock.setInterval(scenePeriod);
     connect(&m_sceneClock, &QTimer::timeout, this, &CockpitApplication::refreshScene);

@@ -84,8 +84,10 @@ void CockpitControl::run()
     apply(PermitEventKind::Tick);
     if (m_runs % guardRuns == 0)
         publishStatus(now);
-    if (m_runs % alarmRuns == 0)
+    if (m_runs % alarmRuns == 0) {
         m_alarms.update(now);
+        noteTrends(now);
+    }
     ++m_runs;
 }
 
@@ -208,6 +210,27 @@ GuardReadings CockpitControl::guardReadings(Instant now) const
     r.windowActive = m_keyboard.listening();
     r.deadMan = m_models.hand.reading().deadMan;
     return r;
+}
+
+/// Of what is fresh only: a course must end where the knowledge ends.
+void CockpitControl::noteTrends(Instant now)
+{
+    TrendReading reading;
+    const auto* link = m_link.robot() ? m_models.sessions.linkTo(*m_link.robot()) : nullptr;
+    if (link != nullptr && carriesMessages(link->state)) {
+        if (link->figures.roundTrip)
+            reading.roundTripMs = milliseconds(*link->figures.roundTrip);
+        if (link->figures.jitter)
+            reading.jitterMs = milliseconds(*link->figures.jitter);
+        reading.heartbeatsReceived = link->figures.heartbeatsReceived;
+        reading.heartbeatsMissed = link->figures.heartbeatsMissed;
+    }
+    if (m_models.instrument.robotFresh(now))
+        reading.force = m_models.instrument.robot().value.guidewireForce;
+    const auto picture = m_models.picture.reading(now);
+    if (picture.age && picture.condition != PictureCondition::Held)
+        reading.pictureAgeMs = milliseconds(*picture.age);
+    m_models.trends.note(reading, now);
 }
 
 void CockpitControl::publishMotion(Instant now)

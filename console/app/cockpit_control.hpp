@@ -48,6 +48,7 @@ private:
     void publishStatus(Instant now);
     void stepScale(int steps);
     GuardReadings guardReadings(Instant now) const;
+    void noteTrends(Instant now);
     void notePhase(PermitPhase from, PermitPhase to);
     bool pedalDown() const { return m_models.xray.pedalDown(); }
 

@@ -57,6 +57,8 @@ struct Declared {
     QCommandLineOption rehearsal{
         QStringLiteral("rehearsal"),
         QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};
+    QCommandLineOption measureOnRequest{QStringLiteral("measure-on-request"),
+                                        QStringLiteral("Let `liena bench --live` of this user measure the lines of this console.")};
     QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Window size instead of the whole screen, for example 2560x1440."),
                             QStringLiteral("WxH")};
     QCommandLineOption unattended{
@@ -76,7 +78,7 @@ struct Declared {
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
         parser.addOptions({topology, device, certificate, key, authority, registry, store, profile, user, recording, vessels, rehearsal,
-                           size, unattended, report, screenshot, help, version});
+                           measureOnRequest, size, unattended, report, screenshot, help, version});
     }
 };
 
@@ -129,6 +131,7 @@ QString readOptions(const Declared& declared, Options& options)
     options.vessels = parser.value(declared.vessels);
     options.user = parser.value(declared.user);
     options.rehearsal = parser.isSet(declared.rehearsal);
+    options.measureOnRequest = parser.isSet(declared.measureOnRequest);
     const auto profile = parser.value(declared.profile);
     if (profile != QLatin1String("neuro") && profile != QLatin1String("coronary"))
         return QStringLiteral("--profile '%1': choose neuro or coronary").arg(profile);

@@ -29,6 +29,7 @@ struct Options {
     QString vessels;
     QString user;
     bool rehearsal = false;
+    bool measureOnRequest = false;
     PictureProfile profile = PictureProfile::Neuro;
     std::optional<QSize> size;
     std::optional<UnattendedSettings> unattended;

@@ -94,9 +94,10 @@ void LiveImageView::paintEvent(QPaintEvent*)
     overlay.paint(painter);
     m_overlay = overlay.region();
     m_liveness = overlay.livenessRect();
-    if (reading.condition != m_paintedCondition)
+    if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
         describe(reading);
     m_paintedCondition = reading.condition;
+    m_paintedReduction = reading.reduction;
 }
 
 void LiveImageView::paintPicture(QPainter& painter)
@@ -119,6 +120,7 @@ void LiveImageView::notePainted()
     stamp.frame = about.frame;
     stamp.acquisition = about.acquisition;
     stamp.source = about.source;
+    stamp.reduction = reductionOf(about);
     stamp.captureNs = about.captureNs;
     stamp.captured = about.captured();
     stamp.uncertainty = about.ageUncertainty;
@@ -147,23 +149,25 @@ void LiveImageView::paintNothingYet(QPainter& painter)
 
 void LiveImageView::describe(const PictureReading& reading)
 {
+    const QString words = conditionWords(reading);
+    setAccessibleDescription(reading.reduction.stands() ? tr("%1 %2.").arg(words, line(reading.reduction)) : words);
+}
+
+QString LiveImageView::conditionWords(const PictureReading& reading)
+{
     switch (reading.condition) {
     case PictureCondition::None:
-        setAccessibleDescription(tr("No picture yet."));
-        return;
+        break;
     case PictureCondition::Live:
-        setAccessibleDescription(tr("The picture is live."));
-        return;
+        return tr("The picture is live.");
     case PictureCondition::Unknown:
-        setAccessibleDescription(tr("Pictures come, but their age is unknown."));
-        return;
+        return tr("Pictures come, but their age is unknown.");
     case PictureCondition::Frozen:
-        setAccessibleDescription(tr("The picture is frozen; it was taken at %1.").arg(clockTime(reading.captureNs)));
-        return;
+        return tr("The picture is frozen; it was taken at %1.").arg(clockTime(reading.captureNs));
     case PictureCondition::Held:
-        setAccessibleDescription(tr("Last image hold; the picture was taken at %1.").arg(clockTime(reading.captureNs)));
-        return;
+        return tr("Last image hold; the picture was taken at %1.").arg(clockTime(reading.captureNs));
     }
+    return tr("No picture yet.");
 }
 
 } // namespace console

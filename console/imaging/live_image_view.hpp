@@ -53,6 +53,7 @@ private:
     void paintPicture(QPainter& painter);
     void paintNothingYet(QPainter& painter);
     void describe(const PictureReading& reading);
+    static QString conditionWords(const PictureReading& reading);
     QFont overlayFont() const;
 
     PictureState& m_state;
@@ -63,6 +64,7 @@ private:
     quint64 m_paintedPictures = 0;
     QString m_refusal;
     PictureCondition m_paintedCondition = PictureCondition::None;
+    PictureReduction m_paintedReduction;
     QRegion m_overlay;
     QRect m_liveness;
 };

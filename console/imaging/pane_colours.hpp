@@ -1,4 +1,4 @@
-// The picture panes' colours: for dim rooms, and none of red, yellow and cyan, which belong to alarms.
+// The picture panes' colours: for dim rooms. Red, yellow and cyan belong to alarms, and only `caution` is one's.
 #pragma once
 
 #include <QColor>
@@ -14,6 +14,7 @@ inline constexpr QColor cArm{0x5E, 0x68, 0x73};
 inline constexpr QColor text{0xC8, 0xCD, 0xD3};
 inline constexpr QColor secondary{0x92, 0x9A, 0xA3};
 inline constexpr QColor line{0x55, 0x5E, 0x68};
+inline constexpr QColor caution{0x40, 0xCD, 0xE0}; ///< of the alarm for a reduced picture, and only while that stands
 inline constexpr QColor focus{0xE6, 0xEA, 0xEE};
 
 } // namespace console::pane_colours

@@ -8,7 +8,9 @@
 #include <QDateTime>
 #include <QFontMetrics>
 #include <QPainter>
+#include <QStringList>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -86,6 +88,7 @@ PictureOverlay::PictureOverlay(QRect area, const DisplayPicture& picture, const 
     : m_area(area), m_font(font), m_gap(font.pixelSize() / 2), m_paintedPictures(paintedPictures)
 {
     placeCorners(picture, reading);
+    placeReduction(reductionOf(picture.about), reading.condition != PictureCondition::Held);
     placeSides(picture);
     placeCondition(reading);
     placeScale(picture);
@@ -109,14 +112,15 @@ QRect PictureOverlay::plate(const QString& text, const QFont& font, QPoint corne
         rect.moveTop(corner.y() - rect.height() / 2);
     else
         rect.moveTop(corner.y());
-    m_plates.push_back({rect, text, font, widest.isEmpty() ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter});
+    m_plates.push_back({rect, text, font, widest.isEmpty() ? Qt::AlignCenter : Qt::AlignLeft | Qt::AlignVCenter, pane_colours::text});
     return rect;
 }
 
 void PictureOverlay::placeCorners(const DisplayPicture& picture, const PictureReading& reading)
 {
     const QRect inner = m_area.adjusted(m_gap, m_gap, -m_gap, -m_gap);
-    plate(word(picture.about.source), larger(m_font, 1.2), inner.topLeft(), Qt::AlignLeft | Qt::AlignTop);
+    const QRect source = plate(word(picture.about.source), larger(m_font, 1.2), inner.topLeft(), Qt::AlignLeft | Qt::AlignTop);
+    m_headEnd = source.bottom();
     const QRect chip =
         plate(ageLine(reading), m_font, inner.topRight(), Qt::AlignRight | Qt::AlignTop, text("AGE 8888 ms  NET 888  PROC 888  88 fps"));
     m_liveness = QRect(0, 0, livenessCells * m_gap, m_gap);
@@ -125,6 +129,29 @@ void PictureOverlay::placeCorners(const DisplayPicture& picture, const PictureRe
     const QString window = text("C %1  W %2").arg(std::lround(picture.window.centre)).arg(std::lround(picture.window.width));
     plate(frame + QStringLiteral("  ") + window + (picture.windowIsAutomatic ? text("  AUTO") : QString()), m_font, inner.bottomLeft(),
           Qt::AlignLeft | Qt::AlignBottom);
+}
+
+// Never clipped: in two lines when one is too long for the picture, and smaller when that is not enough.
+void PictureOverlay::placeReduction(const PictureReduction& reduction, bool isExpected)
+{
+    if (!reduction.stands())
+        return;
+    const int room = m_area.width() - 4 * m_gap;
+    const auto fits = [room](const QFont& font, const QString& line) { return QFontMetrics(font).horizontalAdvance(line) <= room; };
+    QFont font = larger(m_font, 1.2);
+    QStringList lines{line(reduction)};
+    if (!fits(font, lines.front()))
+        lines = {rateWords(reduction), encodingWords(reduction)};
+    while (font.pixelSize() > 1 && !std::all_of(lines.begin(), lines.end(), [&](const QString& line) { return fits(font, line); }))
+        font.setPixelSize(font.pixelSize() - 1);
+    int top = std::max(m_headEnd, m_liveness.bottom()) + m_gap;
+    for (const QString& line : lines) {
+        const QRect placed = plate(line, font, {m_area.left() + m_gap, top}, Qt::AlignLeft | Qt::AlignTop);
+        if (isExpected && reduction.losesInformation())
+            m_plates.back().ink = pane_colours::caution;
+        top = placed.bottom() + 1;
+    }
+    m_headEnd = top;
 }
 
 void PictureOverlay::placeSides(const DisplayPicture& picture)
@@ -146,7 +173,7 @@ void PictureOverlay::placeCondition(const PictureReading& reading)
 {
     if (reading.condition == PictureCondition::Live || reading.condition == PictureCondition::None)
         return;
-    const QPoint corner(m_area.center().x(), m_plates.front().rect.bottom() + 3 * m_gap);
+    const QPoint corner(m_area.center().x(), m_headEnd + 3 * m_gap);
     QString line = word(reading.condition);
     if (reading.condition == PictureCondition::Frozen) {
         const std::optional<Duration> since = reading.frozenFor ? reading.frozenFor : reading.age;
@@ -197,7 +224,7 @@ void PictureOverlay::paint(QPainter& painter) const
     for (const OverlayPlate& plate : m_plates) {
         painter.fillRect(plate.rect, dark);
         painter.setFont(plate.font);
-        painter.setPen(pane_colours::text);
+        painter.setPen(plate.ink);
         painter.drawText(plate.rect.adjusted(m_gap, 0, -m_gap, 0), static_cast<int>(plate.alignment) | Qt::TextDontClip, plate.text);
     }
     painter.fillRect(m_liveness, pane_colours::background); // nothing below it may seem to move it

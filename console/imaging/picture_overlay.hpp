@@ -4,6 +4,7 @@
 #include "imaging/display_picture.hpp"
 #include "model/picture_state.hpp"
 
+#include <QColor>
 #include <QFont>
 #include <QRect>
 #include <QRegion>
@@ -24,6 +25,7 @@ struct OverlayPlate {
     QString text;
     QFont font;
     Qt::Alignment alignment = Qt::AlignCenter;
+    QColor ink;
 };
 
 /// AGE, NET, PROC and rate in one line; "unknown" where a number is not known.
@@ -50,6 +52,7 @@ public:
 
 private:
     void placeCorners(const DisplayPicture& picture, const PictureReading& reading);
+    void placeReduction(const PictureReduction& reduction, bool isExpected);
     void placeSides(const DisplayPicture& picture);
     void placeCondition(const PictureReading& reading);
     void placeScale(const DisplayPicture& picture);
@@ -59,6 +62,7 @@ private:
     QRect m_area;
     QFont m_font;
     int m_gap;
+    int m_headEnd = 0; ///< the lowest row of what stands at the top
     quint64 m_paintedPictures;
     std::vector<OverlayPlate> m_plates;
     QRect m_liveness;

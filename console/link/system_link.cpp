@@ -76,6 +76,7 @@ std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, Con
     own.authority = path(settings.authority);
     own.software = "liena-console";
     own.status = liena::statusFolder();
+    own.measureOnRequest = settings.measureOnRequest;
     liena::keepKeysOutOfCoreDumps();
     auto system = liena::DistributedSystem::create(std::move(own));
     if (!system) {

@@ -35,6 +35,7 @@ struct LinkSettings {
     QString certificate;
     QString key;
     QString authority;
+    bool measureOnRequest = false; ///< `liena bench --live` may ask this console
 };
 
 /// What the console says of itself, twenty times a second.

@@ -149,6 +149,10 @@ std::shared_ptr<const XrayFrame> xrayFrame(std::shared_ptr<const liena::Message>
     frame->windowWidth = m.get<double>("window_width");
     frame->geometry = geometry(m);
     frame->mask = m.get<bool>("mask");
+    frame->rung = m.get<int>("rung");
+    frame->rate = m.get<double>("rate");
+    frame->askedRate = m.get<double>("asked_rate");
+    frame->askedEncoding = m.get<PixelEncoding>("asked_encoding");
     frame->captureNs = m.get<std::uint64_t>("capture_ns");
     frame->arrival = m.arrival();
     // The way from the pulse to the sending is on one clock, the way from there to here on two that were compared. A capture time after the

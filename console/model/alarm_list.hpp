@@ -21,6 +21,7 @@ enum class AlarmCondition : std::uint8_t {
     LinkLost,         ///< subject: the peer
     HoldNotConfirmed, ///< the robot has not confirmed its hold 200 ms after the stop
     PictureStale,
+    PictureReduced,
     ForceStop,
     ForceWarn,
     DriveFault,

@@ -82,6 +82,10 @@ void Rules::addHold()
 void Rules::addPicture()
 {
     const auto condition = m_readings.picture.condition;
+    const bool comes = condition != PictureCondition::None && condition != PictureCondition::Held;
+    if (comes && m_readings.picture.reduction.losesInformation())
+        add(AlarmCondition::PictureReduced, Priority::Low, false, Text::tr("Picture %1").arg(line(m_readings.picture.reduction)),
+            Text::tr("Have the line to the X-ray system looked at; mind fine wires."));
     if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown)
         return;
     const auto text = condition == PictureCondition::Frozen

@@ -10,6 +10,7 @@
 #include "model/permit_model.hpp"
 #include "model/picture_state.hpp"
 #include "model/session_model.hpp"
+#include "model/trend_book.hpp"
 #include "model/xray_state.hpp"
 
 namespace console {
@@ -26,6 +27,7 @@ struct ConsoleModels {
     HandState hand;
     AlarmList alarms;
     EventLog log;
+    TrendBook trends;
 };
 
 } // namespace console

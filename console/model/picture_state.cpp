@@ -68,6 +68,7 @@ PictureReading PictureState::reading(Instant now) const
     if (!m_newest)
         return reading;
     reading.source = m_newest->source;
+    reading.reduction = m_newest->reduction;
     reading.mayGuide = mayGuide(m_newest->source);
     reading.frame = m_newest->frame;
     reading.captureNs = m_newest->captureNs;
@@ -94,12 +95,15 @@ void PictureState::notePainted(const PictureStamp& stamp)
     const bool gap = !m_newest || stamp.painted - m_newest->painted > limit() || m_newest->acquisition != stamp.acquisition;
     if (gap || !young)
         m_liveSince = stamp.painted;
+    const PictureReduction before = m_newest ? m_newest->reduction : PictureReduction();
     m_newest = stamp;
     ++m_painted;
     m_paints.push_back(stamp.painted);
     while (m_paints.front() < stamp.painted - 2 * rateWindow)
         m_paints.pop_front();
     Q_EMIT painted(stamp.frame);
+    if (before != stamp.reduction)
+        Q_EMIT reductionChanged(stamp.reduction);
 }
 
 void PictureState::noteRefused(const QString& reason)

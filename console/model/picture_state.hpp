@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/instant.hpp"
+#include "model/picture_reduction.hpp"
 #include "model/xray_frame.hpp"
 
 #include <QObject>
@@ -19,6 +20,7 @@ struct PictureStamp {
     quint32 frame = 0;
     quint32 acquisition = 0;
     PictureSource source = PictureSource::Recorded;
+    PictureReduction reduction;
     quint64 captureNs = 0;
     std::optional<Instant> captured; ///< XrayFrame::captured()
     Duration uncertainty{};
@@ -49,6 +51,7 @@ constexpr std::chrono::milliseconds ageLimit(PictureProfile profile)
 struct PictureReading {
     PictureCondition condition = PictureCondition::None;
     PictureSource source = PictureSource::Recorded;
+    PictureReduction reduction;
     quint32 frame = 0;
     quint64 captureNs = 0;
     std::optional<Duration> age; ///< of the newest painted picture, capture to now
@@ -100,6 +103,9 @@ public:
 Q_SIGNALS:
     void painted(quint32 frame);
     void refused(const QString& reason);
+
+    /// With the first picture that is reduced otherwise than the one before it, or no longer.
+    void reductionChanged(const console::PictureReduction& reduction);
     void profileChanged();
 
 private:

@@ -55,6 +55,12 @@ struct XrayFrame {
     XrayGeometry geometry;  ///< without the table
     bool mask = false;
 
+    // What the way to the viewers made of it; reductionOf() puts it together.
+    int rung = 0;         ///< step of the X-ray system's declared ladder; 0: as asked for
+    double rate = 0;      ///< per second; 0 = not said
+    double askedRate = 0; ///< per second; 0 = not said
+    PixelEncoding askedEncoding = PixelEncoding::Raw;
+
     quint64 captureNs = 0; ///< Unix time of the X-ray system
     Instant arrival;       ///< here, last byte
 

@@ -11,6 +11,7 @@
 #include "widgets/sheet_deck.hpp"
 #include "widgets/status_strip.hpp"
 #include "widgets/theme.hpp"
+#include "widgets/trends_pane.hpp"
 
 #include <QApplication>
 #include <QDateTime>
@@ -42,10 +43,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
       m_scene(new NotYetPane(tr("3-D scene"), tr("No scene."), this)),
       m_robot(new RobotPanel(models.instrument, models.hand, models.permit, this)),
       m_dose(new DosePanel(models.instrument, models.xray, this)),
-      m_trends(new NotYetPane(tr("Trends"),
-                              tr("Not in this version. Each link's last minute stands on its card, the force's last ten "
-                                 "seconds under its gauge."),
-                              this)),
+      m_trends(new TrendsPane(models.trends, this)),
       m_motion(new MotionBar(models, this)),
       m_deck(new SheetDeck(models.incidents, this))
 {
@@ -243,6 +241,7 @@ void CockpitWindow::refreshSlow(Instant now)
     refreshStrip(now);
     m_rail->refresh(now);
     m_dose->refresh(now);
+    m_trends->refresh({m_models.instrument.limits().forceWarn, milliseconds(m_models.picture.limit())}, now);
     m_deck->refresh(m_models.sessions, surroundings(now), now);
 }
 

@@ -18,6 +18,7 @@ class MotionBar;
 class RobotPanel;
 class SheetDeck;
 class StatusStrip;
+class TrendsPane;
 
 enum class View { Cockpit, Topology };
 
@@ -105,7 +106,7 @@ private:
     QWidget* m_scene;
     RobotPanel* m_robot;
     DosePanel* m_dose;
-    QWidget* m_trends;
+    TrendsPane* m_trends;
     MotionBar* m_motion;
     SheetDeck* m_deck;
     QWidget* m_overlay = nullptr;

@@ -78,6 +78,23 @@ void InventedCockpit::fillHistory(quint32 peer, double roundTripMs, LinkState st
     models.sessions.setLinkFigures(peer, figures(roundTripMs), now);
 }
 
+/// Ten minutes, in the middle of which nothing was known for a while.
+void InventedCockpit::fillTrends()
+{
+    for (int i = 6000; i >= 0; --i) {
+        TrendReading reading;
+        if (i < 3000 || i > 3300) {
+            reading.roundTripMs = 8.4 + std::sin(i / 9.0) + (i % 137 == 0 ? 9 : 0);
+            reading.jitterMs = 0.6 + 0.3 * std::sin(i / 5.0);
+            reading.heartbeatsReceived = quint64(5 * (6000 - i));
+            reading.heartbeatsMissed = quint64((6000 - i) / 400);
+            reading.force = 0.3 + 0.25 * std::sin(i / 40.0) + (i % 900 == 40 ? 0.8 : 0);
+            reading.pictureAgeMs = 84 + 12 * std::sin(i / 3.0) + (i % 1500 == 70 ? 230 : 0);
+        }
+        models.trends.note(reading, now - i * 100ms);
+    }
+}
+
 RobotStatus InventedCockpit::status(RobotState state) const
 {
     RobotStatus s;
@@ -150,6 +167,7 @@ void InventedCockpit::openAll()
         models.instrument.receiveRobot(s, now - i * 100ms);
     }
     models.instrument.receiveRobot(status(RobotState::Ready), now - 9ms);
+    fillTrends();
     DriveStatus drives;
     drives.enabled = {true, true, true, true};
     drives.temperature = {38, 36, 41, 35};

@@ -35,6 +35,7 @@ struct InventedCockpit {
 
 private:
     void fillHistory(quint32 peer, double roundTripMs, LinkState state);
+    void fillTrends();
     void paintPictures(Duration since);
     LinkFigures figures(double roundTripMs) const;
     void feed(PermitEventKind kind, RobotState robot = RobotState::Ready);

@@ -6,6 +6,7 @@
 #include "widgets/link_card.hpp"
 #include "widgets/permit_block.hpp"
 #include "widgets/status_strip.hpp"
+#include "widgets/trends_pane.hpp"
 
 #include <QPushButton>
 #include <QSignalSpy>
@@ -83,6 +84,37 @@ private Q_SLOTS:
         QCOMPARE(closed.count(), offer == QLatin1String("Close") ? 1 : 0);
         QCOMPARE(reopened.count(), offer == QLatin1String("Re-open") ? 1 : 0);
         QCOMPARE(button->isEnabled(), !offer.isEmpty());
+    }
+
+    void trendsShowAMinuteOrTen()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.refresh();
+        auto* trends = stage.named<TrendsPane>(QStringLiteral("Trends"));
+        auto* button = stage.named<QPushButton>(QStringLiteral("Span of the trends"));
+        QVERIFY(trends != nullptr && button != nullptr);
+        const QImage minute = trends->grab().toImage();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(trends->span() == TrendSpan::TenMinutes);
+        QCOMPARE(button->text(), QStringLiteral("10 min"));
+        QVERIFY(trends->grab().toImage() != minute);
+        QVERIFY2(trends->accessibleDescription().contains(QStringLiteral("Picture age")), qPrintable(trends->accessibleDescription()));
+        QTest::mouseClick(button, Qt::LeftButton);
+        QVERIFY(trends->span() == TrendSpan::Minute);
+    }
+
+    void trendIsDrawnInThePlotsHueAndNoAlarms()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.refresh();
+        const QImage image = stage.named<TrendsPane>(QStringLiteral("Trends"))->grab().toImage();
+        QVERIFY2(pixelsOf(image, colour::plot) > 20, qPrintable(QString::number(pixelsOf(image, colour::plot))));
+        for (const QColor& alarm : {colour::high, colour::medium, colour::low})
+            QCOMPARE(pixelsOf(image, alarm), 0);
     }
 
     void handGetsKeysOnceAndNeverSpaceOrEnter()

@@ -7,6 +7,7 @@
 
 #include <turbojpeg.h>
 
+#include <QPainter>
 #include <QSignalSpy>
 #include <QtTest>
 
@@ -82,6 +83,35 @@ int differingPixels(const QImage& a, const QImage& b, const QRect& area)
     return differing;
 }
 
+// A frame that the X-ray system has reduced; colours occur in the picture only where the reduction is told.
+std::shared_ptr<XrayFrame> reducedFrame(quint32 number, double rate, PixelEncoding encoding, int quality)
+{
+    auto frame = samples::frame(number, frameSize, 8, encoding, quality);
+    frame->rung = 5;
+    frame->rate = rate;
+    frame->askedRate = 15;
+    return frame;
+}
+
+// The pixels in the colour of caution, softened edges of letters among them.
+QRegion cautionPixels(const QImage& image)
+{
+    QRegion region;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (qBlue(image.pixel(x, y)) - qRed(image.pixel(x, y)) > 60)
+                region += QRect(x, y, 1, 1);
+    return region;
+}
+
+int pixelCount(const QRegion& region)
+{
+    int count = 0;
+    for (const QRect& part : region)
+        count += part.width() * part.height();
+    return count;
+}
+
 } // namespace
 
 class TestLiveImage : public QObject {
@@ -101,6 +131,10 @@ private Q_SLOTS:
     void showsNoScaleAndNoSidesWithoutGeometry();
     void showsHonestTextWithoutPicture();
     void showsRefusalUntilNextPicture();
+    void saysHowPictureIsReduced();
+    void saysReductionWithoutAlarmsColourWhereNothingIsLost();
+    void neverClipsNorCoversReduction_data();
+    void neverClipsNorCoversReduction();
     void writesAgeLine_data();
     void writesAgeLine();
 };
@@ -365,6 +399,75 @@ void TestLiveImage::showsRefusalUntilNextPicture()
     QVERIFY(pane.send(3));
     pane.grab();
     QVERIFY(!(marks - pane.view.overlayRegion()).isEmpty());
+}
+
+void TestLiveImage::saysHowPictureIsReduced()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    QVERIFY(cautionPixels(pane.grab()).isEmpty());
+    QVERIFY(pane.send(reducedFrame(2, 7.5, PixelEncoding::Jpeg, 75)));
+    const QRegion words = cautionPixels(pane.grab());
+    QVERIFY(pixelCount(words) > 200);
+    QVERIFY((words - pane.view.overlayRegion()).isEmpty());
+    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("REDUCED 7.5 of 15 /s, lossy 75")));
+    pane.state.expect(0, pane.now); // last image hold: what the picture is, without the colour of an alarm that is not there
+    QVERIFY(cautionPixels(pane.grab()).isEmpty());
+    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("REDUCED")));
+    pane.state.expect(15, pane.now);
+    QVERIFY(pane.send(3));
+    QVERIFY(cautionPixels(pane.grab()).isEmpty());
+    QVERIFY(!pane.view.accessibleDescription().contains(QStringLiteral("REDUCED")));
+}
+
+void TestLiveImage::saysReductionWithoutAlarmsColourWhereNothingIsLost()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    pane.grab();
+    const QRegion marks = pane.view.overlayRegion();
+    QVERIFY(pane.send(reducedFrame(2, 15, PixelEncoding::JpegLs, 0)));
+    QVERIFY(cautionPixels(pane.grab()).isEmpty());
+    QVERIFY(!(pane.view.overlayRegion() - marks).isEmpty());
+    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("RE-ENCODED 15 of 15 /s, lossless")));
+}
+
+void TestLiveImage::neverClipsNorCoversReduction_data()
+{
+    QTest::addColumn<QSize>("area");
+    QTest::addColumn<int>("pixelSize");
+    QTest::newRow("large") << QSize(1136, 1136) << 20;
+    QTest::newRow("half a screen") << QSize(562, 562) << 10;
+    QTest::newRow("least pane") << QSize(216, 216) << 10;
+    QTest::newRow("wide") << QSize(900, 300) << 12;
+    QTest::newRow("narrow") << QSize(110, 216) << 10;
+    QTest::newRow("large letters in little room") << QSize(216, 400) << 32;
+}
+
+void TestLiveImage::neverClipsNorCoversReduction()
+{
+    QFETCH(QSize, area);
+    QFETCH(int, pixelSize);
+    DisplayPicture picture;
+    picture.about = *reducedFrame(1, 7.5, PixelEncoding::Jpeg, 75);
+    QFont font;
+    font.setPixelSize(pixelSize);
+    PictureReading reading;
+    std::vector<QRegion> words;
+    for (const PictureCondition condition : {PictureCondition::Live, PictureCondition::Frozen, PictureCondition::Unknown}) {
+        reading.condition = condition;
+        const QRect where(QPoint(200, 200), area);
+        QImage image(where.adjusted(-200, -200, 200, 200).size(), QImage::Format_RGB32);
+        image.fill(Qt::black);
+        QPainter painter(&image);
+        PictureOverlay(where, picture, reading, 1, {}, font).paint(painter);
+        painter.end();
+        words.push_back(cautionPixels(image));
+        QVERIFY(pixelCount(words.back()) > 50);
+        QVERIFY(where.contains(words.back().boundingRect()));
+    }
+    QCOMPARE(words[1], words[0]); // FROZEN stands below it
+    QCOMPARE(words[2], words[0]);
 }
 
 void TestLiveImage::writesAgeLine_data()

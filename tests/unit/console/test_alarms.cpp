@@ -46,6 +46,12 @@ const std::vector<Case>& cases()
         {"link lost", [](auto& r) { r.links[0].state = LinkState::StandBy; }, C::LinkLost, High, Medium, true},
         {"hold not confirmed", [](auto& r) { r.awaitingHold = 201ms; }, C::HoldNotConfirmed, High, Medium, true},
         {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, C::PictureStale, High, Low, false},
+        {"picture reduced",
+         [](auto& r) {
+             r.picture.condition = PictureCondition::Live;
+             r.picture.reduction = {6, 15, 15, PixelEncoding::Jpeg, 75};
+         },
+         C::PictureReduced, Low, Low, false},
         {"force stop", [](auto& r) { r.force = -2.0; }, C::ForceStop, High, Medium, true},
         {"force warning", [](auto& r) { r.force = 1.0; }, C::ForceWarn, Medium, std::nullopt, false},
         {"drive fault", [](auto& r) { r.faultCode = 2; }, C::DriveFault, High, Medium, true},
@@ -80,6 +86,11 @@ private Q_SLOTS:
         QVERIFY(presentAlarms(armed).empty());
         armed.picture.condition = PictureCondition::Held;
         QVERIFY(presentAlarms(armed).empty());
+        armed.picture.reduction = {6, 15, 15, PixelEncoding::Jpeg, 75};
+        QVERIFY(presentAlarms(armed).empty()); // nothing is expected; the held picture says it
+        armed.picture.condition = PictureCondition::Live;
+        armed.picture.reduction = {2, 15, 15, PixelEncoding::JpegLs, 0};
+        QVERIFY(presentAlarms(armed).empty()); // not one pixel differs
     }
 
     void conditionsHaveThePrioritiesOfTheTable_data()

@@ -171,6 +171,66 @@ private Q_SLOTS:
         QCOMPARE(state.reading(last).condition, PictureCondition::Live);
         QCOMPARE(state.reading(last).liveFor, Duration::zero());
     }
+
+    void tellsEachReductionOnce()
+    {
+        PictureState state;
+        QSignalSpy changes(&state, &PictureState::reductionChanged);
+        auto one = stamp(1, start);
+        state.notePainted(one);
+        QCOMPARE(changes.count(), 0);
+        one = stamp(2, start + 66ms);
+        one.reduction = {1, 7.5, 15, PixelEncoding::Raw, 0};
+        state.notePainted(one);
+        one.frame = 3;
+        state.notePainted(one);
+        QCOMPARE(changes.count(), 1);
+        QCOMPARE(state.reading(start + 66ms).reduction, one.reduction);
+        one.frame = 4;
+        one.reduction.rate = 5;
+        state.notePainted(one);
+        QCOMPARE(changes.count(), 2);
+        state.notePainted(stamp(5, start + 132ms));
+        QCOMPARE(changes.count(), 3);
+        QVERIFY(!changes.back().at(0).value<PictureReduction>().stands());
+    }
+
+    void readsReductionFromItsFrame()
+    {
+        XrayFrame frame;
+        frame.rate = frame.askedRate = 15;
+        frame.encoding = PixelEncoding::Jpeg;
+        frame.quality = 90;
+        QCOMPARE(reductionOf(frame), PictureReduction()); // lossy because that is asked for
+        frame.rung = 6;
+        QCOMPARE(reductionOf(frame), (PictureReduction{6, 15, 15, PixelEncoding::Jpeg, 90}));
+    }
+
+    void putsReductionIntoWords_data()
+    {
+        QTest::addColumn<PictureReduction>("reduction");
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<bool>("loses");
+        const auto raw = PixelEncoding::Raw, jpegLs = PixelEncoding::JpegLs, jpeg = PixelEncoding::Jpeg;
+        QTest::newRow("none") << PictureReduction{0, 15, 15, jpeg, 50} << QString() << false;
+        QTest::newRow("rate") << PictureReduction{1, 7.5, 15, raw, 0} << QStringLiteral("REDUCED 7.5 of 15 /s, raw") << true;
+        QTest::newRow("encoding") << PictureReduction{2, 15, 15, jpegLs, 0} << QStringLiteral("RE-ENCODED 15 of 15 /s, lossless") << false;
+        QTest::newRow("both") << PictureReduction{7, 7.5, 15, jpeg, 75} << QStringLiteral("REDUCED 7.5 of 15 /s, lossy 75") << true;
+        QTest::newRow("quality") << PictureReduction{8, 30, 30, jpeg, 50} << QStringLiteral("REDUCED 30 of 30 /s, lossy 50") << true;
+        QTest::newRow("near") << PictureReduction{1, 7.5, 15, jpegLs, 2} << QStringLiteral("REDUCED 7.5 of 15 /s, lossy by at most 2")
+                              << true;
+        QTest::newRow("thirds") << PictureReduction{3, 10.0 / 3, 10, raw, 0} << QStringLiteral("REDUCED 3.3 of 10 /s, raw") << true;
+        QTest::newRow("rates not said") << PictureReduction{4, 0, 0, jpeg, 90} << QStringLiteral("REDUCED, lossy 90") << true;
+    }
+
+    void putsReductionIntoWords()
+    {
+        QFETCH(PictureReduction, reduction);
+        QFETCH(QString, words);
+        QFETCH(bool, loses);
+        QCOMPARE(line(reduction), words);
+        QCOMPARE(reduction.losesInformation(), loses);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestPictureState)

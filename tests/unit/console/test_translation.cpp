@@ -171,6 +171,7 @@ private Q_SLOTS:
         m.set("rows", std::uint16_t(4)).set("columns", std::uint16_t(4)).set("bits_stored", std::uint8_t(12));
         m.set("photometric", std::string_view("MONOCHROME1")).set("encoding", std::string_view("jpeg-ls")).set("quality", std::uint8_t(2));
         m.set("pixel_intensity_relationship", std::string_view("LOG")).set("imager_pixel_spacing", 0.25).set("window_centre", 100.0);
+        m.set("rung", std::uint8_t(3)).set("rate", 7.5).set("asked_rate", 15.0).set("asked_encoding", std::string_view("raw"));
         m.set("window_width", 50.0).set("mask", true).set("pixels", std::span<const std::byte>(pixels));
         QVERIFY(!m.fault());
         auto kept = std::make_shared<const liena::Message>(m);
@@ -186,6 +187,8 @@ private Q_SLOTS:
         QCOMPARE(frame->photometric, Photometric::Monochrome1);
         QCOMPARE(frame->encoding, PixelEncoding::JpegLs);
         QCOMPARE(frame->quality, 2);
+        QCOMPARE(reductionOf(*frame), (PictureReduction{3, 7.5, 15, PixelEncoding::JpegLs, 2}));
+        QCOMPARE(frame->askedEncoding, PixelEncoding::Raw);
         QCOMPARE(frame->intensity, IntensityRelationship::Logarithmic);
         QVERIFY(frame->mask);
         QVERIFY(!frame->ageAtArrival); // the clocks were not compared
