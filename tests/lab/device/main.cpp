@@ -1,5 +1,6 @@
 // lab_device: one device of the lab's system on liena's public headers; obeys lines on its input and tells what happens on its output.
 #include "device/cockpit_part.hpp"
+#include "device/heap_watch.hpp"
 #include "device/line_log.hpp"
 #include "device/robot_part.hpp"
 #include "device/wall_clock.hpp"
@@ -147,9 +148,11 @@ int run(const Options& options)
         part->handle(event);
     });
     SteadyTime last{};
+    HeapWatch heap;
     system.every(std::chrono::milliseconds(2), [&] {
         const auto now = std::chrono::steady_clock::now();
         tellGap(last, now);
+        heap.tick(now);
         part->tick(now);
     });
     if (!options.hoard)

@@ -56,7 +56,7 @@ void Campaign::repeat(const Fault& fault, Row& row)
     if (stuck) // what is left of it says nothing about the next fault
         m_rig.reset();
     for (const auto& detects : {outcome.cockpitDetects, outcome.robotDetects})
-        row.detects.add(detects);
+        noteDetection(outcome, detects, row);
     row.cockpitDetects.add(outcome.cockpitDetects);
     row.robotDetects.add(outcome.robotDetects);
     row.stops.add(outcome.stops);
@@ -66,6 +66,15 @@ void Campaign::repeat(const Fault& fault, Row& row)
     for (const auto& note : outcome.notes)
         ++row.notes[note];
     row.broken.insert(row.broken.end(), outcome.broken.begin(), outcome.broken.end());
+}
+
+/// A processor that stood still on the way to it speaks for the machine, not for the product.
+void Campaign::noteDetection(const Outcome& outcome, const std::optional<double>& detects, Row& row)
+{
+    constexpr double calm = 1; // ms
+    row.detects.add(detects);
+    if (detects && m_canary.largestBetween(outcome.began, outcome.began + static_cast<std::int64_t>(*detects * 1e6)) < calm)
+        row.calmDetects.add(detects);
 }
 
 } // namespace liena::lab

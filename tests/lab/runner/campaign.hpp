@@ -28,6 +28,7 @@ public:
 private:
     void prepare(Cast cast);
     void repeat(const Fault& fault, Row& row);
+    void noteDetection(const Outcome& outcome, const std::optional<double>& detects, Row& row);
 
     CampaignOptions m_options;
     std::mt19937_64 m_random;

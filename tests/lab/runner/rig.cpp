@@ -64,6 +64,8 @@ void RigDevice::learn(const Record& record)
         moving = kind == "moves";
     else if (kind == "heard")
         heard[record.word(1)] = record.word(2);
+    else if (kind == "heap")
+        heap = heap == 0 ? record.number(1) : std::min(heap, record.number(1));
     else if (kind == "ready")
         ready = true;
     else if (kind == "robot") {
@@ -123,7 +125,7 @@ void Rig::start(const std::string& name, const Start& how)
     device.heard.clear();
     device.robotState.clear();
     device.ready = device.moving = device.ended = false;
-    device.applied = 0;
+    device.applied = device.heap = 0;
     device.process = std::make_unique<Process>(plan);
     device.records.push_back({nowNs(), {"started"}});
     if (!until([&] { return device.ready || device.ended; }, startLimit) || !device.ready)

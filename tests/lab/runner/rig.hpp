@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace liena::lab {
@@ -33,10 +34,12 @@ public:
     bool moving = false;
     std::uint64_t applied = 0;  ///< commands, since it started
     std::uint64_t pictures = 0; ///< received
+    std::uint64_t heap = 0;     ///< bytes in use: the least since takeHeap(), 0 when none was told
     bool ended = false;         ///< its output has ended
 
     bool isOpenTo(const std::string& peer) const;
     const std::string& stateOf(const std::string& peer) const;
+    std::uint64_t takeHeap() { return std::exchange(heap, 0); }
     const Record* first(std::int64_t from, const std::function<bool(const Record&)>& accept) const;
 
 private:
@@ -48,9 +51,9 @@ private:
 };
 
 // Real-time priorities. The wire is the lab's equipment and adds no stalls of its own if it can help it; the runner acts in time.
-inline constexpr int wireUrgency = 4;
-inline constexpr int runnerUrgency = 3;
-inline constexpr int deviceUrgency = 2;
+inline constexpr int wireUrgency = 22;
+inline constexpr int runnerUrgency = 21;
+inline constexpr int deviceUrgency = 20;
 
 struct RigOptions {
     std::uint64_t seed = 1;

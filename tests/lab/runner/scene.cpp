@@ -101,6 +101,7 @@ void Scene::engage(With with)
 void Scene::begin(std::int64_t at)
 {
     m_begin = at;
+    m_outcome.began = at;
     m_moved = robot().moving;
 }
 

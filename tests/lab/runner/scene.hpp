@@ -13,6 +13,7 @@ namespace liena::lab {
 
 /// What one repetition showed. Times in ms from the fault on.
 struct Outcome {
+    std::int64_t began = 0; ///< monotonic ns; 0 when there was no fault
     std::optional<double> cockpitDetects;
     std::optional<double> robotDetects;
     std::optional<double> stops;   ///< the drives stand still

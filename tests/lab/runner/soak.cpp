@@ -8,24 +8,28 @@
 #include "runner/trend.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <random>
 #include <set>
+#include <utility>
 
 namespace liena::lab {
 
 namespace {
 
-constexpr double warmUp = 0.2;      // part of the whole that is left out: caches and pools fill
-constexpr double mostGrowth = 1024; // KiB/h that memory may not surely exceed
-constexpr Milliseconds rest{3000};  // before a sample: sessions open, commands and pictures flowing
+constexpr double warmUp = 0.2;        // part of a series that is left out: caches and pools fill
+constexpr double mostPerFault = 256;  // bytes of heap that one may surely keep: the bounded book of ended incidents
+constexpr double mostResident = 1024; // KiB/h that the system may surely have given more
+constexpr Milliseconds rest{3000};    // before a sample: sessions open, commands and pictures flowing
 constexpr auto pictures = "pictures 50000 200";
 
-/// Of one process since it was started; a device that is killed begins a new series.
+/// Of one process since it was started; a device that is killed begins a new one.
 struct Series {
     pid_t process = -1;
-    Trend memory; ///< KiB
+    Trend heap;     ///< KiB in use
+    Trend resident; ///< KiB had from the system; never less than what the worst moment took
     Trend descriptors;
     Trend threads;
     Trend timers;
@@ -59,7 +63,8 @@ private:
     void repeat();
     void sample(double hours);
     void report(double hours);
-    bool judgeSeries();
+    bool judgeSeries() const;
+    bool judge(const std::string& name, const Series& series) const;
     double hoursSinceStart() const { return static_cast<double>(nowNs() - m_start) / 3.6e12; }
 
     StudyOptions m_options;
@@ -68,7 +73,7 @@ private:
     Rig m_rig;
     Judge m_judge;
     Canary m_canary;
-    std::map<std::string, Series> m_series;
+    std::map<std::string, std::vector<Series>> m_series; ///< of each device, one a life
     std::vector<std::string> m_broken;
     Tally m_tally;
     int m_repetitions = 0;
@@ -120,12 +125,13 @@ void Soak::sample(double hours)
 {
     for (const auto& device : m_rig.devices()) {
         const pid_t process = device->process->id();
-        Series& series = m_series[device->name];
-        if (series.process != process)
-            series = Series{process, {}, {}, {}, {}};
-        if (hours < m_options.soakHours * warmUp)
-            continue;
-        series.memory.add(hours, static_cast<double>(anonymousKiB(process)));
+        auto& lives = m_series[device->name];
+        if (lives.empty() || lives.back().process != process)
+            lives.push_back(Series{process, {}, {}, {}, {}, {}});
+        Series& series = lives.back();
+        if (const auto bytes = device->takeHeap(); bytes != 0)
+            series.heap.add(hours, static_cast<double>(bytes) / 1024);
+        series.resident.add(hours, static_cast<double>(anonymousKiB(process)));
         series.descriptors.add(hours, static_cast<double>(countDescriptors(process)));
         series.threads.add(hours, static_cast<double>(countThreads(process)));
         series.timers.add(hours, static_cast<double>(countTimers(process)));
@@ -146,31 +152,50 @@ void Soak::report(double hours)
     std::fflush(stdout);
 }
 
-bool Soak::judgeSeries()
+bool Soak::judgeSeries() const
+{
+    std::printf(
+        "judged is the longest life of each device without its first %.0f %%; constant means: descriptors, threads and timers are\n"
+        "never more in its second half than in its first, the heap in use does not surely (slope less two standard errors) grow by\n"
+        "more than %.0f bytes a fault, nor what was had from the system by more than %.0f KiB/h\n",
+        warmUp * 100, mostPerFault, mostResident);
+    bool constant = true;
+    for (const auto& [name, lives] : m_series)
+        constant &= judge(name, *std::max_element(lives.begin(), lives.end(), [](const Series& one, const Series& other) {
+                              return one.resident.size() < other.resident.size();
+                          }));
+    return constant;
+}
+
+bool Soak::judge(const std::string& name, const Series& series) const
 {
     constexpr std::size_t fewest = 10;
-    bool constant = true;
-    std::printf("constant means: descriptors, threads and timers are never more in the second half than in the first, and memory does not\n"
-                "surely (slope less two standard errors) grow by more than %.0f KiB/h; the first %.0f %% of the time are left out\n",
-                mostGrowth, warmUp * 100);
-    for (auto& [name, series] : m_series) {
-        if (series.memory.size() < fewest) {
-            std::printf("%-8s was started anew too late to be judged (%zu samples)\n", name.c_str(), series.memory.size());
-            continue;
-        }
-        const auto grew = [](const Trend& trend) { return trend.largestOf(0.5, 1) > trend.largestOf(0, 0.5); };
-        const bool holds = series.memory.slope() - 2 * series.memory.uncertainty() <= mostGrowth && !grew(series.descriptors) &&
-                           !grew(series.threads) && !grew(series.timers);
-        std::printf(
-            "%-8s %3zu samples: memory %.0f -> %.0f KiB, slope %+.0f +- %.0f KiB/h; descriptors at most %.0f then %.0f; threads %.0f "
-            "then %.0f; timers %.0f then %.0f: %s\n",
-            name.c_str(), series.memory.size(), series.memory.first(), series.memory.last(), series.memory.slope(),
-            series.memory.uncertainty(), series.descriptors.largestOf(0, 0.5), series.descriptors.largestOf(0.5, 1),
-            series.threads.largestOf(0, 0.5), series.threads.largestOf(0.5, 1), series.timers.largestOf(0, 0.5),
-            series.timers.largestOf(0.5, 1), holds ? "constant" : "BROKEN: grows");
-        constant = constant && holds;
+    const auto judged = [](const Trend& trend) { return trend.between(warmUp, 1); };
+    const Trend heap = judged(series.heap);
+    const Trend resident = judged(series.resident);
+    if (heap.size() < fewest || resident.size() < fewest) {
+        std::printf("%-8s did not live long enough to be judged (%zu samples)\n", name.c_str(), std::min(heap.size(), resident.size()));
+        return true;
     }
-    return constant;
+    bool holds = true;
+    std::string counts;
+    for (const auto& [what, trend] :
+         {std::pair("descriptors", &series.descriptors), std::pair("threads", &series.threads), std::pair("timers", &series.timers)}) {
+        const Trend whole = judged(*trend);
+        holds &= whole.largestOf(0.5, 1) <= whole.largestOf(0, 0.5);
+        counts += "; " + std::string(what) + " at most " + std::to_string(std::lround(whole.largestOf(0, 0.5))) + " then " +
+                  std::to_string(std::lround(whole.largestOf(0.5, 1)));
+    }
+    const double faultsAnHour = m_repetitions / hoursSinceStart();
+    const double perFault = heap.slope() * 1024 / faultsAnHour;
+    const double uncertainty = heap.uncertainty() * 1024 / faultsAnHour;
+    holds &= perFault - 2 * uncertainty <= mostPerFault && resident.slope() - 2 * resident.uncertainty() <= mostResident;
+    std::printf("%-8s %3zu samples: heap %.0f -> %.0f KiB, %+.0f +- %.0f bytes a fault; from the system %.0f -> %.0f KiB, slope %+.0f +- "
+                "%.0f then %+.0f +- %.0f KiB/h%s: %s\n",
+                name.c_str(), heap.size(), heap.first(), heap.last(), perFault, uncertainty, resident.first(), resident.last(),
+                resident.between(0, 0.5).slope(), resident.between(0, 0.5).uncertainty(), resident.between(0.5, 1).slope(),
+                resident.between(0.5, 1).uncertainty(), counts.c_str(), holds ? "constant" : "BROKEN: grows");
+    return holds;
 }
 
 } // namespace

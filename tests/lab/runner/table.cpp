@@ -16,6 +16,17 @@ std::string pairOf(const Sample& sample)
     return text;
 }
 
+/// Of the detections that the machine did not disturb.
+std::string calmOf(const Row& row)
+{
+    char text[96];
+    if (row.calmDetects.empty())
+        return {};
+    std::snprintf(text, sizeof text, "; %zu of %zu calm: p99.9 %.1f, longest %.1f", row.calmDetects.size(), row.detects.size(),
+                  row.calmDetects.at(0.999), row.calmDetects.at(1));
+    return text;
+}
+
 std::string words(const std::map<std::string, int>& counted)
 {
     std::string text;
@@ -69,9 +80,9 @@ std::string jsonOf(const Row& row)
                   static_cast<unsigned long long>(tally.torn), tally.oldest, row.stall);
     return "  {\"fault\": " + quoted(row.fault) + ", \"row\": " + quoted(row.row) + ", \"what\": " + quoted(row.sentence) +
            ", \"repetitions\": " + std::to_string(row.repetitions) + ", \"cockpit_detects_ms\": " + jsonOf(row.cockpitDetects) +
-           ", \"robot_detects_ms\": " + jsonOf(row.robotDetects) + ", \"drives_stop_ms\": " + jsonOf(row.stops) +
-           ", \"reopen_ms\": " + jsonOf(row.reopens) + ", \"seen\": " + jsonOf(row.seen) + ", \"notes\": " + jsonOf(row.notes) + ", " +
-           counts + ", \"broken\": [" + broken + "]}";
+           ", \"robot_detects_ms\": " + jsonOf(row.robotDetects) + ", \"calm_detects_ms\": " + jsonOf(row.calmDetects) +
+           ", \"drives_stop_ms\": " + jsonOf(row.stops) + ", \"reopen_ms\": " + jsonOf(row.reopens) + ", \"seen\": " + jsonOf(row.seen) +
+           ", \"notes\": " + jsonOf(row.notes) + ", " + counts + ", \"broken\": [" + broken + "]}";
 }
 
 } // namespace
@@ -90,10 +101,11 @@ void printRow(const Row& row)
     if (!row.reopens.empty())
         std::snprintf(reopens, sizeof reopens, "%.0f", row.reopens.at(0.99));
     const auto notes = words(row.notes);
-    std::printf("%-15s %-4s %4d  %-13s %-13s %8llu %6llu %7.1f %7s %6.1f  %s%s%s\n", row.fault.c_str(), row.row.c_str(), row.repetitions,
+    const auto calm = calmOf(row);
+    std::printf("%-15s %-4s %4d  %-13s %-13s %8llu %6llu %7.1f %7s %6.1f  %s%s%s%s\n", row.fault.c_str(), row.row.c_str(), row.repetitions,
                 pairOf(row.detects).c_str(), pairOf(row.stops).c_str(), static_cast<unsigned long long>(row.tally.applied),
                 static_cast<unsigned long long>(row.tally.broken()), row.tally.oldest, reopens, row.stall, words(row.seen).c_str(),
-                notes.empty() ? "" : "; ", notes.c_str());
+                notes.empty() ? "" : "; ", notes.c_str(), calm.c_str());
     for (const auto& line : row.broken)
         std::printf("    BROKEN: %s\n", line.c_str());
     std::fflush(stdout);

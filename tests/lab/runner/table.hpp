@@ -17,7 +17,8 @@ struct Row {
     int repetitions = 0;
     Sample cockpitDetects; ///< ms
     Sample robotDetects;
-    Sample detects; ///< both
+    Sample detects;     ///< both
+    Sample calmDetects; ///< those on whose way no processor stood still for a millisecond
     Sample stops;
     Sample reopens;
     Tally tally;

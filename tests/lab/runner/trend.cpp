@@ -22,6 +22,15 @@ void Trend::add(double hours, double value)
     m_values.push_back(value);
 }
 
+Trend Trend::between(double from, double to) const
+{
+    Trend part;
+    const auto place = [&](double share) { return static_cast<std::size_t>(share * static_cast<double>(size())); };
+    for (auto i = place(from); i < place(to); ++i)
+        part.add(m_hours[i], m_values[i]);
+    return part;
+}
+
 double Trend::slope() const
 {
     if (size() < 2)

@@ -11,6 +11,7 @@ public:
     void add(double hours, double value);
 
     std::size_t size() const { return m_hours.size(); }
+    Trend between(double from, double to) const;    ///< these parts of the series, 0 to 1
     double slope() const;                           ///< per hour
     double uncertainty() const;                     ///< standard error of the slope; 0 with fewer than three samples
     double largestOf(double from, double to) const; ///< within these parts of the series, 0 to 1
