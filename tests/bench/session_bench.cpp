@@ -1,4 +1,6 @@
-// Measures sessions on this computer, TLS on: how long an opening takes, and how soon a silent peer is noticed. Prints; judges nothing.
+// Measures sessions on this computer, TLS on: how long an opening takes, beside the bare TLS handshakes that it contains, and how soon a
+// silent peer is noticed. Prints; judges nothing.
+#include "bare_handshake.hpp"
 #include "child_process.hpp"
 #include "test_system.hpp"
 
@@ -20,12 +22,14 @@ constexpr auto referenceTiming = R"(heartbeat="20ms" suspect="70ms" lost="110ms"
 
 double milliseconds(std::chrono::nanoseconds span) { return std::chrono::duration<double, std::milli>(span).count(); }
 
-void print(const char* what, std::vector<double> values)
+/// Returns the median.
+double print(const char* what, std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
     const auto at = [&](double part) { return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))]; };
-    std::printf("%-44s n %3zu   min %7.1f   p50 %7.1f   p99 %7.1f   max %7.1f ms\n", what, values.size(), values.front(), at(0.5), at(0.99),
+    std::printf("%-44s n %3zu   min %7.2f   p50 %7.2f   p99 %7.2f   max %7.2f ms\n", what, values.size(), values.front(), at(0.5), at(0.99),
                 values.back());
+    return at(0.5);
 }
 
 /// Lets the event loop turn until `condition` holds; false after ten seconds.
@@ -55,18 +59,26 @@ double largestStall()
     return largest;
 }
 
-std::vector<double> openings(int rounds)
+struct Openings {
+    std::vector<double> sessions;   ///< from the request to Open; two connections, one each way
+    std::vector<double> handshakes; ///< of one connection with the same certificates, nothing of ours above it
+};
+
+/// In turns, so that the machine's noise meets both.
+Openings openings(int rounds)
 {
     TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"}, {"tls", referenceTiming});
     TestDevice robot(system.settingsOf("robot"));
     TestDevice cockpit(system.settingsOf("cockpit"));
+    BareHandshakes bare(system, "cockpit", "robot");
     const auto peer = system.idOf("robot");
-    std::vector<double> times;
+    Openings times;
     for (int i = 0; i < rounds; ++i) {
+        times.handshakes.push_back(milliseconds(bare.next()));
         const auto count = cockpit.events(Kind::Opened).size();
         if (!cockpit->openChannel(peer) || !waitUntil([&] { return cockpit.events(Kind::Opened).size() > count; }))
             break;
-        times.push_back(milliseconds(cockpit.events(Kind::Opened).back().duration));
+        times.sessions.push_back(milliseconds(cockpit.events(Kind::Opened).back().duration));
         (void)cockpit->closeChannel(peer);
         if (!waitUntil(
                 [&] { return cockpit.state(peer) == SessionState::Closed && robot.state(system.idOf("cockpit")) == SessionState::Closed; }))
@@ -110,11 +122,13 @@ int main(int argc, char** argv)
     std::printf("largest stall of this machine in an idle loop: %.1f ms\n", largestStall());
     const auto opened = openings(50);
     const auto noticed = detections(20);
-    if (opened.empty() || noticed.empty()) {
+    if (opened.sessions.empty() || noticed.empty()) {
         std::fprintf(stderr, "session_bench: the devices did not open a session\n");
         return 1;
     }
-    print("open, request to Open (TLS, one machine)", opened);
+    const auto handshake = print("bare TLS handshake, both ends verified", opened.handshakes);
+    const auto session = print("open, request to Open (TLS, one machine)", opened.sessions);
+    std::printf("%-44s %.2f\n", "open / two bare handshakes, medians", session / (2 * handshake));
     print("frozen peer noticed (lost = 110 ms)", noticed);
     return 0;
 }

@@ -1,0 +1,40 @@
+// Reading the command line.
+#include "measure/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+namespace liena::compare {
+
+Options readOptions(int argc, char** argv, const std::string& transport)
+{
+    static const std::map<std::string, Role> roles{{"client", Role::Client}, {"echo", Role::Echo}};
+    static const std::map<std::string, WorkloadKind> workloads{{"roundtrip", WorkloadKind::RoundTrip},
+                                                               {"paced", WorkloadKind::Paced},
+                                                               {"load", WorkloadKind::Load},
+                                                               {"frames", WorkloadKind::Frames},
+                                                               {"messages", WorkloadKind::Messages}};
+    CLI::App app("One end of a measured link over " + transport + "; started by tests/bench/compare/run. Ends with its input.");
+    Options options;
+    app.add_option("--role", options.role)->required()->transform(CLI::CheckedTransformer(roles));
+    app.add_option("--workload", options.workload)->required()->transform(CLI::CheckedTransformer(workloads));
+    app.add_option("--host", options.host, "where the echo listens")->capture_default_str();
+    app.add_option("--port", options.port)->capture_default_str();
+    app.add_option("--seconds", options.seconds, "that are measured")->capture_default_str();
+    app.add_option("--warm-up", options.warmUp, "seconds before them")->capture_default_str();
+    app.add_option("--command-rate", options.commandRate, "per second, of load and paced")->capture_default_str();
+    app.add_option("--frame-rate", options.frameRate, "per second, of load; 0: commands alone")->capture_default_str();
+    app.add_option("--frame-bytes", options.frameBytes)->capture_default_str();
+    app.add_flag("--timeline", options.timeline, "of load: tell every single latency");
+    app.add_flag("--spin", options.spins, "never sleep while waiting; LiENa and raw TCP only");
+    app.add_option("--files", options.files, "folder with topology.xml and pki/")->capture_default_str();
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        std::exit(app.exit(error));
+    }
+    return options;
+}
+
+} // namespace liena::compare

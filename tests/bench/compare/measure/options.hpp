@@ -1,0 +1,36 @@
+// The command line that all peers have in common.
+#pragma once
+
+#include "measure/stamp.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace liena::compare {
+
+enum class Role : std::uint8_t { Client, Echo };
+enum class WorkloadKind : std::uint8_t { RoundTrip, Paced, Load, Frames, Messages };
+
+struct Options {
+    Role role = Role::Client;
+    WorkloadKind workload = WorkloadKind::RoundTrip;
+    std::string host = "127.0.0.1";
+    std::uint16_t port = 52300;
+    double seconds = 3;       ///< that are measured
+    double warmUp = 1;        ///< before them
+    double commandRate = 500; ///< per second: load and paced
+    double frameRate = 0;     ///< per second: load
+    bool timeline = false;    ///< of load: every single latency is told
+    std::size_t frameBytes = std::size_t{2} << 20U;
+    bool spins = false;          ///< looks for work without ever sleeping, where the transport can
+    std::filesystem::path files; ///< topology.xml and pki/, for the peers that need certificates
+
+    bool sendsFrames() const { return workload == WorkloadKind::Frames || frameRate > 0; }
+};
+
+/// Ends the program when it cannot be understood.
+Options readOptions(int argc, char** argv, const std::string& transport);
+
+} // namespace liena::compare

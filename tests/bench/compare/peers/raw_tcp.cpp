@@ -1,0 +1,216 @@
+// peer_raw_tcp: one TCP socket and poll(), or nothing but the socket's own reading again and again, without any library: what the kernel
+// alone takes.
+#include "measure/frame_post.hpp"
+#include "measure/periodic_tasks.hpp"
+#include "stream/stream_input.hpp"
+#include "stream/stream_output.hpp"
+#include "workloads/peer.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+
+namespace liena::compare {
+
+namespace {
+
+int checked(int result, const char* what)
+{
+    if (result < 0)
+        throw std::system_error(errno, std::generic_category(), what);
+    return result;
+}
+
+sockaddr_in addressOf(const Options& options)
+{
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(options.port);
+    if (::inet_pton(AF_INET, options.host.c_str(), &address.sin_addr) != 1)
+        throw std::runtime_error("not an address: " + options.host);
+    return address;
+}
+
+int acceptOne(const Options& options)
+{
+    const int listener = checked(::socket(AF_INET, SOCK_STREAM, 0), "socket");
+    const int on = 1;
+    ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    const auto address = addressOf(options);
+    checked(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), "bind");
+    checked(::listen(listener, 1), "listen");
+    const int socket = checked(::accept(listener, nullptr, nullptr), "accept");
+    ::close(listener);
+    return socket;
+}
+
+/// The echo may start later.
+int connectTo(const Options& options)
+{
+    const auto address = addressOf(options);
+    for (int attempt = 0;; ++attempt) {
+        const int socket = checked(::socket(AF_INET, SOCK_STREAM, 0), "socket");
+        if (::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
+            return socket;
+        ::close(socket);
+        constexpr int mostAttempts = 500;
+        if (attempt == mostAttempts)
+            throw std::runtime_error("nobody listens at " + options.host);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+}
+
+class RawTcp final : public Transport {
+public:
+    explicit RawTcp(const Options& options)
+        : m_options(options), m_pixels(std::make_shared<const std::vector<std::byte>>(options.frameBytes))
+    {}
+
+    void every(Nanoseconds period, std::function<void()> task) override { m_tasks.add(period, std::move(task)); }
+
+    void run(LinkEvents& events) override
+    {
+        m_socket = m_options.role == Role::Client ? connectTo(m_options) : acceptOne(m_options);
+        const int on = 1;
+        ::setsockopt(m_socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+        m_tasks.start();
+        events.ready();
+        flush();
+        while (!m_post.isStopped() && m_connected) {
+            if (m_options.spins)
+                spin(events);
+            turn(events, m_options.spins ? 0 : -1);
+        }
+    }
+
+    void stop() override { m_post.stop(); }
+
+    /// Leaves at the end of the turn, with all others of it.
+    void sendCommand(const Command& command) override { m_output.append(command); }
+
+    void sendFrame(const Stamp& stamp) override { m_post.put(stamp); }
+
+private:
+    /// Timers and the end may wait for as many looks at the socket.
+    void spin(LinkEvents& events)
+    {
+        constexpr int looks = 64;
+        for (int i = 0; i < looks && m_connected; ++i) {
+            receive(events);
+            flush();
+        }
+    }
+
+    /// Sleeps for at most `limit` ms; -1: as long as nothing happens.
+    void turn(LinkEvents& events, int limit)
+    {
+        const auto wanted = static_cast<short>(m_underWay.empty() ? POLLIN : POLLIN | POLLOUT);
+        m_watched.assign({{m_socket, wanted, 0}, {m_post.descriptor(), POLLIN, 0}});
+        for (std::size_t i = 0; i < m_tasks.count(); ++i)
+            m_watched.push_back({m_tasks.descriptor(i), POLLIN, 0});
+        ::poll(m_watched.data(), m_watched.size(), limit);
+        for (std::size_t i = 0; i < m_tasks.count(); ++i)
+            if (m_watched[i + 2].revents != 0)
+                m_tasks.expire(i);
+        if (m_watched[1].revents != 0)
+            for (const auto& stamp : m_post.take())
+                m_output.append(stamp, m_pixels);
+        if ((m_watched[0].revents & ~POLLOUT) != 0)
+            receive(events);
+        if (m_underWay.empty() || (m_watched[0].revents & POLLOUT) != 0)
+            flush();
+    }
+
+    void flush()
+    {
+        while (!m_underWay.empty() || !m_output.empty()) {
+            if (m_underWay.empty()) {
+                m_underWay = m_output.take();
+                m_written = 0;
+            }
+            if (!writeSome())
+                return;
+        }
+    }
+
+    /// False when something is left.
+    bool writeSome()
+    {
+        const auto left = collectParts();
+        msghdr message{};
+        message.msg_iov = m_parts.data();
+        message.msg_iovlen = m_parts.size();
+        const auto count = ::sendmsg(m_socket, &message, MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (count < 0 || static_cast<std::size_t>(count) < left) {
+            m_written += static_cast<std::size_t>(std::max<ssize_t>(count, 0));
+            return false; // also after a part: trying on would keep the thread here as long as the frame leaves
+        }
+        m_underWay.clear();
+        return true;
+    }
+
+    /// What of m_underWay is still to be written, as far as one call takes it; returns all its bytes.
+    std::size_t collectParts()
+    {
+        constexpr std::size_t mostParts = 64;
+        m_parts.clear();
+        auto skip = m_written;
+        std::size_t left = 0;
+        const auto add = [&](const std::vector<std::byte>& bytes) {
+            const auto from = std::min(skip, bytes.size());
+            skip -= from;
+            left += bytes.size() - from;
+            if (from < bytes.size() && m_parts.size() < mostParts)
+                m_parts.push_back({const_cast<std::byte*>(bytes.data() + from), bytes.size() - from});
+        };
+        for (const auto& chunk : m_underWay) {
+            add(chunk.bytes);
+            if (chunk.pixels)
+                add(*chunk.pixels);
+        }
+        return left;
+    }
+
+    void receive(LinkEvents& events)
+    {
+        const auto space = m_input.space();
+        const auto count = ::recv(m_socket, space.data(), space.size(), MSG_DONTWAIT);
+        if (count > 0)
+            m_input.read(static_cast<std::size_t>(count), events);
+        else if (count == 0 || errno != EAGAIN)
+            m_connected = false;
+    }
+
+    Options m_options;
+    StreamOutput::Pixels m_pixels;
+    int m_socket = -1;
+    bool m_connected = true;
+    PeriodicTasks m_tasks;
+    FramePost m_post;
+    StreamOutput m_output;
+    std::vector<StreamOutput::Chunk> m_underWay;
+    std::size_t m_written = 0; ///< of what is under way
+    std::vector<pollfd> m_watched;
+    std::vector<iovec> m_parts;
+    StreamInput m_input;
+};
+
+} // namespace
+
+} // namespace liena::compare
+
+int main(int argc, char** argv)
+{
+    using namespace liena::compare;
+    runPeer(argc, argv, "raw TCP", [](const Options& options) { return std::make_unique<RawTcp>(options); });
+}

@@ -1,0 +1,62 @@
+"""A link that falls to a tenth of its rate beside frames, and heals: commands before, during and after, and when all frames are back."""
+import math
+import time
+
+from . import measuring
+
+WARM_UP = 1.0  # seconds, of the programs
+STARTING = 2.0  # in which they have connected
+LATE = 2  # times the frames' median before the collapse: such a frame is not as it was
+
+
+def measure(program, arguments, network, files, measurement, path, urgency):
+    changes = []
+
+    def meanwhile():
+        time.sleep(STARTING + WARM_UP + path.seconds[0])
+        for megabits, seconds in ((path.narrow.megabits, path.seconds[1]), (path.link.megabits, 0)):
+            network.shape(megabits)
+            changes.append(time.monotonic() * 1000)
+            time.sleep(seconds)
+
+    try:
+        timeline, complaints = measuring.measure(program, arguments, network, files, measurement, STARTING + sum(path.seconds), urgency,
+                                                 meanwhile)
+    finally:
+        network.shape(path.link.megabits)
+    return (figures(timeline, *changes) if timeline else {}), complaints
+
+
+def quantile(values, q):
+    return sorted(values)[max(0, math.ceil(q * len(values)) - 1)] if values else math.nan
+
+
+def figures(timeline, narrowed, healed):
+    """From single latencies; all moments in ms of the monotonic clock."""
+    commands = list(zip(timeline["command_due_ms"], timeline["command_late_ms"]))
+    spans = {"before": (-math.inf, narrowed), "during": (narrowed, healed), "after": (healed, math.inf)}
+    found = {}
+    for name, (begin, end) in spans.items():
+        late = [1000 * ms for due, ms in commands if begin <= due < end]
+        found |= {f"{name}_count": len(late), f"{name}_p99": quantile(late, 0.99), f"{name}_max": max(late, default=math.nan)}
+    frames = list(zip(timeline["frame_due_ms"], timeline["frame_late_ms"]))
+    found["frames_during"] = sum(narrowed <= due < healed for due, _ in frames)
+    found["frames_back_s"] = frames_back(frames, narrowed, healed)
+    return found
+
+
+def frames_back(frames, narrowed, healed):
+    """Seconds from the healing to the first frame since which none was left out or late; infinite when that never came."""
+    before = [(due, late) for due, late in frames if due < narrowed]
+    period = quantile([b[0] - a[0] for a, b in zip(before, before[1:])], 0.5)
+    usual = quantile([late for _, late in before], 0.5)
+    back = math.inf
+    previous = -math.inf
+    for due, late in frames:
+        if due < healed:
+            previous = due
+            continue
+        whole = due - previous < 1.5 * period and late < LATE * usual
+        back = (due if back == math.inf else back) if whole else math.inf
+        previous = due
+    return (back - healed) / 1000

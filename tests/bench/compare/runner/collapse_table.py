@@ -1,0 +1,34 @@
+"""The part of the table about a link that falls to a tenth."""
+from .conditions import COLLAPSES
+from .load_table import STALL_US, number, verdict
+
+SEGMENT_BYTES = 4096  # of LiENa on a slow link
+BACK_S = 5
+HEAD = ("| | p99 before | p99 during | p99 after | max | limit during | met | frames during | all frames again after, s | met |\n"
+        "|---|---|---|---|---|---|---|---|---|---|")
+
+
+def row(medians, path, transport):
+    def of(figure):
+        return medians.of(f"collapse/{path.key}", transport.key, figure)
+
+    before, during, back = of("before_p99"), of("during_p99"), of("frames_back_s")
+    limit = before + SEGMENT_BYTES * 8 / path.narrow.megabits + STALL_US
+    worst = max(of(name + "_max") for name in ("before", "during", "after"))
+    cells = [number(before), number(during), number(of("after_p99")), number(worst), number(limit), verdict(during <= limit),
+             number(of("frames_during")), "never" if back == float("inf") else number(back, 1, 1), verdict(back <= BACK_S)]
+    return "| " + " | ".join([transport.title, *cells]) + " |"
+
+
+def sections(medians, transports):
+    for path in COLLAPSES:
+        measured = medians.results.get(f"collapse/{path.key}", {})
+        lines = [row(medians, path, transport) for transport in transports if any(measured.get(transport.key, []))]
+        if lines:
+            before, narrow, after = path.seconds
+            yield "\n".join([
+                f"### A link that falls from {path.link.name} to {path.narrow.name}", "",
+                f"Commands at 500 Hz beside 15 frames/s of {path.link.frame_bytes // 1024} KiB, which the narrow link cannot carry: "
+                f"{before} s, {narrow} s narrow, {after} s healed. µs. Limit: p99 before the fall, the time of a 4 KiB segment on the narrow link and "
+                f"{STALL_US} µs. *Again*: since then no frame was left out or took more than twice what it took before the fall.", "",
+                HEAD, *lines])

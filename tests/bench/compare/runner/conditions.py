@@ -1,0 +1,85 @@
+"""What is measured: the links, the workloads, and how many bytes a frame has on each link."""
+from dataclasses import dataclass
+
+MIB = 1 << 20
+SEGMENT_BYTES = 16384  # of LiENa: what a command waits for at worst when it came while a frame leaves
+QUEUE_BYTES = 512 * 1024  # before the bottleneck, as in a small switch
+
+
+@dataclass(frozen=True)
+class Link:
+    name: str
+    megabits: int = 0  # 0: loopback
+    delay_ms: int = 0  # each way
+    frame_bytes: int = 2 * MIB
+
+    def segment_us(self):
+        return SEGMENT_BYTES * 8 / self.megabits if self.megabits else 0.0
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """One row group of the table; `arguments` is the common command line of both ends."""
+    key: str
+    title: str
+    link: Link
+    workload: str
+    mode: str = "tls"
+    arguments: tuple = ()
+
+
+LOOPBACK = Link("loopback")
+# Frames of a quarter (15 /s) and of half (30 /s) of what each link carries.
+GIGABIT = Link("1 Gbit/s", 1000)
+LINKS = {
+    "1g": GIGABIT,
+    "400m": Link("400 Mbit/s", 400, 0, 2 * MIB * 400 // 1000),
+    "100m": Link("100 Mbit/s", 100, 0, 2 * MIB * 100 // 1000),
+    "1g-20ms": Link("1 Gbit/s, 20 ms", 1000, 20),
+    "400m-20ms": Link("400 Mbit/s, 20 ms", 400, 20, 2 * MIB * 400 // 1000),
+    "100m-20ms": Link("100 Mbit/s, 20 ms", 100, 20, 2 * MIB * 100 // 1000),
+}
+COMMAND_RATE = 500  # per second, beside frames
+FRAME_RATES = (0, 15, 30)
+
+
+def load_measurements(link_names):
+    found = []
+    for name in link_names:
+        link = LINKS[name]
+        for rate in FRAME_RATES:
+            title = f"{link.name}, {rate} frames/s" if rate else f"{link.name}, no frames"
+            arguments = ("--frame-rate", str(rate), "--frame-bytes", str(link.frame_bytes), "--command-rate", str(COMMAND_RATE))
+            found.append(Measurement(f"load/{name}/{rate}", title, link, "load", "tls", arguments))
+    return found
+
+
+@dataclass(frozen=True)
+class Collapse:
+    """A link that is `link`, then a tenth of it, then `link` again."""
+    key: str
+    link: Link
+    seconds: tuple = (5, 10, 10)  # of each
+
+    @property
+    def narrow(self):
+        return Link(f"{self.link.megabits // 10} Mbit/s", self.link.megabits // 10)
+
+    def measurement(self):
+        arguments = ("--frame-rate", "15", "--frame-bytes", str(self.link.frame_bytes), "--command-rate", str(COMMAND_RATE), "--timeline")
+        return Measurement(f"collapse/{self.key}", f"{self.link.name} to {self.narrow.name}", self.link, "load", "tls", arguments)
+
+
+COLLAPSES = [Collapse("1g", GIGABIT), Collapse("100m", LINKS["100m"])]
+
+
+def loopback_measurements(workloads):
+    every = {
+        "roundtrip": [Measurement("roundtrip", "64 bytes, back to back", LOOPBACK, "roundtrip")],
+        "paced": [Measurement("paced", "64 bytes, 1 kHz", LOOPBACK, "paced", "tls", ("--command-rate", "1000"))],
+        "throughput": [
+            Measurement("frames", "1 MiB frames", LOOPBACK, "frames", "tls", ("--frame-bytes", str(MIB))),
+            Measurement("messages", "64-byte messages", LOOPBACK, "messages"),
+        ],
+    }
+    return [m for workload in workloads for m in every.get(workload, [])]

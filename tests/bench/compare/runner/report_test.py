@@ -1,0 +1,71 @@
+"""The table's arithmetic: medians, limits, targets and what a failed run does to them."""
+import types
+import unittest
+
+from . import collapse, conditions, load_table, loopback_table, report, targets, transports
+
+
+def comparison(results, rounds=3):
+    chosen = types.SimpleNamespace(rounds=rounds, seconds=5, real_time=False)
+    return types.SimpleNamespace(results=results, transports=transports.TRANSPORTS, stalls=[0.5], chosen=chosen)
+
+
+def round_trips(*values):
+    return [{"round_trip_p50": value, "round_trip_p99": 2 * value} if value else {} for value in values]
+
+
+class ReportTest(unittest.TestCase):
+    def test_median_leaves_failed_rounds_out(self):
+        medians = report.Medians({"roundtrip": {"liena": round_trips(50, None, 70)}})
+        self.assertEqual(medians.of("roundtrip", "liena", "round_trip_p50"), 60)
+        self.assertIsNone(medians.of("roundtrip", "asio", "round_trip_p50"))
+
+    def test_spread_needs_two_rounds(self):
+        medians = report.Medians({"roundtrip": {"liena": round_trips(50, 75, 100), "asio": round_trips(50)}})
+        self.assertAlmostEqual(medians.spread("roundtrip", "liena", "round_trip_p50"), 100 * 50 / 75)
+        self.assertIsNone(medians.spread("roundtrip", "asio", "round_trip_p50"))
+
+    def test_limit_adds_a_segment_and_the_stall(self):
+        medians = report.Medians({"load/100m/0": {"liena": [{"command_p99": 100}]}})
+        self.assertAlmostEqual(load_table.limit_of(medians, conditions.LINKS["100m"], "load/100m/0", "liena"), 100 + 1310.72 + 500)
+
+    def test_target_is_met_at_its_bound(self):
+        at, above = (report.Medians({"roundtrip": {"liena": round_trips(value), "asio-tls": round_trips(100)}}) for value in (115, 116))
+        self.assertIn("| ≤ 1.15 | 1.15 | yes |", targets.sections(at)[0])
+        self.assertIn("| ≤ 1.15 | 1.16 | **no** |", targets.sections(above)[0])
+
+    def test_what_never_sleeps_is_held_against_its_like(self):
+        medians = report.Medians({"roundtrip": {"liena-spin": round_trips(26), "raw-spin": round_trips(10), "asio-tls": round_trips(50)}})
+        self.assertIn("| ≤ 2.5 | 2.60 | **no** |", targets.sections(medians)[0])
+        measurements = conditions.loopback_measurements(["roundtrip"])
+        self.assertIn("| LiENa, TLS, never asleep | 26.0 / 52.0 (2.60) |",
+                      loopback_table.sections(medians, measurements, transports.TRANSPORTS)[0])
+
+    def test_table_names_what_did_not_come_through(self):
+        results = {"roundtrip": {"liena": round_trips(50), "asio-tls": round_trips(40), "zeromq": [{}]}}
+        text = report.markdown(comparison(results), conditions.loopback_measurements(["roundtrip"]))
+        self.assertIn("| LiENa, TLS | 50.0 / 100.0 (1.25) |", text)
+        self.assertIn("| ZeroMQ | – |", text)
+
+    def test_frames_are_back_when_none_is_late_or_left_out_any_more(self):
+        def frames(*spans):
+            return [(due, late) for begin, end, period, late in spans for due in range(begin, end, period)]
+
+        healthy, narrow = (0, 5000, 66, 20), (5000, 15000, 198, 190)
+        at_once = frames(healthy, narrow, (15000, 25000, 66, 20))
+        self.assertLess(collapse.frames_back(at_once, 5000, 15000), 0.2)
+        late_for_a_second = frames(healthy, narrow, (15000, 16000, 66, 90), (16000, 25000, 66, 20))
+        self.assertAlmostEqual(collapse.frames_back(late_for_a_second, 5000, 15000), 1.0, delta=0.2)
+        left_out_in_between = frames(healthy, narrow, (15000, 17000, 66, 20), (17132, 25000, 66, 20))
+        self.assertAlmostEqual(collapse.frames_back(left_out_in_between, 5000, 15000), 2.2, delta=0.2)
+        self.assertEqual(collapse.frames_back(frames(healthy, narrow, (15000, 25000, 132, 20)), 5000, 15000), float("inf"))
+
+    def test_spans_of_a_collapse_are_those_of_the_link(self):
+        timeline = {"command_due_ms": [10, 60, 110], "command_late_ms": [1, 7, 2], "frame_due_ms": [20, 70, 120], "frame_late_ms": [5, 9, 5]}
+        found = collapse.figures(timeline, 50, 100)
+        self.assertEqual([found[f"{span}_p99"] for span in ("before", "during", "after")], [1000, 7000, 2000])
+        self.assertEqual(found["frames_during"], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

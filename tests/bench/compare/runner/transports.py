@@ -1,0 +1,31 @@
+"""The programs under comparison, and which of them need certificates."""
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Transport:
+    key: str
+    title: str
+    program: str
+    mode: str  # of the topology that LiENa reads
+    arguments: tuple = ()  # of the program, besides those of the measurement
+    round_trips_only: bool = False
+
+
+TRANSPORTS = [
+    Transport("liena", "LiENa, TLS", "peer_liena", "tls"),
+    Transport("asio-tls", "Asio TLS", "peer_asio_tls", "tls"),
+    Transport("raw", "raw TCP", "peer_raw_tcp", "none"),
+    Transport("liena-spin", "LiENa, TLS, never asleep", "peer_liena", "tls", ("--spin",), True),
+    Transport("raw-spin", "raw TCP, never asleep", "peer_raw_tcp", "none", ("--spin",), True),
+    Transport("liena-none", "LiENa, mode none", "peer_liena", "none"),
+    Transport("asio", "Asio", "peer_asio", "none"),
+    Transport("zeromq", "ZeroMQ", "peer_zeromq", "none"),
+    Transport("igtl", "OpenIGTLink", "peer_openigtlink", "none"),
+    Transport("cyclone", "Cyclone DDS", "peer_cyclonedds", "none"),
+    Transport("fastdds", "Fast DDS", "peer_fastdds", "none"),
+]
+
+
+def built(bin_dir):
+    return [t for t in TRANSPORTS if (bin_dir / t.program).exists()]
