@@ -34,11 +34,12 @@ const std::vector<Room>& rooms()
         {"console/model/", "model", {}},
         {"console/input/", "input", {"model"}},
         {"console/sound/", "sound", {"model"}},
+        {"console/watchdog/", "watchdog", {"sound", "model"}},
         {"console/imaging/", "imaging", {"model"}},
         {"console/widgets/", "widgets", {"imaging", "model"}},
         {"console/editor/", "editor", {"widgets", "model"}},
         {"console/link/", "link", {"model"}},
-        {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "sound", "model"}},
+        {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "sound", "watchdog", "model"}},
     };
     return table;
 }
