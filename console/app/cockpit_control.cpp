@@ -212,6 +212,7 @@ GuardReadings CockpitControl::guardReadings(Instant now) const
     r.handAlive = m_models.hand.reading().alive;
     r.windowActive = m_keyboard.listening();
     r.deadMan = m_models.hand.reading().deadMan;
+    r.alarmsTested = m_models.selfTest.passed();
     return r;
 }
 

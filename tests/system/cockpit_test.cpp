@@ -38,6 +38,8 @@ public:
         options.certificate = text(settings.certificate);
         options.key = text(settings.key);
         options.authority = text(settings.authority);
+        options.alarmLog = text(files.folder() / "alarms");
+        options.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
         options.size = QSize(1366, 768);
         options.profile = PictureProfile::Coronary;
         cockpit = std::make_unique<CockpitApplication>(options);
@@ -93,6 +95,7 @@ public:
     /// computer paints too late, say) sends a person back to the start, and so this.
     void armAndMove()
     {
+        testAlarms();
         const QDeadlineTimer deadline(3 * patience);
         const auto before = robotStatus().guidewirePosition;
         const auto moved = [&] { return robotStatus().guidewirePosition > before + 0.5; };
@@ -113,6 +116,16 @@ public:
             hold(Qt::Key_Up);
             (void)QTest::qWaitFor([&] { return moved() || phase() != PermitPhase::Engaged; }, patience);
         }
+    }
+
+    /// Once per start: look at the colours, listen, and say so.
+    void testAlarms()
+    {
+        if (models().selfTest.passed())
+            return;
+        click(QStringLiteral("Alarm self-test"));
+        click(QStringLiteral("Test seen"));
+        QVERIFY(models().selfTest.passed());
     }
 
     void acknowledgeAlarms()
