@@ -42,6 +42,7 @@ std::optional<AlarmPriority> SoundSchedule::next(const std::vector<Alarm>& alarm
     const Alarm* highest = highestSounding(alarms);
     if (highest == nullptr || paused) {
         m_current.reset();
+        m_ends = now; // it is cut short: what comes next need not wait for its end
         return std::nullopt;
     }
     const auto priority = highest->priority;

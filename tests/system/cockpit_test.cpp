@@ -9,6 +9,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDeadlineTimer>
+#include <QFile>
 #include <QTest>
 
 using namespace liena::test;
@@ -145,6 +146,27 @@ public:
         return text + models().permit.unmetText(9);
     }
 
+    bool stands(AlarmCondition condition) const
+    {
+        const auto& alarms = models().alarms.alarms();
+        return std::any_of(alarms.begin(), alarms.end(),
+                           [condition](const Alarm& alarm) { return alarm.condition == condition && alarm.present; });
+    }
+
+    bool logContains(const QString& text) const
+    {
+        const auto& lines = models().log.lines();
+        return std::any_of(lines.begin(), lines.end(), [&text](const LogLine& line) { return line.text == text; });
+    }
+
+    /// The alarm log's file as it is on the disk now.
+    QByteArray keptAlarms() const
+    {
+        QFile file(QString::fromStdString((files.folder() / "alarms").string()) +
+                   QStringLiteral("/alarms-%1.jsonl").arg(models().sessions.self()->idText()));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
     bool reaches(PermitPhase wanted)
     {
         return QTest::qWaitFor([&] { return phase() == wanted; }, 6000);
@@ -200,6 +222,18 @@ private Q_SLOTS:
         QVERIFY(theatre.robotStatus().appliedCommands > 0);
         theatre.releaseAll();
         QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, patience);
+    }
+
+    void aLostXraySystemIsAnAlarmOfItsOwnAndIsKept()
+    {
+        Theatre theatre;
+        theatre.openAll();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.logContains(QStringLiteral("the watchdog watches")), patience);
+        theatre.xray->kill();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.stands(AlarmCondition::ImageLost), patience);
+        QVERIFY(!theatre.stands(AlarmCondition::LinkLost));
+        QVERIFY(!theatre.stands(AlarmCondition::WatchdogGone) && !theatre.stands(AlarmCondition::RecorderStopped));
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.keptAlarms().contains("picture link lost"), patience);
     }
 
     void aFrozenRobotAppliesNothingStaleWhenItWakes()

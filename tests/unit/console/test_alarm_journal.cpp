@@ -8,6 +8,9 @@
 
 #include <functional>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 using namespace console;
 
 namespace {
@@ -128,6 +131,23 @@ private Q_SLOTS:
         AlarmJournal second(folder.place.path(), QStringLiteral("alarms"));
         QVERIFY(second.trouble().contains(QStringLiteral("in use")));
         second.append(entry(1));
+    }
+
+    void theLockOfADeadConsoleStopsNobody()
+    {
+        const Folder folder;
+        const auto child = ::fork();
+        if (child == 0) {
+            QLockFile lock(folder.file() + QStringLiteral(".lock"));
+            lock.tryLock(0);
+            ::_exit(0);
+        }
+        QCOMPARE(::waitpid(child, nullptr, 0), child);
+        QVERIFY(QFile::exists(folder.file() + QStringLiteral(".lock")));
+        folder.write(1, 1);
+        const AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+        QCOMPARE(journal.trouble(), QString());
+        QCOMPARE(journal.restored().size(), std::size_t(1));
     }
 
     void aFolderThatCannotBeIsToldByName()

@@ -136,6 +136,21 @@ private Q_SLOTS:
         QCOMPARE(room.hear(1s), QStringLiteral("H0"));
     }
 
+    void aBurstThatWasCutShortDelaysNothing()
+    {
+        Listener room;
+        room.present({{AlarmCondition::ForceStop, High}});
+        (void)room.hear(300ms);
+        room.pause();
+        QCOMPARE(room.hear(300ms), QString());
+        room.present({{AlarmCondition::ForceStop, High}, {AlarmCondition::DriveFault, High}});
+        QCOMPARE(room.hear(1s), QStringLiteral("H0"));
+        room.acknowledgeAll();
+        QCOMPARE(room.hear(300ms), QString());
+        room.present({{AlarmCondition::LinkLost, High}});
+        QCOMPARE(room.hear(1s), QStringLiteral("H0"));
+    }
+
     void acknowledgedIsSilentUntilItEndsAndReturns()
     {
         Listener room;
