@@ -37,7 +37,8 @@ void BurstPlayer::open()
     }
     m_sink.reset();
     const auto device = QMediaDevices::defaultAudioOutput();
-    if (device.isNull())
+    // What the sound server shows where there is no hardware: it takes everything, and nobody hears it.
+    if (device.isNull() || device.id() == "auto_null")
         return tell(tr("this computer has no sound output"));
     QAudioFormat format;
     format.setSampleRate(sampleRate);

@@ -3,29 +3,39 @@
 
 #include "sound/burst_player.hpp"
 
+#include <QThread>
+
 namespace console {
 
-Loudspeaker::Loudspeaker(QObject* parent) : AlarmVoice(parent), m_player(new BurstPlayer)
+namespace {
+
+constexpr unsigned long endMs = 500;
+
+} // namespace
+
+Loudspeaker::Loudspeaker(QObject* parent) : AlarmVoice(parent), m_thread(std::make_unique<QThread>()), m_player(new BurstPlayer)
 {
-    m_thread.setObjectName(QStringLiteral("alarm sound"));
-    m_player->moveToThread(&m_thread);
-    connect(&m_thread, &QThread::finished, m_player, &QObject::deleteLater);
+    m_thread->setObjectName(QStringLiteral("alarm sound"));
+    m_player->moveToThread(m_thread.get());
+    connect(m_thread.get(), &QThread::finished, m_player, &QObject::deleteLater);
     connect(m_player, &BurstPlayer::troubleChanged, this, &AlarmVoice::troubleChanged);
 }
 
 Loudspeaker::~Loudspeaker()
 {
-    if (!m_thread.isRunning()) {
+    if (!m_thread->isRunning()) {
         delete m_player;
         return;
     }
-    m_thread.quit();
-    m_thread.wait();
+    m_thread->quit();
+    // A sound server that does not answer must not keep the program: its thread is then left to the end of the process.
+    if (!m_thread->wait(endMs))
+        (void)m_thread.release();
 }
 
 void Loudspeaker::start()
 {
-    m_thread.start();
+    m_thread->start();
     QMetaObject::invokeMethod(m_player, &BurstPlayer::open);
 }
 

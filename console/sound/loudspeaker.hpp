@@ -3,7 +3,9 @@
 
 #include "sound/alarm_voice.hpp"
 
-#include <QThread>
+#include <memory>
+
+class QThread;
 
 namespace console {
 
@@ -24,7 +26,7 @@ public:
     void silence() override;
 
 private:
-    QThread m_thread;
+    std::unique_ptr<QThread> m_thread;
     BurstPlayer* m_player; ///< lives on the thread, and ends with it
 };
 
