@@ -28,6 +28,8 @@ struct Options {
     QString recording;
     QString vessels;
     QString user;
+    QString alarmLog; ///< folder; empty: alarms are not kept on the disk
+    QString watchdog; ///< program; empty: nobody watches this one
     bool rehearsal = false;
     bool measureOnRequest = false;
     PictureProfile profile = PictureProfile::Neuro;
