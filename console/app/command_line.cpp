@@ -54,6 +54,13 @@ struct Declared {
                                  QStringLiteral("Recorded hand (time,x,y,z,buttons) to move by while the dead-man is held."),
                                  QStringLiteral("FILE")};
     QCommandLineOption vessels{QStringLiteral("vessels"), QStringLiteral("Vessel tree for the 3-D scene, SWC."), QStringLiteral("FILE")};
+    QCommandLineOption pictures{QStringLiteral("pictures"),
+                                QStringLiteral("Folder for saved pictures. Default: liena in the person's folder of pictures."),
+                                QStringLiteral("FOLDER")};
+    QCommandLineOption display{QStringLiteral("display"),
+                               QStringLiteral("The display's measured light, for the grey scale of DICOM PS3.14: lines `level luminance`, "
+                                              "0 and 255 among them, and `ambient luminance`."),
+                               QStringLiteral("FILE")};
     QCommandLineOption rehearsal{
         QStringLiteral("rehearsal"),
         QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};
@@ -77,8 +84,9 @@ struct Declared {
     Declared()
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
-        parser.addOptions({topology, device, certificate, key, authority, registry, store, profile, user, recording, vessels, rehearsal,
-                           measureOnRequest, size, unattended, report, screenshot, help, version});
+        parser.addOptions({topology,         device, certificate, key,     authority,  registry, store,
+                           profile,          user,   recording,   vessels, pictures,   display,  rehearsal,
+                           measureOnRequest, size,   unattended,  report,  screenshot, help,     version});
     }
 };
 
@@ -129,6 +137,8 @@ QString readOptions(const Declared& declared, Options& options)
     options.authority = parser.value(declared.authority);
     options.recording = parser.value(declared.recording);
     options.vessels = parser.value(declared.vessels);
+    options.pictures = parser.value(declared.pictures);
+    options.display = parser.value(declared.display);
     options.user = parser.value(declared.user);
     options.rehearsal = parser.isSet(declared.rehearsal);
     options.measureOnRequest = parser.isSet(declared.measureOnRequest);
