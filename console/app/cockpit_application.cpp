@@ -3,7 +3,6 @@
 
 #include "editor/topology_canvas.hpp"
 #include "editor/topology_view.hpp"
-#include "imaging/live_image_view.hpp"
 #include "imaging/scene_view.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/theme.hpp"
@@ -21,7 +20,7 @@ constexpr std::chrono::milliseconds scenePeriod{50};
 
 } // namespace
 
-CockpitApplication::CockpitApplication(const Options& options) : m_options(options)
+CockpitApplication::CockpitApplication(const Options& options) : m_options(options), m_pictures(options, m_models)
 {
     m_models.picture.setProfile(options.profile);
     m_models.picture.setRehearsal(options.rehearsal);
@@ -57,11 +56,11 @@ bool CockpitApplication::loadRecording(QString* error)
 
 bool CockpitApplication::prepare(QString* error)
 {
-    if (!loadRecording(error))
+    if (!loadRecording(error) || !m_pictures.prepare(error))
         return false;
     LinkSettings settings{m_options.topology,    m_options.device, m_options.registry,  m_options.store,
                           m_options.certificate, m_options.key,    m_options.authority, m_options.measureOnRequest};
-    m_link = SystemLink::create(settings, m_models, m_pipeline, error);
+    m_link = SystemLink::create(settings, m_models, m_pictures.pipeline(), error);
     if (!m_link)
         return false;
     m_control = std::make_unique<CockpitControl>(m_models, *m_link, m_keyboard, m_recording.get());
@@ -81,9 +80,8 @@ void CockpitApplication::buildAlarms()
 void CockpitApplication::buildWindow()
 {
     m_window = std::make_unique<CockpitWindow>(m_models);
-    m_live = new LiveImageView(m_models.picture);
     m_scene = new SceneView;
-    m_window->setLiveView(m_live);
+    m_pictures.build(*m_window);
     m_window->setSceneView(m_scene);
     buildTopology();
     if (!m_options.vessels.isEmpty())
@@ -154,11 +152,7 @@ void CockpitApplication::connectHand()
 
 void CockpitApplication::connectPictures()
 {
-    connect(&m_pipeline, &FramePipeline::pictureReady, m_live, &LiveImageView::showPicture);
-    connect(&m_pipeline, &FramePipeline::pictureReady, m_scene, &SceneView::showPicture);
-    connect(&m_pipeline, &FramePipeline::pictureRefused, m_live, &LiveImageView::showRefusal);
-    connect(&m_pipeline, &FramePipeline::pictureRefused, this,
-            [this](quint32, const QString& reason) { m_models.picture.noteRefused(reason); });
+    connect(&m_pictures.pipeline(), &FramePipeline::pictureReady, m_scene, &SceneView::showPicture);
     connect(&m_models.picture, &PictureState::refused, this, [this](const QString& reason) {
         m_models.log.append(LogKind::Trouble, tr("picture refused: %1").arg(reason), QDateTime::currentMSecsSinceEpoch());
     });

@@ -4,8 +4,8 @@
 #include "app/alarm_service.hpp"
 #include "app/cockpit_control.hpp"
 #include "app/command_line.hpp"
+#include "app/picture_desk.hpp"
 #include "app/unattended_run.hpp"
-#include "imaging/frame_pipeline.hpp"
 #include "input/keyboard_master.hpp"
 #include "input/recorded_master.hpp"
 #include "link/system_link.hpp"
@@ -19,7 +19,6 @@
 namespace console {
 
 class CockpitWindow;
-class LiveImageView;
 class SceneView;
 
 class CockpitApplication : public QObject {
@@ -55,15 +54,14 @@ private:
     // In the order in which they need one another: what stands below uses what stands above, and goes first.
     Options m_options;
     ConsoleModels m_models;
-    FramePipeline m_pipeline;
+    PictureDesk m_pictures;
     KeyboardMaster m_keyboard;
     std::unique_ptr<RecordedMaster> m_recording;
     std::unique_ptr<SystemLink> m_link;
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;
     std::unique_ptr<CockpitWindow> m_window;
-    LiveImageView* m_live = nullptr; ///< the window's
-    SceneView* m_scene = nullptr;    ///< the window's
+    SceneView* m_scene = nullptr; ///< the window's
     QTimer m_sceneClock;
     std::unique_ptr<UnattendedRun> m_unattended;
 };

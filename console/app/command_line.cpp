@@ -63,6 +63,13 @@ struct Declared {
         QStringLiteral("Folder of the alarm log: the last 2000 entries at least, kept over a loss of power. Default: %1.")
             .arg(defaultAlarmLog()),
         QStringLiteral("FOLDER")};
+    QCommandLineOption pictures{QStringLiteral("pictures"),
+                                QStringLiteral("Folder for saved pictures. Default: liena in the person's folder of pictures."),
+                                QStringLiteral("FOLDER")};
+    QCommandLineOption display{QStringLiteral("display"),
+                               QStringLiteral("The display's measured light, for the grey scale of DICOM PS3.14: lines `level luminance`, "
+                                              "0 and 255 among them, and `ambient luminance`."),
+                               QStringLiteral("FILE")};
     QCommandLineOption rehearsal{
         QStringLiteral("rehearsal"),
         QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};
@@ -86,8 +93,8 @@ struct Declared {
     Declared()
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
-        parser.addOptions({topology, device,     certificate, key,        authority, registry,  store,
-                           profile,  user,       recording,   vessels,    alarmLog,  rehearsal, measureOnRequest,
+        parser.addOptions({topology, device,     certificate, key,        authority, registry, store,     profile,
+                           user,     recording,  vessels,     alarmLog,   pictures,  display,  rehearsal, measureOnRequest,
                            size,     unattended, report,      screenshot, help,      version});
     }
 };
@@ -143,6 +150,8 @@ QString readOptions(const Declared& declared, Options& options)
         return QStringLiteral("--alarm-log is empty: name a folder");
     options.watchdog = QCoreApplication::applicationDirPath() + QStringLiteral("/liena-console-watchdog");
     options.vessels = parser.value(declared.vessels);
+    options.pictures = parser.value(declared.pictures);
+    options.display = parser.value(declared.display);
     options.user = parser.value(declared.user);
     options.rehearsal = parser.isSet(declared.rehearsal);
     options.measureOnRequest = parser.isSet(declared.measureOnRequest);

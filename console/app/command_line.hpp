@@ -27,6 +27,8 @@ struct Options {
     QString authority;
     QString recording;
     QString vessels;
+    QString pictures; ///< folder for saved pictures; empty: the person's own
+    QString display;  ///< measurement of the display; empty: not calibrated
     QString user;
     QString alarmLog; ///< folder; empty: alarms are not kept on the disk
     QString watchdog; ///< program; empty: nobody watches this one

@@ -3,7 +3,7 @@
 
 #include "imaging/c_arm_pose.hpp"
 #include "imaging/window_level.hpp"
-#include "model/xray_frame.hpp"
+#include "model/picture_state.hpp"
 
 #include <QImage>
 
@@ -11,13 +11,31 @@
 
 namespace console {
 
+/// What the temporal filter made of it.
+struct PictureTreatment {
+    double k = 1;                 ///< 1: nothing of earlier pictures
+    Duration filterDelay{};       ///< how much later a slow movement appears
+    bool filterIsBounded = false; ///< weaker than asked for, so that the picture stays young enough
+};
+
+/// What each stage took.
+struct StageTimes {
+    Duration decode{};
+    Duration temporal{};
+    Duration edge{};
+    Duration window{}; ///< with grey scale and shutter
+};
+
 struct DisplayPicture {
     QImage image;    ///< Format_RGB32, one pixel for each of the frame's
     XrayFrame about; ///< without its pixels
+    PictureRole role = PictureRole::Live;
     GreyWindow window;
     bool windowIsAutomatic = false;
-    Duration decodeTime{};
-    Duration windowTime{};
+    DisplaySettings settings; ///< that it was made with
+    PictureTreatment treatment;
+    bool isCalibrated = false; ///< to the display's measured light
+    StageTimes times;
 
     bool isSameFrameAs(const DisplayPicture& other) const
     {

@@ -1,7 +1,8 @@
 // From the network to the screen: decodes the newest frame on a thread of its own and hands over the newest finished picture.
 #include "imaging/frame_pipeline.hpp"
 
-#include "imaging/frame_decoder.hpp"
+#include "imaging/cine_ring.hpp"
+#include "imaging/display_chain.hpp"
 
 #include <utility>
 
@@ -10,46 +11,10 @@ namespace console {
 // What the decoding thread keeps from one frame to the next.
 class FramePipeline::Worker {
 public:
-    /// A picture, or why there is none.
-    QString process(const XrayFrame& frame, DisplayPicture& picture)
-    {
-        const Instant begun = std::chrono::steady_clock::now();
-        if (QString refusal = decodeFrame(frame, m_stored); !refusal.isEmpty())
-            return refusal;
-        const Instant decoded = std::chrono::steady_clock::now();
-        chooseWindow(frame, picture);
-        m_table.prepare(picture.window, frame.photometric == Photometric::Monochrome1 ? Polarity::LowIsWhite : Polarity::LowIsBlack);
-        picture.image = m_table.apply(m_stored);
-        if (picture.image.isNull())
-            return tr("there is no memory for it");
-        picture.about = frame;
-        picture.about.owner.reset();
-        picture.about.pixels = {};
-        picture.decodeTime = decoded - begun;
-        picture.windowTime = std::chrono::steady_clock::now() - decoded;
-        return {};
-    }
-
-private:
-    void chooseWindow(const XrayFrame& frame, DisplayPicture& picture)
-    {
-        picture.window = {frame.windowCentre, frame.windowWidth};
-        picture.windowIsAutomatic = !picture.window.isKnown();
-        if (!picture.windowIsAutomatic)
-            return;
-        if (frame.acquisition != m_acquisition)
-            m_autoWindow.reset();
-        m_acquisition = frame.acquisition;
-        picture.window = m_autoWindow.next(m_stored);
-    }
-
-    cv::Mat m_stored;
-    WindowLevelTable m_table;
-    AutoWindow m_autoWindow;
-    quint32 m_acquisition = 0;
+    DisplayChain chain;
 };
 
-FramePipeline::FramePipeline(QObject* parent) : QObject(parent), m_thread([this] { run(); }) {}
+FramePipeline::FramePipeline(QObject* parent, PictureRole role) : QObject(parent), m_role(role), m_thread([this] { run(); }) {}
 
 FramePipeline::~FramePipeline()
 {
@@ -69,7 +34,7 @@ void FramePipeline::showFrame(std::shared_ptr<const XrayFrame> frame)
         const std::lock_guard lock(m_mutex);
         ++m_counts.received;
         // The replaced frame is let go outside the lock: its memory may be large.
-        std::swap(m_waiting, frame);
+        std::swap(m_next.frame, frame);
         if (frame)
             ++m_counts.replacedBeforeDecoding;
     }
@@ -79,36 +44,122 @@ void FramePipeline::showFrame(std::shared_ptr<const XrayFrame> frame)
 FrameCounts FramePipeline::counts() const
 {
     const std::lock_guard lock(m_mutex);
-    FrameCounts counts = m_counts;
-    counts.replacedBeforeShowing = m_finished.replaced();
-    return counts;
+    return m_counts;
 }
 
-std::shared_ptr<const XrayFrame> FramePipeline::waitForFrame()
+void FramePipeline::setSettings(const DisplaySettings& settings)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_next.settings == withinBounds(settings))
+            return;
+        m_next.settings = withinBounds(settings);
+        m_mustRedraw = true;
+    }
+    m_changed.notify_one();
+}
+
+DisplaySettings FramePipeline::settings() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_next.settings;
+}
+
+void FramePipeline::setFilterRoom(Duration room)
+{
+    const std::lock_guard lock(m_mutex);
+    m_next.filterRoom = room;
+}
+
+void FramePipeline::setGreyScale(const GreyScale& greyScale)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_next.greyScale = greyScale;
+        m_mustRedraw = true;
+    }
+    m_changed.notify_one();
+}
+
+void FramePipeline::recordInto(CineRing& ring)
+{
+    const std::lock_guard lock(m_mutex);
+    m_next.ring = &ring;
+}
+
+std::optional<FramePipeline::Work> FramePipeline::waitForWork()
 {
     std::unique_lock lock(m_mutex);
-    m_changed.wait(lock, [this] { return m_stopping || m_waiting; });
-    return m_stopping ? nullptr : std::exchange(m_waiting, nullptr);
+    m_changed.wait(lock, [this] { return m_stopping || m_next.frame || m_mustRedraw; });
+    if (m_stopping)
+        return std::nullopt;
+    m_mustRedraw = false;
+    Work work = m_next;
+    m_next.frame.reset();
+    m_next.greyScale.reset();
+    return work;
 }
 
 void FramePipeline::run()
 {
     Worker worker;
-    while (const std::shared_ptr<const XrayFrame> frame = waitForFrame()) {
-        DisplayPicture picture;
-        const QString refusal = worker.process(*frame, picture);
-        if (refusal.isEmpty()) {
-            if (m_finished.put(std::move(picture)))
-                wakeGuiThread();
-            continue;
-        }
-        {
-            const std::lock_guard lock(m_mutex);
-            ++m_counts.refused;
-        }
-        if (m_refused.put({frame->frame, refusal}))
-            wakeGuiThread();
+    while (const std::optional<Work> work = waitForWork())
+        carryOut(worker, *work);
+}
+
+void FramePipeline::carryOut(Worker& worker, const Work& work)
+{
+    if (work.greyScale)
+        worker.chain.setGreyScale(*work.greyScale);
+    DisplayPicture picture;
+    if (!work.frame) {
+        if (worker.chain.redraw(work.settings, picture))
+            finish(std::move(picture), true);
+        return;
     }
+    const QString refusal = worker.chain.process(*work.frame, work.settings, work.filterRoom, picture);
+    if (!refusal.isEmpty()) {
+        refuse(work.frame->frame, refusal);
+        return;
+    }
+    finish(std::move(picture), false);
+    if (work.ring) // after the picture is on its way
+        work.ring->add(*work.frame);
+}
+
+void FramePipeline::finish(DisplayPicture picture, bool isRedrawn)
+{
+    picture.role = m_role;
+    bool mustWake = false;
+    {
+        const std::lock_guard lock(m_mutex);
+        mustWake = !m_finished;
+        const bool replacesNew = m_finished && !m_finished->isRedrawn;
+        if (replacesNew && !isRedrawn)
+            ++m_counts.replacedBeforeShowing;
+        // Redrawn before it was delivered: still the same new picture.
+        m_finished = Finished{std::move(picture), isRedrawn && !replacesNew};
+    }
+    if (mustWake)
+        wakeGuiThread();
+}
+
+void FramePipeline::refuse(quint32 frame, const QString& reason)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        ++m_counts.refused;
+    }
+    if (m_refused.put({frame, reason}))
+        wakeGuiThread();
+}
+
+std::optional<FramePipeline::Finished> FramePipeline::takeFinished()
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_finished && !m_finished->isRedrawn)
+        ++m_counts.shown;
+    return std::exchange(m_finished, std::nullopt);
 }
 
 void FramePipeline::wakeGuiThread()
@@ -121,13 +172,8 @@ void FramePipeline::deliver()
 {
     if (const auto refusal = m_refused.take())
         Q_EMIT pictureRefused(refusal->frame, tr("The picture is refused: %1.").arg(refusal->reason));
-    if (const auto picture = m_finished.take()) {
-        {
-            const std::lock_guard lock(m_mutex);
-            ++m_counts.shown;
-        }
-        Q_EMIT pictureReady(*picture);
-    }
+    if (const auto finished = takeFinished())
+        Q_EMIT pictureReady(finished->picture);
 }
 
 } // namespace console

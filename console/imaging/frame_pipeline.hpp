@@ -2,7 +2,9 @@
 #pragma once
 
 #include "imaging/display_picture.hpp"
+#include "imaging/grey_scale.hpp"
 #include "imaging/newest_handover.hpp"
+#include "model/display_settings.hpp"
 #include "model/frame_sink.hpp"
 
 #include <QObject>
@@ -10,9 +12,12 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace console {
+
+class CineRing;
 
 /// Where frames went; each one is in exactly one of the last four, or on its way.
 struct FrameCounts {
@@ -27,12 +32,25 @@ struct FrameCounts {
 class FramePipeline : public QObject, public FrameSink {
     Q_OBJECT
 public:
-    explicit FramePipeline(QObject* parent = nullptr);
+    /// Every picture it makes has this role.
+    explicit FramePipeline(QObject* parent = nullptr, PictureRole role = PictureRole::Live);
     ~FramePipeline() override;
 
     void showFrame(std::shared_ptr<const XrayFrame> frame) override;
 
     FrameCounts counts() const;
+
+    /// From the next picture on; the last one is delivered once more with them, and stays the same picture.
+    void setSettings(const DisplaySettings& settings);
+    DisplaySettings settings() const;
+
+    /// How much a temporal filter may delay a movement; none before the first word.
+    void setFilterRoom(Duration room);
+
+    void setGreyScale(const GreyScale& greyScale);
+
+    /// Every frame that could be decoded is written into `ring` as well, from the decoding thread; the ring outlives the pipeline.
+    void recordInto(CineRing& ring);
 
 Q_SIGNALS:
     void pictureReady(const console::DisplayPicture& picture);
@@ -45,19 +63,37 @@ private:
         quint32 frame = 0;
         QString reason;
     };
+    /// What the decoding thread is to do next.
+    struct Work {
+        std::shared_ptr<const XrayFrame> frame; ///< nothing: the last picture once more
+        DisplaySettings settings;
+        Duration filterRoom{};
+        std::optional<GreyScale> greyScale;
+        CineRing* ring = nullptr;
+    };
+    struct Finished {
+        DisplayPicture picture;
+        bool isRedrawn = false; ///< it was delivered before and is in the books
+    };
     class Worker;
 
     void run();
-    std::shared_ptr<const XrayFrame> waitForFrame();
+    std::optional<Work> waitForWork();
+    void carryOut(Worker& worker, const Work& work);
+    void finish(DisplayPicture picture, bool isRedrawn);
+    void refuse(quint32 frame, const QString& reason);
+    std::optional<Finished> takeFinished();
     void wakeGuiThread();
     void deliver();
 
+    const PictureRole m_role;
     mutable std::mutex m_mutex;
     std::condition_variable m_changed;
-    std::shared_ptr<const XrayFrame> m_waiting;
+    Work m_next;
+    bool m_mustRedraw = false;
     FrameCounts m_counts;
     bool m_stopping = false;
-    NewestHandover<DisplayPicture> m_finished;
+    std::optional<Finished> m_finished;
     NewestHandover<Refusal> m_refused;
     std::thread m_thread;
 };

@@ -6,8 +6,7 @@
 
 #include <QPainter>
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 namespace console {
 
@@ -18,10 +17,9 @@ constexpr int tickMs = 100;
 } // namespace
 
 LiveImageView::LiveImageView(PictureState& state, QWidget* parent)
-    : QWidget(parent), m_state(state), m_clock([] { return std::chrono::steady_clock::now(); })
+    : PictureCanvas(parent), m_state(state), m_clock([] { return std::chrono::steady_clock::now(); })
 {
     setObjectName(QStringLiteral("liveImage"));
-    setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(240, 240);
     setAccessibleName(tr("Live X-ray image"));
     describe({});
@@ -34,33 +32,19 @@ LiveImageView::~LiveImageView() = default;
 
 void LiveImageView::showPicture(const DisplayPicture& picture)
 {
+    // Whatever is connected to what: only what was made to be live is shown here.
+    if (picture.role != PictureRole::Live)
+        return;
     // A frame that comes twice is not a sign of life.
     m_pictureIsNew = m_pictureIsNew || !m_picture || !picture.isSameFrameAs(*m_picture);
     m_picture = picture;
-    update();
+    followPicture(picture);
 }
 
 void LiveImageView::showRefusal(quint32 frame, const QString& reason)
 {
     m_refusal = tr("Frame %1. %2").arg(frame).arg(reason);
     update();
-}
-
-QRect LiveImageView::pictureRect() const
-{
-    if (!m_picture)
-        return {};
-    const QRect room = rect().adjusted(hatchWidth, hatchWidth, -hatchWidth, -hatchWidth);
-    QRect fitted(QPoint(0, 0), m_picture->image.size().scaled(room.size(), Qt::KeepAspectRatio));
-    fitted.moveCenter(room.center());
-    return fitted;
-}
-
-QFont LiveImageView::overlayFont() const
-{
-    QFont overlay = font();
-    overlay.setPixelSize(std::clamp(static_cast<int>(std::lround(std::min(width(), height()) / 56.0)), 10, 32));
-    return overlay;
 }
 
 void LiveImageView::tick()
@@ -78,34 +62,36 @@ void LiveImageView::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), pane_colours::background);
     if (!m_picture) {
         paintNothingYet(painter);
+        if (hasFocus())
+            paintFocusFrame(painter, rect());
         return;
     }
-    paintPicture(painter);
+    paintShown(painter);
     notePainted();
     const PictureReading reading = m_state.reading(m_clock());
-    const bool frozen = reading.condition == PictureCondition::Frozen;
-    if (frozen) {
+    paintCondition(painter, reading);
+    const PictureOverlay overlay(pictureRect(), *m_picture, reading, m_paintedPictures, m_refusal, overlayFont(), viewport().zoom());
+    overlay.paint(painter);
+    m_overlay = overlay.region() + paintMeasurement(painter);
+    m_liveness = overlay.livenessRect();
+    if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
+        describe(reading);
+    m_paintedReduction = reading.reduction;
+    if (std::exchange(m_paintedCondition, reading.condition) != reading.condition)
+        QMetaObject::invokeMethod(
+            this, [this, condition = reading.condition] { Q_EMIT conditionChanged(condition); }, Qt::QueuedConnection);
+}
+
+void LiveImageView::paintCondition(QPainter& painter, const PictureReading& reading)
+{
+    if (reading.condition == PictureCondition::Frozen) {
         paintStaleVeil(painter, pictureRect());
         paintHatchedFrame(painter, rect());
     } else {
         paintSolidFrame(painter, rect());
     }
-    const PictureOverlay overlay(pictureRect(), *m_picture, reading, m_paintedPictures, m_refusal, overlayFont());
-    overlay.paint(painter);
-    m_overlay = overlay.region();
-    m_liveness = overlay.livenessRect();
-    if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
-        describe(reading);
-    m_paintedCondition = reading.condition;
-    m_paintedReduction = reading.reduction;
-}
-
-void LiveImageView::paintPicture(QPainter& painter)
-{
-    const QRect target = pictureRect();
-    const bool scaled = target.size() * devicePixelRatioF() != m_picture->image.size();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, scaled);
-    painter.drawImage(target, m_picture->image);
+    if (hasFocus())
+        paintFocusFrame(painter, rect());
 }
 
 void LiveImageView::notePainted()
@@ -120,11 +106,13 @@ void LiveImageView::notePainted()
     stamp.frame = about.frame;
     stamp.acquisition = about.acquisition;
     stamp.source = about.source;
+    stamp.role = m_picture->role;
     stamp.reduction = reductionOf(about);
     stamp.captureNs = about.captureNs;
     stamp.captured = about.captured();
     stamp.uncertainty = about.ageUncertainty;
     stamp.arrived = about.arrival;
+    stamp.filterDelay = m_picture->treatment.filterDelay;
     stamp.painted = m_clock();
     m_state.notePainted(stamp);
     const auto age = stamp.captured ? std::optional(milliseconds(stamp.painted - *stamp.captured)) : std::nullopt;

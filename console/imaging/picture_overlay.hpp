@@ -2,15 +2,14 @@
 #pragma once
 
 #include "imaging/display_picture.hpp"
+#include "imaging/picture_marks.hpp"
+#include "imaging/text_plates.hpp"
 #include "model/picture_state.hpp"
 
-#include <QColor>
 #include <QFont>
 #include <QRect>
 #include <QRegion>
 #include <QString>
-
-#include <vector>
 
 class QPainter;
 
@@ -19,29 +18,14 @@ namespace console {
 inline constexpr int hatchWidth = 12; ///< of the frame round the pane, pixels
 inline constexpr int livenessCells = 12;
 
-/// A text on a dark plate.
-struct OverlayPlate {
-    QRect rect;
-    QString text;
-    QFont font;
-    Qt::Alignment alignment = Qt::AlignCenter;
-    QColor ink;
-};
-
-/// AGE, NET, PROC and rate in one line; "unknown" where a number is not known.
+/// AGE with the uncertainty of the clocks, NET, PROC and rate in one line; "unknown" where a number is not known.
 QString ageLine(const PictureReading& reading);
-
-/// The wall-clock time of the pulse, to the tenth of a second.
-QString clockTime(quint64 captureNs);
-
-/// Millimetres with which a scale bar is about a fifth of the picture, from the row 1, 2, 5, 10, 20, …
-double scaleBarLength(double pictureWidthMm);
 
 /// Lays the overlay out in `area`, the picture's rectangle on the screen.
 class PictureOverlay {
 public:
     PictureOverlay(QRect area, const DisplayPicture& picture, const PictureReading& reading, quint64 paintedPictures,
-                   const QString& refusal, const QFont& font);
+                   const QString& refusal, const QFont& font, double zoom = 1);
 
     void paint(QPainter& painter) const;
 
@@ -51,20 +35,16 @@ public:
     QRect livenessRect() const { return m_liveness; }
 
 private:
-    void placeCorners(const DisplayPicture& picture, const PictureReading& reading);
+    void placeHead(const DisplayPicture& picture, const PictureReading& reading);
     void placeReduction(const PictureReduction& reduction, bool isExpected);
-    void placeSides(const DisplayPicture& picture);
     void placeCondition(const PictureReading& reading);
-    void placeScale(const DisplayPicture& picture);
     void placeRefusal(const QString& refusal);
-    QRect plate(const QString& text, const QFont& font, QPoint corner, Qt::Alignment alignment, const QString& widest = {});
 
     QRect m_area;
-    QFont m_font;
+    TextPlates m_plates;
     int m_gap;
     int m_headEnd = 0; ///< the lowest row of what stands at the top
     quint64 m_paintedPictures;
-    std::vector<OverlayPlate> m_plates;
     QRect m_liveness;
     QRect m_scaleBar;
 };
@@ -75,5 +55,11 @@ void paintStaleVeil(QPainter& painter, const QRect& area);
 /// The frame of the pane, hatchWidth wide: a solid line, or hatched all over.
 void paintSolidFrame(QPainter& painter, const QRect& pane);
 void paintHatchedFrame(QPainter& painter, const QRect& pane);
+
+/// Of a pane that never shows the live picture.
+void paintDashedFrame(QPainter& painter, const QRect& pane);
+
+/// Round a pane that has the keys.
+void paintFocusFrame(QPainter& painter, const QRect& pane);
 
 } // namespace console

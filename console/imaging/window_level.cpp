@@ -1,5 +1,7 @@
-// Window and level: stored values to 8-bit display values, by DICOM PS3.3 C.11.2.1.2 (VOI LUT function LINEAR).
+// Window and level: stored values to 8-bit display values.
 #include "imaging/window_level.hpp"
+
+#include "imaging/voi.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,6 +13,9 @@ namespace {
 
 constexpr int tableSize = 65536;
 constexpr double largestStep = 0.05;
+constexpr double largestGrey = 255;
+
+std::uint8_t rounded(double grey) { return static_cast<std::uint8_t>(std::clamp(std::floor(grey + 0.5), 0.0, largestGrey)); }
 
 template <typename Stored>
 void mapRows(const cv::Mat& stored, const std::vector<QRgb>& table, QImage& image)
@@ -25,14 +30,15 @@ void mapRows(const cv::Mat& stored, const std::vector<QRgb>& table, QImage& imag
 
 // Every fourth pixel of every second row is enough for a percentile, and an eighth of the time.
 template <typename Stored>
-std::vector<std::uint32_t> sampledHistogram(const cv::Mat& stored)
+std::vector<std::uint32_t> sampledHistogram(const cv::Mat& stored, const Shutter& shutter)
 {
     const int columnStep = stored.cols >= 64 ? 4 : 1;
     const int rowStep = stored.rows >= 64 ? 2 : 1;
     std::vector<std::uint32_t> histogram(tableSize, 0);
     for (int row = 0; row < stored.rows; row += rowStep) {
         const Stored* from = stored.ptr<Stored>(row);
-        for (int column = 0; column < stored.cols; column += columnStep)
+        const Shutter::Opening opening = shutter.isOpen() ? Shutter::Opening{0, stored.cols} : shutter.opening(row);
+        for (int column = opening.first; column < opening.end; column += columnStep)
             ++histogram[from[column]];
     }
     return histogram;
@@ -56,67 +62,80 @@ GreyWindow windowBetween(double low, double high) { return {(low + high) / 2 + 0
 
 } // namespace
 
-bool GreyWindow::isKnown() const { return std::isfinite(centre) && std::isfinite(width) && width > 0; }
-
-std::uint8_t displayValue(int stored, GreyWindow window, Polarity polarity)
+std::uint8_t displayValue(double stored, const Tone& tone, const GreyScale& greyScale)
 {
-    const double width = std::max(window.width, 1.0);
-    const double middle = window.centre - 0.5;
-    const double half = (width - 1) / 2;
-    const double value = stored;
-    double shown = 0;
-    if (value <= middle - half)
-        shown = 0;
-    else if (value > middle + half)
-        shown = 255;
-    else
-        shown = (2 * (value - middle) + (width - 1)) * 255 / (2 * (width - 1)); // one division, so that halves stay exact
-    const auto grey = static_cast<std::uint8_t>(std::clamp(std::floor(shown + 0.5), 0.0, 255.0));
-    return polarity == Polarity::LowIsWhite ? static_cast<std::uint8_t>(255 - grey) : grey;
+    const double shown = voiValue(stored, tone.window, tone.function, largestGrey);
+    const bool inverse = tone.polarity == Polarity::LowIsWhite;
+    if (greyScale.isCalibrated())
+        return rounded(greyScale.level((inverse ? largestGrey - shown : shown) / largestGrey));
+    const std::uint8_t grey = rounded(shown);
+    return inverse ? static_cast<std::uint8_t>(largestGrey - grey) : grey;
 }
 
-WindowLevelTable::WindowLevelTable() : m_pixels(tableSize, qRgb(0, 0, 0)) { prepare({32768, 65536}, Polarity::LowIsBlack); }
+WindowLevelTable::WindowLevelTable() : m_pixels(tableSize, qRgb(0, 0, 0)), m_tone{{32768, 65536}} { compute(); }
 
-void WindowLevelTable::prepare(GreyWindow window, Polarity polarity)
+void WindowLevelTable::prepare(const Tone& tone, int fractionBits)
 {
-    if (window == m_window && polarity == m_polarity)
+    if (tone == m_tone && fractionBits == m_fractionBits)
         return;
-    m_window = window;
-    m_polarity = polarity;
-    for (int stored = 0; stored < tableSize; ++stored) {
-        const int grey = displayValue(stored, window, polarity);
-        m_pixels[static_cast<std::size_t>(stored)] = qRgb(grey, grey, grey);
+    m_tone = tone;
+    m_fractionBits = fractionBits;
+    compute();
+}
+
+void WindowLevelTable::setGreyScale(const GreyScale& greyScale)
+{
+    m_greyScale = greyScale;
+    compute();
+}
+
+void WindowLevelTable::compute()
+{
+    const double step = std::ldexp(1.0, -m_fractionBits);
+    for (int place = 0; place < tableSize; ++place) {
+        const int grey = displayValue(place * step, m_tone, m_greyScale);
+        m_pixels[static_cast<std::size_t>(place)] = qRgb(grey, grey, grey);
     }
 }
 
-QImage WindowLevelTable::apply(const cv::Mat& stored) const
+bool WindowLevelTable::apply(const cv::Mat& stored, QImage& image) const
 {
     if (stored.empty() || (stored.type() != CV_8UC1 && stored.type() != CV_16UC1))
-        return {};
-    QImage image(stored.cols, stored.rows, QImage::Format_RGB32);
+        return false;
+    if (image.width() != stored.cols || image.height() != stored.rows || image.format() != QImage::Format_RGB32)
+        image = QImage(stored.cols, stored.rows, QImage::Format_RGB32);
     if (image.isNull())
-        return {};
+        return false;
     if (stored.type() == CV_8UC1)
         mapRows<std::uint8_t>(stored, m_pixels, image);
     else
         mapRows<std::uint16_t>(stored, m_pixels, image);
-    return image;
+    return true;
 }
 
-GreyWindow percentileWindow(const cv::Mat& stored)
+QImage WindowLevelTable::apply(const cv::Mat& stored) const
+{
+    QImage image;
+    return apply(stored, image) ? image : QImage();
+}
+
+GreyWindow percentileWindow(const cv::Mat& stored, const Shutter& shutter)
 {
     if (stored.empty() || (stored.type() != CV_8UC1 && stored.type() != CV_16UC1))
         return {};
-    const auto histogram = stored.type() == CV_8UC1 ? sampledHistogram<std::uint8_t>(stored) : sampledHistogram<std::uint16_t>(stored);
+    const auto histogram =
+        stored.type() == CV_8UC1 ? sampledHistogram<std::uint8_t>(stored, shutter) : sampledHistogram<std::uint16_t>(stored, shutter);
     std::uint64_t total = 0;
     for (const std::uint32_t count : histogram)
         total += count;
+    if (total == 0)
+        return {};
     return windowBetween(percentile(histogram, total, 0.01), percentile(histogram, total, 0.99));
 }
 
-GreyWindow AutoWindow::next(const cv::Mat& stored)
+GreyWindow AutoWindow::next(const cv::Mat& stored, const Shutter& shutter)
 {
-    const GreyWindow wanted = percentileWindow(stored);
+    const GreyWindow wanted = percentileWindow(stored, shutter);
     if (!wanted.isKnown())
         return m_window;
     if (!m_window.isKnown()) {

@@ -1,5 +1,9 @@
-// Window and level: stored values to 8-bit display values, by DICOM PS3.3 C.11.2.1.2 (VOI LUT function LINEAR).
+// Window and level: stored values to 8-bit display values, by a VOI LUT function, the polarity and the display's grey scale.
 #pragma once
+
+#include "imaging/grey_scale.hpp"
+#include "imaging/shutter.hpp"
+#include "model/display_settings.hpp"
 
 #include <QImage>
 
@@ -10,53 +14,60 @@
 
 namespace console {
 
-/// Centre and width in stored values. A width of 1 is a threshold; smaller widths do not exist.
-struct GreyWindow {
-    double centre = 0;
-    double width = 0;
-
-    /// False for "unknown" (width 0) and for numbers that mean nothing.
-    bool isKnown() const;
-    bool operator==(const GreyWindow&) const = default;
-};
-
 enum class Polarity : std::uint8_t {
     LowIsBlack, ///< MONOCHROME2
-    LowIsWhite, ///< MONOCHROME1
+    LowIsWhite, ///< MONOCHROME1, and Presentation LUT Shape INVERSE
+};
+
+/// What a stored value becomes on the screen depends on these and on nothing else.
+struct Tone {
+    GreyWindow window;
+    VoiFunction function = VoiFunction::Linear;
+    Polarity polarity = Polarity::LowIsBlack;
+
+    bool operator==(const Tone&) const = default;
 };
 
 /// The formula for one stored value, rounded to the nearest of 0 … 255.
-std::uint8_t displayValue(int stored, GreyWindow window, Polarity polarity);
+std::uint8_t displayValue(double stored, const Tone& tone, const GreyScale& greyScale = {});
 
 /// Every 16-bit value's display value, ready as a grey 0xffRRGGBB pixel. One thread at a time.
 class WindowLevelTable {
 public:
     WindowLevelTable();
 
-    /// Computes the table anew only when something changed.
-    void prepare(GreyWindow window, Polarity polarity);
+    /// Computes the table anew only when something changed. With `fractionBits` the values of `apply` are stored values times 2 to that
+    /// power, so that what filters added between two stored values is not lost.
+    void prepare(const Tone& tone, int fractionBits = 0);
 
-    /// `stored` is CV_8UC1 or CV_16UC1; anything else gives a null image. Format_RGB32.
+    void setGreyScale(const GreyScale& greyScale);
+    bool isCalibrated() const { return m_greyScale.isCalibrated(); }
+
+    /// `stored` is CV_8UC1 or CV_16UC1; false for anything else. `image` is made anew (Format_RGB32) when its size does not fit.
+    bool apply(const cv::Mat& stored, QImage& image) const;
     QImage apply(const cv::Mat& stored) const;
 
 private:
+    void compute();
+
     std::vector<QRgb> m_pixels;
-    GreyWindow m_window;
-    Polarity m_polarity = Polarity::LowIsBlack;
+    GreyScale m_greyScale;
+    Tone m_tone;
+    int m_fractionBits = 0;
 };
 
 /// The window for pictures that come without one: from the 1st to the 99th percentile of the picture. Its edges move by at most 5 % of the
 /// width from one frame to the next, so that a moving instrument does not make the whole picture flicker.
 class AutoWindow {
 public:
-    GreyWindow next(const cv::Mat& stored);
+    GreyWindow next(const cv::Mat& stored, const Shutter& shutter = {});
     void reset() { m_window = {}; }
 
 private:
     GreyWindow m_window;
 };
 
-/// From the 1st to the 99th percentile of this one picture.
-GreyWindow percentileWindow(const cv::Mat& stored);
+/// From the 1st to the 99th percentile of this one picture, inside the shutter.
+GreyWindow percentileWindow(const cv::Mat& stored, const Shutter& shutter = {});
 
 } // namespace console

@@ -86,8 +86,18 @@ PictureReading PictureState::reading(Instant now) const
     return reading;
 }
 
+Duration PictureState::filterRoom() const
+{
+    if (!m_newest || !m_newest->captured || m_expected <= 0)
+        return Duration::zero();
+    const Duration period = fromMilliseconds(1000 / m_expected);
+    return std::max(limit() - (m_newest->painted - *m_newest->captured) - period, Duration::zero());
+}
+
 void PictureState::notePainted(const PictureStamp& stamp)
 {
+    if (stamp.role != PictureRole::Live)
+        return;
     if (m_newest && m_newest->frame == stamp.frame && m_newest->acquisition == stamp.acquisition && m_newest->captureNs == stamp.captureNs)
         return;
     const auto capture = effectiveCapture(stamp);

@@ -15,11 +15,22 @@
 
 namespace console {
 
+/// What a picture is for. Set where the picture is made, and never changed: only a live one can ever stand for the present.
+enum class PictureRole : std::uint8_t {
+    Live,   ///< the newest that came
+    Hold,   ///< last image hold, beside the live picture
+    Review, ///< from the last minute
+};
+
+/// LIVE, LAST IMAGE HOLD, REVIEW.
+QString word(PictureRole role);
+
 /// The times of one painted picture. The view hands it over when it has painted the picture, not before.
 struct PictureStamp {
     quint32 frame = 0;
     quint32 acquisition = 0;
     PictureSource source = PictureSource::Recorded;
+    PictureRole role = PictureRole::Live; ///< any other is not noted
     PictureReduction reduction;
     quint64 captureNs = 0;
     std::optional<Instant> captured; ///< XrayFrame::captured()
@@ -93,7 +104,11 @@ public:
     /// The link to the X-ray system does not carry pictures: what is shown is frozen whatever is expected.
     void setLinkUp(bool up);
 
-    /// From the view's paint; a picture that is painted again is not a new one.
+    /// What the newest picture leaves of the limit for a temporal filter's delay: limit − NET − PROC without filter − one period of the
+    /// pictures, for which it will stand on the screen. Zero while the age is unknown.
+    Duration filterRoom() const;
+
+    /// From the view's paint; a picture that is painted again is not a new one, and one that is held or reviewed is none.
     void notePainted(const PictureStamp& stamp);
 
     /// From the pipeline: a picture could not be shown. One line per cause.

@@ -38,6 +38,12 @@ QString word(LinkState state)
     return at(table, state);
 }
 
+QString word(PictureRole role)
+{
+    static constexpr std::array table{QT_TR_NOOP("LIVE"), QT_TR_NOOP("LAST IMAGE HOLD"), QT_TR_NOOP("REVIEW")};
+    return at(table, role);
+}
+
 QString word(DeviceKind kind)
 {
     switch (kind) {

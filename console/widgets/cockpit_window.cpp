@@ -39,8 +39,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
       m_band(new AlarmBand(this)),
       m_rail(new LinksRail(models.sessions, this)),
       m_live(new NotYetPane(tr("Live image"), tr("No picture."), this)),
-      m_reference(new NotYetPane(tr("Reference image"),
-                                 tr("Not in this version. Roadmap, subtraction and last-image hold come with a later one."), this)),
+      m_reference(new NotYetPane(tr("Reference image"), tr("No picture."), this)),
       m_scene(new NotYetPane(tr("3-D scene"), tr("No scene."), this)),
       m_robot(new RobotPanel(models.instrument, models.hand, models.permit, this)),
       m_dose(new DosePanel(models.instrument, models.xray, this)),
@@ -161,6 +160,8 @@ void CockpitWindow::replace(Region region, QWidget*& present, QWidget* view)
 }
 
 void CockpitWindow::setLiveView(QWidget* view) { replace(Region::Live, m_live, view); }
+
+void CockpitWindow::setReferenceView(QWidget* view) { replace(Region::Reference, m_reference, view); }
 
 void CockpitWindow::setSceneView(QWidget* view) { replace(Region::Scene, m_scene, view); }
 

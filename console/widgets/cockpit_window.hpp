@@ -36,6 +36,7 @@ public:
 
     /// Each takes the widget and gives it its region; before that a pane says what is missing.
     void setLiveView(QWidget* view);
+    void setReferenceView(QWidget* view);
     void setSceneView(QWidget* view);
     void setMiniTopology(QWidget* view);
     void setTopologyView(QWidget* view);

@@ -1,4 +1,5 @@
 // Measures the way of a picture to the screen: decoding, window and level, paint, and the whole pipeline at a given rate.
+#include "imaging/cine_ring.hpp"
 #include "imaging/frame_decoder.hpp"
 #include "imaging/frame_pipeline.hpp"
 #include "imaging/live_image_view.hpp"
@@ -28,6 +29,7 @@ struct Kind {
     int bits;
     PixelEncoding encoding;
     int framesPerSecond;
+    bool filtered = false;
 };
 
 // A smooth picture with the noise of few quanta, as fluoroscopy has.
@@ -93,7 +95,7 @@ void measureStages(const Kind& kind)
     cv::Mat stored;
     const double decode = median(31, [&] { decodeFrame(frame, stored); });
     WindowLevelTable table;
-    table.prepare({frame.windowCentre, frame.windowWidth}, Polarity::LowIsBlack);
+    table.prepare({{frame.windowCentre, frame.windowWidth}});
     DisplayPicture picture;
     picture.about = frame;
     const double window = median(31, [&] { picture.image = table.apply(stored); });
@@ -107,13 +109,30 @@ void measureStages(const Kind& kind)
     std::printf("%-26s decode %6.2f ms  window %5.2f ms  paint to 1136 x 1136 %6.2f ms\n", kind.name, decode, window, paint);
 }
 
+// Everything that costs something.
+DisplaySettings allFilters()
+{
+    DisplaySettings settings;
+    settings.window = WindowChoice::Automatic;
+    settings.noiseReduction = 70;
+    settings.edge = 50;
+    settings.shutter = ShutterShape::Circle;
+    return settings;
+}
+
 // Frames at their rate from another thread, with the three-dimensional scene beside it, for some seconds.
 void measureWhole(const Kind& kind, std::chrono::milliseconds span)
 {
     PictureState state;
     LiveImageView view(state);
     SceneView scene;
+    CineRing ring;
     FramePipeline pipeline;
+    pipeline.recordInto(ring);
+    if (kind.filtered) {
+        pipeline.setSettings(allFilters());
+        pipeline.setFilterRoom(std::chrono::milliseconds(150));
+    }
     QObject::connect(&pipeline, &FramePipeline::pictureReady, &view, &LiveImageView::showPicture);
     QObject::connect(&pipeline, &FramePipeline::pictureReady, &scene, &SceneView::showPicture);
     std::vector<double> ages;
@@ -132,6 +151,7 @@ void measureWhole(const Kind& kind, std::chrono::milliseconds span)
             std::this_thread::sleep_until(due);
             auto frame = std::make_shared<XrayFrame>(film);
             frame->frame = number;
+            frame->captureNs = static_cast<quint64>(period.count()) * number;
             frame->arrival = std::chrono::steady_clock::now();
             frame->ageAtArrival = Duration::zero();
             pipeline.showFrame(std::move(frame));
@@ -162,6 +182,7 @@ int main(int argc, char** argv)
         {"1024 x 1024, 16 bit, raw", 1024, 16, PixelEncoding::Raw, 15},
         {"1024 x 1024, 12 bit, jpeg-ls", 1024, 12, PixelEncoding::JpegLs, 15},
         {"1024 x 1024, 16 bit, jpeg-ls", 1024, 16, PixelEncoding::JpegLs, 15},
+        {"1024, 16 bit, all filters", 1024, 16, PixelEncoding::Raw, 30, true},
     };
     for (const Kind& kind : kinds)
         measureStages(kind);

@@ -1,8 +1,13 @@
 // Paints the cockpit in its main states with invented values into PNG files: `cockpit_gallery <folder>`.
 #include "editor/topology_canvas.hpp"
 #include "editor/topology_view.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/reference_image_view.hpp"
 #include "invented_cockpit.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/picture_controls.hpp"
+#include "widgets/picture_pane.hpp"
+#include "widgets/review_controls.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -18,7 +23,7 @@ namespace {
 using console::CockpitWindow;
 using console::test::InventedCockpit;
 
-/// Stands where the live image is: a grey field with a word, so that nobody takes the gallery for a patient.
+/// A grey field with a word, so that nobody takes the gallery for a patient.
 class Stand : public QWidget {
 public:
     explicit Stand(const QString& text) : m_text(text) { setAccessibleName(text); }
@@ -37,6 +42,52 @@ protected:
 
 private:
     QString m_text;
+};
+
+/// The invented picture as the newest that the models know: nobody takes it for a patient, and no book counts it twice.
+console::DisplayPicture inventedPicture(const console::PictureStamp& newest, console::PictureRole role)
+{
+    console::DisplayPicture picture;
+    picture.role = role;
+    picture.about.frame = newest.frame;
+    picture.about.acquisition = newest.acquisition;
+    picture.about.captureNs = newest.captureNs;
+    picture.about.source = newest.source;
+    picture.about.rows = picture.about.columns = 1024;
+    picture.about.imagerPixelSpacing = 0.3;
+    picture.about.geometry.sourceDetectorDistance = 1100;
+    picture.about.geometry.sourceObjectDistance = 750;
+    picture.window = {2048, 4096};
+    picture.image = QImage(1024, 1024, QImage::Format_RGB32);
+    Stand stand(QStringLiteral("INVENTED"));
+    stand.resize(picture.image.size());
+    stand.render(&picture.image);
+    return picture;
+}
+
+/// Region D and region E with their controls.
+struct PicturePanes {
+    PicturePanes(CockpitWindow& window, InventedCockpit& cockpit) : live(new console::LiveImageView(cockpit.models.picture))
+    {
+        live->setDisplay(&display);
+        reference->setDisplay(&display);
+        window.setLiveView(new console::PicturePane(live, new console::PictureControls(display)));
+        window.setReferenceView(new console::PicturePane(reference, new console::ReviewControls));
+    }
+
+    /// As it is at `at`, for as long as the gallery takes.
+    void show(const console::PictureState& state, console::Instant at) const
+    {
+        live->setClock([at] { return at; });
+        if (!state.newest())
+            return;
+        live->showPicture(inventedPicture(*state.newest(), console::PictureRole::Live));
+        reference->showPicture(inventedPicture(*state.newest(), console::PictureRole::Hold));
+    }
+
+    console::DisplayState display;
+    console::LiveImageView* live;
+    console::ReferenceImageView* reference = new console::ReferenceImageView;
 };
 
 struct State {
@@ -66,7 +117,7 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
 {
     InventedCockpit cockpit;
     CockpitWindow window(cockpit.models);
-    window.setLiveView(new Stand(QStringLiteral("INVENTED: live image")));
+    const PicturePanes panes(window, cockpit);
     window.setSceneView(new Stand(QStringLiteral("INVENTED: 3-D scene")));
     auto* mini = new console::TopologyCanvas(cockpit.models.sessions, console::TopologyCanvas::Size::Mini);
     auto* topology = new console::TopologyView(cockpit.models.sessions);
@@ -79,8 +130,10 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
     if (!QTest::qWaitForWindowActive(&window))
         return false;
     state.bring(cockpit, window);
+    const console::Instant brought = cockpit.now;
     QTest::qWait(250);
     cockpit.renew();
+    panes.show(cockpit.models.picture, brought);
     window.refresh(cockpit.now);
     const QString file = folder.filePath(QStringLiteral("%1_%2.png").arg(QString::fromLatin1(state.name)).arg(size.height()));
     return window.grab().save(file);

@@ -1,4 +1,5 @@
 // Tests of the way from the network thread to the GUI thread: the newest picture only, nothing lost from the books.
+#include "imaging/cine_ring.hpp"
 #include "imaging/frame_pipeline.hpp"
 #include "sample_frames.hpp"
 
@@ -17,6 +18,11 @@ private Q_SLOTS:
     void letsGoOfTheEncodedBytes();
     void endsWithFramesInFlight();
     void ignoresNoFrame();
+    void redrawsWithNewSettings();
+    void countsPictureOnceThatIsRedrawnBeforeItIsShown();
+    void givesEveryPictureItsRole();
+    void writesFramesIntoRing();
+    void keepsNoQueueWithAllFilters();
 };
 
 namespace {
@@ -45,8 +51,8 @@ void TestFramePipeline::deliversPictureWithItsFacts()
     QCOMPARE(picture.image.size(), size);
     QCOMPARE(picture.image.format(), QImage::Format_RGB32);
     QVERIFY(!picture.windowIsAutomatic);
-    QVERIFY(picture.decodeTime > Duration::zero());
-    QVERIFY(picture.windowTime > Duration::zero());
+    QVERIFY(picture.times.decode > Duration::zero());
+    QVERIFY(picture.times.window > Duration::zero());
 }
 
 void TestFramePipeline::keepsOnlyTheNewestOfABurst()
@@ -125,6 +131,102 @@ void TestFramePipeline::ignoresNoFrame()
     FramePipeline pipeline;
     pipeline.showFrame(nullptr);
     QCOMPARE(pipeline.counts().received, quint64(0));
+}
+
+void TestFramePipeline::redrawsWithNewSettings()
+{
+    std::vector<DisplayPicture> pictures;
+    FramePipeline pipeline;
+    collect(pipeline, *this, pictures);
+    DisplaySettings settings;
+    settings.inverted = true;
+    pipeline.setSettings(settings); // before the first picture there is nothing to redraw
+    pipeline.showFrame(samples::frame(1, size, 8, PixelEncoding::Raw));
+    QTRY_COMPARE(pictures.size(), std::size_t(1));
+    QVERIFY(pictures.front().settings.inverted);
+    settings.inverted = false;
+    pipeline.setSettings(settings);
+    QTRY_COMPARE(pictures.size(), std::size_t(2));
+    QVERIFY(pictures[1].isSameFrameAs(pictures[0]));
+    QVERIFY(pictures[1].image != pictures[0].image);
+    pipeline.setSettings(settings); // nothing new
+    settings.edge = 1000;
+    pipeline.setSettings(settings);
+    QTRY_COMPARE(pictures.size(), std::size_t(3));
+    QCOMPARE(pictures[2].settings.edge, 100);
+    QCOMPARE(pipeline.counts().received, quint64(1));
+    QCOMPARE(pipeline.counts().shown, quint64(1));
+}
+
+void TestFramePipeline::countsPictureOnceThatIsRedrawnBeforeItIsShown()
+{
+    std::vector<DisplayPicture> pictures;
+    FramePipeline pipeline;
+    collect(pipeline, *this, pictures);
+    constexpr quint32 last = 60;
+    DisplaySettings settings;
+    for (quint32 number = 1; number <= last; ++number) {
+        settings.edge = static_cast<int>(number);
+        pipeline.showFrame(samples::frame(number, size, 8, PixelEncoding::Raw));
+        pipeline.setSettings(settings);
+    }
+    QTRY_VERIFY(!pictures.empty() && pictures.back().about.frame == last && pictures.back().settings == settings);
+    const FrameCounts counts = pipeline.counts();
+    QCOMPARE(counts.received, quint64(last));
+    QCOMPARE(counts.replacedBeforeDecoding + counts.replacedBeforeShowing + counts.refused + counts.shown, quint64(last));
+}
+
+void TestFramePipeline::givesEveryPictureItsRole()
+{
+    std::vector<DisplayPicture> pictures;
+    FramePipeline review(nullptr, PictureRole::Review);
+    collect(review, *this, pictures);
+    review.showFrame(samples::frame(1, size, 8, PixelEncoding::Raw));
+    QTRY_COMPARE(pictures.size(), std::size_t(1));
+    DisplaySettings settings;
+    settings.inverted = true;
+    review.setSettings(settings);
+    QTRY_COMPARE(pictures.size(), std::size_t(2));
+    QCOMPARE(pictures[0].role, PictureRole::Review);
+    QCOMPARE(pictures[1].role, PictureRole::Review);
+}
+
+void TestFramePipeline::writesFramesIntoRing()
+{
+    CineRing ring;
+    std::vector<DisplayPicture> pictures;
+    FramePipeline pipeline;
+    pipeline.recordInto(ring);
+    collect(pipeline, *this, pictures);
+    const auto good = samples::frame(3, size, 8, PixelEncoding::Raw);
+    pipeline.showFrame(good);
+    QTRY_COMPARE(ring.range().end, quint64(1));
+    QCOMPARE(ring.at(0)->frame, 3U);
+    QSignalSpy refusals(&pipeline, &FramePipeline::pictureRefused);
+    pipeline.showFrame(samples::withBytes(*good, std::vector<std::byte>(10)));
+    QTRY_COMPARE(refusals.count(), 1);
+    QCOMPARE(ring.range().end, quint64(1)); // what cannot be shown is not kept
+}
+
+void TestFramePipeline::keepsNoQueueWithAllFilters()
+{
+    // Frames far faster than the chain: what is not the newest is dropped, and the newest is shown.
+    std::vector<quint32> shown;
+    FramePipeline pipeline;
+    DisplaySettings settings;
+    settings.noiseReduction = 70;
+    settings.edge = 50;
+    settings.window = WindowChoice::Automatic;
+    pipeline.setSettings(settings);
+    pipeline.setFilterRoom(std::chrono::seconds(1));
+    QObject::connect(&pipeline, &FramePipeline::pictureReady, this,
+                     [&shown](const DisplayPicture& picture) { shown.push_back(picture.about.frame); });
+    constexpr quint32 last = 40;
+    for (quint32 number = 1; number <= last; ++number)
+        pipeline.showFrame(samples::frame(number, {256, 256}, 16, PixelEncoding::Raw));
+    QTRY_VERIFY(!shown.empty() && shown.back() == last);
+    const FrameCounts counts = pipeline.counts();
+    QCOMPARE(counts.replacedBeforeDecoding + counts.replacedBeforeShowing + counts.refused + counts.shown, quint64(last));
 }
 
 QTEST_GUILESS_MAIN(TestFramePipeline)

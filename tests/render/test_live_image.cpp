@@ -137,6 +137,12 @@ private Q_SLOTS:
     void neverClipsNorCoversReduction();
     void writesAgeLine_data();
     void writesAgeLine();
+    void roundsUncertaintyUp();
+    void tellsDelayOfFilterAsProcessing();
+    void saysLiveOnlyOfWhatIsLive();
+    void saysHowItWasTreated();
+    void coversNoMarkWithAnother_data();
+    void coversNoMarkWithAnother();
 };
 
 void TestLiveImage::showsExactlyWhatWasSent_data()
@@ -495,6 +501,114 @@ void TestLiveImage::writesAgeLine()
     reading.processing = std::chrono::milliseconds(processing);
     reading.shownPerSecond = 15;
     QCOMPARE(ageLine(reading), line);
+}
+
+void TestLiveImage::roundsUncertaintyUp()
+{
+    PictureReading reading;
+    reading.age = std::chrono::milliseconds(98);
+    reading.network = std::chrono::milliseconds(31);
+    reading.processing = std::chrono::milliseconds(67);
+    reading.uncertainty = std::chrono::microseconds(2100);
+    QCOMPARE(ageLine(reading), QStringLiteral("AGE 98 \u00B13 ms  NET 31  PROC 67  0 fps"));
+    reading.age.reset();
+    QVERIFY(!ageLine(reading).contains(QStringLiteral("\u00B1")));
+}
+
+void TestLiveImage::tellsDelayOfFilterAsProcessing()
+{
+    Pane pane;
+    DisplaySettings settings;
+    settings.noiseReduction = 100;
+    pane.pipeline.setSettings(settings);
+    pane.pipeline.setFilterRoom(std::chrono::milliseconds(100));
+    for (quint32 number = 1; number <= 12; ++number)
+        QVERIFY(pane.send(number));
+    pane.grab();
+    const PictureReading reading = pane.state.reading(pane.now);
+    const Duration delay = pane.view.picture()->treatment.filterDelay;
+    QVERIFY(delay > std::chrono::milliseconds(50));
+    QVERIFY(delay <= std::chrono::milliseconds(100) + std::chrono::microseconds(1));
+    QCOMPARE(reading.processing, delay);                                     // painted at the moment it arrived
+    QCOMPARE(*reading.age, Duration(std::chrono::milliseconds(20)) + delay); // and the age counts it
+}
+
+void TestLiveImage::saysLiveOnlyOfWhatIsLive()
+{
+    Pane pane;
+    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+    frame->source = PictureSource::Live;
+    QVERIFY(pane.send(frame));
+    const QRect corner(pane.view.pictureRect().topLeft(), QSize(200, 40));
+    const QImage live = pane.grab().copy(corner);
+    pane.state.expect(0, pane.now);
+    const QImage held = pane.grab().copy(corner);
+    QVERIFY(live != held);
+    pane.state.expect(15, pane.now);
+    pane.now += std::chrono::seconds(2);
+    const QImage frozen = pane.grab().copy(corner);
+    QVERIFY(frozen != held);
+    QVERIFY(frozen != live);
+}
+
+void TestLiveImage::saysHowItWasTreated()
+{
+    DisplayPicture picture;
+    picture.window = {2048, 4096};
+    QCOMPARE(windowLine(picture), QStringLiteral("C 2048  W 4096"));
+    QCOMPARE(treatmentLine(picture), QStringLiteral("display not calibrated"));
+    picture.isCalibrated = true;
+    picture.windowIsAutomatic = true;
+    picture.settings.function = VoiFunction::Sigmoid;
+    picture.settings.inverted = true;
+    picture.settings.noiseReduction = 60;
+    picture.treatment.k = 0.55;
+    picture.settings.edge = 30;
+    picture.settings.shutter = ShutterShape::Circle;
+    QCOMPARE(windowLine(picture), QStringLiteral("C 2048  W 4096  SIGMOID  AUTO"));
+    QCOMPARE(treatmentLine(picture), QStringLiteral("INVERTED  noise 60 %  edge 30 %  SHUTTER  display calibrated"));
+    picture.treatment.k = 0.7;
+    QVERIFY(treatmentLine(picture).contains(QStringLiteral("noise 40 of 60 %  ")));
+    picture.treatment.filterIsBounded = true;
+    QVERIFY(treatmentLine(picture).contains(QStringLiteral("noise 40 of 60 %, for latency")));
+}
+
+void TestLiveImage::coversNoMarkWithAnother_data()
+{
+    QTest::addColumn<QSize>("area");
+    QTest::addColumn<int>("pixelSize");
+    QTest::newRow("large") << QSize(1068, 1068) << 20;
+    QTest::newRow("reference") << QSize(500, 500) << 10;
+    QTest::newRow("small reference") << QSize(247, 247) << 10;
+}
+
+void TestLiveImage::coversNoMarkWithAnother()
+{
+    QFETCH(QSize, area);
+    QFETCH(int, pixelSize);
+    DisplayPicture picture;
+    picture.about = *samples::frame(123456, frameSize, 12, PixelEncoding::Raw);
+    picture.window = {32768, 65536};
+    picture.windowIsAutomatic = true;
+    QFont font;
+    font.setPixelSize(pixelSize);
+    TextPlates plates(font);
+    const QRect where(QPoint(0, 0), area);
+    placeSides(plates, where, picture);
+    const QRect bar = placeScale(plates, where, picture, 1);
+    const QRegion before = plates.region() + bar;
+    placeFacts(plates, where, bar, picture, 2);
+    TextPlates facts(font);
+    placeFacts(facts, where, {}, picture, 2);
+    int covered = 0; // what the facts take is added to what was there, and nothing is lost
+    for (const QRect& part : plates.region() + bar)
+        covered += part.width() * part.height();
+    int separate = 0;
+    for (const QRegion& region : {before, facts.region()})
+        for (const QRect& part : region)
+            separate += part.width() * part.height();
+    QCOMPARE(covered, separate);
+    QVERIFY(plates.region().boundingRect().top() >= 0);
 }
 
 QTEST_MAIN(TestLiveImage)

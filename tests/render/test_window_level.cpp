@@ -53,7 +53,7 @@ void TestWindowLevel::showsValuesWorkedByHand()
     QFETCH(double, centre);
     QFETCH(double, width);
     QFETCH(int, shown);
-    QCOMPARE(static_cast<int>(displayValue(stored, {centre, width}, Polarity::LowIsBlack)), shown);
+    QCOMPARE(static_cast<int>(displayValue(stored, {{centre, width}})), shown);
 }
 
 void TestWindowLevel::tableEqualsFormulaForEverySixteenBitValue_data()
@@ -77,7 +77,7 @@ void TestWindowLevel::tableEqualsFormulaForEverySixteenBitValue()
     for (int value = 0; value < 65536; ++value)
         stored.at<std::uint16_t>(value / 256, value % 256) = static_cast<std::uint16_t>(value);
     WindowLevelTable table;
-    table.prepare({static_cast<double>(centre), static_cast<double>(width)}, Polarity::LowIsBlack);
+    table.prepare({{static_cast<double>(centre), static_cast<double>(width)}});
     const QImage image = table.apply(stored);
     QCOMPARE(image.format(), QImage::Format_RGB32);
     for (int value = 0; value < 65536; ++value) {
@@ -89,14 +89,14 @@ void TestWindowLevel::tableEqualsFormulaForEverySixteenBitValue()
 void TestWindowLevel::invertsMonochrome1()
 {
     for (int value = 0; value < 4096; ++value)
-        QCOMPARE(displayValue(value, {2048, 4096}, Polarity::LowIsWhite) + displayValue(value, {2048, 4096}, Polarity::LowIsBlack), 255);
+        QCOMPARE(displayValue(value, {{2048, 4096}, VoiFunction::Linear, Polarity::LowIsWhite}) + displayValue(value, {{2048, 4096}}), 255);
     cv::Mat stored(1, 2, CV_8UC1);
     stored.at<std::uint8_t>(0, 0) = 0;
     stored.at<std::uint8_t>(0, 1) = 255;
     WindowLevelTable table;
-    table.prepare({128, 256}, Polarity::LowIsWhite);
+    table.prepare({{128, 256}, VoiFunction::Linear, Polarity::LowIsWhite});
     QCOMPARE(table.apply(stored).pixel(0, 0), qRgb(255, 255, 255));
-    table.prepare({128, 256}, Polarity::LowIsBlack);
+    table.prepare({{128, 256}});
     QCOMPARE(table.apply(stored).pixel(0, 0), qRgb(0, 0, 0));
 }
 
@@ -127,9 +127,9 @@ void TestWindowLevel::findsPercentiles()
     const GreyWindow window = percentileWindow(stored);
     QCOMPARE(window.centre, 49.5);
     QCOMPARE(window.width, 99.0);
-    QCOMPARE(static_cast<int>(displayValue(0, window, Polarity::LowIsBlack)), 0);
-    QCOMPARE(static_cast<int>(displayValue(98, window, Polarity::LowIsBlack)), 255);
-    QVERIFY(displayValue(97, window, Polarity::LowIsBlack) < 255);
+    QCOMPARE(static_cast<int>(displayValue(0, {window})), 0);
+    QCOMPARE(static_cast<int>(displayValue(98, {window})), 255);
+    QVERIFY(displayValue(97, {window}) < 255);
 }
 
 void TestWindowLevel::autoWindowMovesByAtMostFivePercentPerFrame()

@@ -50,6 +50,53 @@ private Q_SLOTS:
         QVERIFY(!state.reading(start).age);
     }
 
+    void leavesRoomForTheFilterWithinTheLimit()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(10, start);
+        QCOMPARE(state.filterRoom(), Duration::zero()); // nothing is known yet
+        state.notePainted(stamp(1, start + 10ms, 80ms));
+        QCOMPARE(state.filterRoom(), Duration(250ms - 80ms - 100ms)); // until the next picture it grows older by a period
+        state.setProfile(PictureProfile::Coronary);
+        QCOMPARE(state.filterRoom(), Duration(400ms - 80ms - 100ms));
+        auto filtered = stamp(2, start + 110ms, 80ms);
+        filtered.filterDelay = 90ms;
+        state.notePainted(filtered);
+        QCOMPARE(state.filterRoom(), Duration(400ms - 80ms - 100ms)); // the delay itself takes nothing of its room
+        state.notePainted(stamp(3, start + 210ms, 380ms));
+        QCOMPARE(state.filterRoom(), Duration::zero());
+        state.notePainted(stamp(4, start + 310ms, std::nullopt));
+        QCOMPARE(state.filterRoom(), Duration::zero()); // age unknown
+    }
+
+    void filterThatStaysInItsRoomNeverFreezesThePicture()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(10, start);
+        state.notePainted(stamp(1, start, 80ms));
+        auto filtered = stamp(2, start + 100ms, 80ms);
+        filtered.filterDelay = state.filterRoom();
+        state.notePainted(filtered);
+        QCOMPARE(state.reading(start + 200ms).condition, PictureCondition::Live); // when the next one is due
+        QCOMPARE(state.reading(start + 201ms).condition, PictureCondition::Frozen);
+    }
+
+    void takesNoPictureThatIsHeldOrReviewed()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        for (const PictureRole role : {PictureRole::Hold, PictureRole::Review}) {
+            auto old = stamp(1, start + 10ms, 1ms);
+            old.role = role;
+            state.notePainted(old);
+            QCOMPARE(state.reading(start + 10ms).condition, PictureCondition::None);
+        }
+        QCOMPARE(state.paintedCount(), quint64(0));
+    }
+
     void isLiveUntilTheLimitAndThenFrozen_data()
     {
         QTest::addColumn<PictureProfile>("profile");

@@ -1,0 +1,62 @@
+// Everything between a frame and the surgeon's eyes: the chain, the two picture panes and what is done with pictures.
+#pragma once
+
+#include "app/command_line.hpp"
+#include "imaging/cine_review.hpp"
+#include "imaging/cine_ring.hpp"
+#include "imaging/frame_pipeline.hpp"
+#include "imaging/image_hold.hpp"
+#include "imaging/picture_saver.hpp"
+#include "model/console_models.hpp"
+#include "model/display_state.hpp"
+
+#include <QObject>
+
+#include <optional>
+
+namespace console {
+
+class CockpitWindow;
+class LiveImageView;
+class ReferenceImageView;
+class ReviewControls;
+
+/// GUI thread only. What it says for the log, and the reasons for what it could not do, go to `models`.
+class PictureDesk : public QObject {
+    Q_OBJECT
+public:
+    PictureDesk(const Options& options, ConsoleModels& models, QObject* parent = nullptr);
+
+    /// Reads the measurement of the display, when one was named; false with one sentence in `error`.
+    bool prepare(QString* error);
+
+    /// Gives the window its live and its reference pane.
+    void build(CockpitWindow& window);
+
+    FramePipeline& pipeline() { return m_pipeline; }
+    DisplayState& display() { return m_display; }
+
+private:
+    void connectLive();
+    void connectReference();
+    void connectSaving();
+    void showHold();
+    void saveLive();
+    void saveReference();
+    void note(bool trouble, const QString& text);
+
+    const QString m_displayFile;
+    ConsoleModels& m_models;
+    CineRing m_ring;
+    FramePipeline m_pipeline;
+    CineReview m_review;
+    ImageHold m_hold;
+    PictureSaver m_saver;
+    DisplayState m_display;
+    std::optional<DisplayPicture> m_held;
+    LiveImageView* m_live = nullptr;            ///< the window's
+    ReferenceImageView* m_reference = nullptr;  ///< the window's
+    ReviewControls* m_reviewControls = nullptr; ///< the window's
+};
+
+} // namespace console

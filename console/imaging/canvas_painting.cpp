@@ -1,0 +1,83 @@
+// A pane with an X-ray picture in it: the part that is shown, and what is measured on it.
+#include "imaging/pane_colours.hpp"
+#include "imaging/picture_canvas.hpp"
+#include "imaging/text_plates.hpp"
+
+#include <QPainter>
+
+#include <functional>
+#include <vector>
+
+namespace console {
+
+namespace {
+
+constexpr double crossArm = 7;
+
+// Light on a dark edge: to be seen on every grey.
+void paintTwice(QPainter& painter, const std::function<void()>& stroke)
+{
+    painter.setPen(QPen(pane_colours::background, 4));
+    stroke();
+    painter.setPen(QPen(pane_colours::wire, 1.5));
+    stroke();
+}
+
+void paintCross(QPainter& painter, QPointF at)
+{
+    painter.drawLine(at - QPointF(crossArm, 0), at + QPointF(crossArm, 0));
+    painter.drawLine(at - QPointF(0, crossArm), at + QPointF(0, crossArm));
+}
+
+} // namespace
+
+void PictureCanvas::paintShown(QPainter& painter) const
+{
+    const DisplayPicture* picture = shown();
+    const PictureViewport view = viewport();
+    const QRect target = view.target();
+    const bool scaled = !view.isWhole() || target.size() * devicePixelRatioF() != picture->image.size();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, scaled);
+    if (view.isWhole())
+        painter.drawImage(target, picture->image);
+    else
+        painter.drawImage(QRectF(target), picture->image, view.part());
+}
+
+QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
+{
+    if (m_measurement.mode() == MeasureMode::Off)
+        return {};
+    const PictureViewport view = viewport();
+    painter.save();
+    painter.setClipRect(view.target());
+    painter.setRenderHint(QPainter::Antialiasing);
+    std::vector<QPointF> points;
+    for (const QPointF& point : m_measurement.points())
+        points.push_back(view.toPane(point));
+    paintTwice(painter, [&] {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            paintCross(painter, points[i]);
+            if (i > 0)
+                painter.drawLine(points[i - 1], points[i]);
+        }
+        if (m_cursor)
+            paintCross(painter, view.toPane(*m_cursor));
+    });
+    QRegion region;
+    for (const QPointF& point : points)
+        region += QRectF(point - QPointF(10, 10), QSizeF(20, 20)).toAlignedRect();
+    TextPlates plates(overlayFont());
+    const QPoint place(view.target().center().x(), view.target().top() + view.target().height() * 3 / 4);
+    const QString result = m_measurement.text();
+    plates.add(
+        result.isEmpty()
+            ? tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.mode() == MeasureMode::Angle ? 3 : 2)
+            : result,
+        place, Qt::AlignHCenter | Qt::AlignTop);
+    plates.paint(painter);
+    painter.restore();
+    return region + plates.region();
+}
+
+} // namespace console

@@ -1,0 +1,119 @@
+// Shows the frames of the last minute again.
+#include "imaging/cine_review.hpp"
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+constexpr int shortestPause = 15; ///< ms
+constexpr int longestPause = 1000;
+
+int pauseBetween(const XrayFrame& before, const XrayFrame& next)
+{
+    const quint64 apart = next.captureNs > before.captureNs ? next.captureNs - before.captureNs : 0;
+    return static_cast<int>(std::clamp<quint64>(apart / 1'000'000, shortestPause, longestPause));
+}
+
+} // namespace
+
+CineReview::CineReview(const CineRing& ring, QObject* parent) : QObject(parent), m_ring(ring), m_pipeline(nullptr, PictureRole::Review)
+{
+    m_timer.setSingleShot(true);
+    connect(&m_timer, &QTimer::timeout, this, &CineReview::playOn);
+    connect(&m_pipeline, &FramePipeline::pictureReady, this, [this](const DisplayPicture& picture) {
+        if (isOpen()) // one may still be on its way when the review is closed
+            Q_EMIT pictureReady(picture);
+    });
+}
+
+bool CineReview::open()
+{
+    const CineRing::Range range = m_ring.range();
+    if (range.isEmpty())
+        return false;
+    show(range.end - 1);
+    return true;
+}
+
+void CineReview::close()
+{
+    m_timer.stop();
+    m_place.reset();
+    Q_EMIT placeChanged();
+}
+
+void CineReview::step(int frames)
+{
+    if (!m_place)
+        return;
+    m_timer.stop();
+    const auto wanted = static_cast<qint64>(*m_place) + frames;
+    show(static_cast<quint64>(std::max<qint64>(wanted, 0)));
+}
+
+void CineReview::toOldest()
+{
+    if (!m_place)
+        return;
+    m_timer.stop();
+    show(m_ring.range().first);
+}
+
+void CineReview::setPlaying(bool playing)
+{
+    if (!m_place || playing == isPlaying())
+        return;
+    if (!playing) {
+        m_timer.stop();
+    } else {
+        // Begins at the oldest when it stands at the end.
+        if (*m_place + 1 >= m_ring.range().end)
+            show(m_ring.range().first);
+        m_timer.start(shortestPause);
+    }
+    Q_EMIT placeChanged();
+}
+
+void CineReview::playOn()
+{
+    if (!m_place)
+        return;
+    const CineRing::Range range = m_ring.range();
+    if (*m_place + 1 >= range.end) { // the film ends; it does not run on into the present
+        Q_EMIT placeChanged();
+        return;
+    }
+    show(*m_place + 1);
+    const auto next = m_ring.at(*m_place + 1);
+    const auto now = m_ring.at(*m_place);
+    m_timer.start(now && next ? pauseBetween(*now, *next) : shortestPause);
+}
+
+void CineReview::show(quint64 number)
+{
+    const CineRing::Range range = m_ring.range();
+    if (range.isEmpty())
+        return;
+    m_place = std::clamp(number, range.first, range.end - 1);
+    m_pipeline.showFrame(m_ring.at(*m_place));
+    Q_EMIT placeChanged();
+}
+
+QString CineReview::place() const
+{
+    const CineRing::Range range = m_ring.range();
+    if (!m_place || range.isEmpty())
+        return {};
+    const quint64 count = range.end - range.first;
+    if (*m_place < range.first)
+        return tr("older than the %1 frames that are kept").arg(count);
+    const auto frame = m_ring.at(*m_place);
+    const auto newest = m_ring.at(range.end - 1);
+    const double before =
+        frame && newest && newest->captureNs > frame->captureNs ? static_cast<double>(newest->captureNs - frame->captureNs) / 1e9 : 0;
+    return tr("%1 of %2, %3 s before the newest").arg(*m_place - range.first + 1).arg(count).arg(before, 0, 'f', 1);
+}
+
+} // namespace console

@@ -1,0 +1,52 @@
+// Shows the frames of the last minute again, one by one or as a film, as pictures for review.
+#pragma once
+
+#include "imaging/cine_ring.hpp"
+#include "imaging/frame_pipeline.hpp"
+
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+namespace console {
+
+/// Decodes on a pipeline of its own, whose pictures all have the role of a review. The ring goes on filling meanwhile; a frame that falls
+/// out of it while it is shown stays on the screen. GUI thread only; `ring` outlives it.
+class CineReview : public QObject {
+    Q_OBJECT
+public:
+    explicit CineReview(const CineRing& ring, QObject* parent = nullptr);
+
+    bool isOpen() const { return m_place.has_value(); }
+    bool isPlaying() const { return m_timer.isActive(); }
+
+    /// At the newest frame, standing still; false when there is none.
+    bool open();
+    void close();
+
+    void step(int frames);
+    void toOldest();
+    void setPlaying(bool playing);
+
+    void setSettings(const DisplaySettings& settings) { m_pipeline.setSettings(settings); }
+    void setGreyScale(const GreyScale& greyScale) { m_pipeline.setGreyScale(greyScale); }
+
+    /// `12 of 180, 11.2 s before the newest`; empty while closed.
+    QString place() const;
+
+Q_SIGNALS:
+    void pictureReady(const console::DisplayPicture& picture);
+    void placeChanged();
+
+private:
+    void show(quint64 number);
+    void playOn();
+
+    const CineRing& m_ring;
+    FramePipeline m_pipeline;
+    QTimer m_timer;
+    std::optional<quint64> m_place;
+};
+
+} // namespace console

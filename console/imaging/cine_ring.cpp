@@ -1,0 +1,62 @@
+// The frames of the last minute, for review.
+#include "imaging/cine_ring.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace console {
+
+void CineRing::add(const XrayFrame& frame)
+{
+    if (frame.pixels.size() > m_mostBytes)
+        return;
+    const auto bytes = std::make_shared<const std::vector<std::byte>>(frame.pixels.begin(), frame.pixels.end());
+    auto copy = std::make_shared<XrayFrame>(frame);
+    copy->owner = bytes;
+    copy->pixels = *bytes;
+    std::vector<std::shared_ptr<const XrayFrame>> gone; // let go outside the lock
+    const std::lock_guard lock(m_mutex);
+    m_bytes += bytes->size();
+    m_frames.push_back(std::move(copy));
+    while (m_bytes > m_mostBytes || frame.arrival - m_frames.front()->arrival > longest) {
+        gone.push_back(m_frames.front());
+        dropOldest();
+    }
+}
+
+void CineRing::dropOldest()
+{
+    m_bytes -= m_frames.front()->pixels.size();
+    m_frames.pop_front();
+    ++m_first;
+}
+
+CineRing::Range CineRing::range() const
+{
+    const std::lock_guard lock(m_mutex);
+    return {m_first, m_first + m_frames.size()};
+}
+
+std::shared_ptr<const XrayFrame> CineRing::at(quint64 number) const
+{
+    const std::lock_guard lock(m_mutex);
+    if (number < m_first || number >= m_first + m_frames.size())
+        return nullptr;
+    return m_frames[static_cast<std::size_t>(number - m_first)];
+}
+
+std::size_t CineRing::bytes() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_bytes;
+}
+
+std::chrono::nanoseconds CineRing::span() const
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_frames.empty() || m_frames.back()->captureNs < m_frames.front()->captureNs)
+        return {};
+    return std::chrono::nanoseconds(m_frames.back()->captureNs - m_frames.front()->captureNs);
+}
+
+} // namespace console

@@ -1,0 +1,54 @@
+// The frames of the last minute, for review.
+#pragma once
+
+#include "model/xray_frame.hpp"
+
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+namespace console {
+
+/// Keeps copies of frames as they were encoded, since the buffers they came in are the network's. What is older than a minute goes, and the
+/// oldest goes sooner when the memory is used up. Any thread.
+class CineRing {
+public:
+    static constexpr std::chrono::seconds longest{60};
+    static constexpr std::size_t defaultBytes = std::size_t(512) << 20U;
+
+    explicit CineRing(std::size_t mostBytes = defaultBytes) : m_mostBytes(mostBytes) {}
+
+    /// A frame larger than the whole ring is not kept.
+    void add(const XrayFrame& frame);
+
+    /// Frames are numbered as they come, and keep their number while others go.
+    struct Range {
+        quint64 first = 0;
+        quint64 end = 0; ///< behind the last
+
+        bool isEmpty() const { return first == end; }
+    };
+    Range range() const;
+
+    /// Nothing when it is gone or not yet there.
+    std::shared_ptr<const XrayFrame> at(quint64 number) const;
+
+    std::size_t bytes() const;
+
+    /// From the oldest frame to the newest, by the times of their pulses.
+    std::chrono::nanoseconds span() const;
+
+private:
+    void dropOldest();
+
+    mutable std::mutex m_mutex;
+    std::size_t m_mostBytes;
+    std::size_t m_bytes = 0;
+    quint64 m_first = 0;
+    std::deque<std::shared_ptr<const XrayFrame>> m_frames;
+};
+
+} // namespace console

@@ -1,0 +1,219 @@
+// The display chain, stage after stage.
+#include "imaging/display_chain.hpp"
+
+#include "imaging/frame_decoder.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+constexpr int framesPerNoise = 8; ///< the noise is read anew from every eighth picture
+constexpr double gainStep = 0.1;  ///< share of the brightness by which two pictures of one run do not differ without a new gain
+constexpr double kStep = 0.05;    ///< by which K may fall from one picture to the next; it may rise at once
+constexpr std::chrono::seconds longestGap{1};
+constexpr int storedBits = 16;
+
+Instant present() { return std::chrono::steady_clock::now(); }
+
+bool sameProjection(const XrayGeometry& a, const XrayGeometry& b)
+{
+    return a.primaryAngle == b.primaryAngle && a.secondaryAngle == b.secondaryAngle &&
+           a.sourceDetectorDistance == b.sourceDetectorDistance && a.sourceObjectDistance == b.sourceObjectDistance;
+}
+
+/// The same with its centre among the picture's own values. A picture that a slip of the hand made all black or all white looks like one
+/// without a beam.
+GreyWindow withinPicture(GreyWindow window, GreyWindow picture)
+{
+    if (!picture.isKnown())
+        return window;
+    return {std::clamp(window.centre, picture.centre - picture.width / 2, picture.centre + picture.width / 2), window.width};
+}
+
+/// Of every eighth row.
+double brightnessOf(const cv::Mat& stored)
+{
+    double sum = 0;
+    int rows = 0;
+    for (int row = 0; row < stored.rows; row += 8, ++rows)
+        sum += cv::mean(stored.row(row))[0];
+    return rows > 0 ? sum / rows : 0;
+}
+
+/// Between the two pulses; between two as they were announced when the clock tells nothing sensible.
+Duration periodBetween(const XrayFrame& before, const XrayFrame& now)
+{
+    const Duration announced = now.rate > 0 ? fromMilliseconds(1000 / now.rate) : Duration::zero();
+    if (now.captureNs <= before.captureNs)
+        return announced;
+    return std::max(announced, Duration(static_cast<Duration::rep>(now.captureNs - before.captureNs)));
+}
+
+} // namespace
+
+QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture)
+{
+    const Instant begun = present();
+    if (QString refusal = decodeFrame(frame, m_incoming); !refusal.isEmpty())
+        return refusal;
+    cv::swap(m_incoming, m_stored);
+    const Instant decoded = present();
+    picture.about = frame;
+    picture.about.owner.reset();
+    picture.about.pixels = {};
+    picture.treatment = {};
+    const bool goesOn = continues(frame);
+    if (!m_last || m_last->about.acquisition != frame.acquisition)
+        m_autoWindow.reset();
+    m_automatic.reset();
+    if (!goesOn) {
+        m_temporal.reset();
+        m_untilNextNoise = 0;
+    }
+    std::swap(m_last, m_previous);
+    m_last = picture;
+    filter(frame, settings, filterRoom);
+    m_last->times = {};
+    m_last->times.decode = decoded - begun;
+    m_last->times.temporal = present() - decoded;
+    picture = *m_last;
+    if (!draw(settings, picture))
+        return QCoreApplication::translate("DisplayChain", "there is no memory for it");
+    return {};
+}
+
+bool DisplayChain::continues(const XrayFrame& frame) const
+{
+    if (!m_last)
+        return false;
+    const XrayFrame& before = m_last->about;
+    const double brightness = brightnessOf(m_stored);
+    return before.acquisition == frame.acquisition && sameProjection(before.geometry, frame.geometry) &&
+           before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
+           before.bitsStored == frame.bitsStored && before.intensity == frame.intensity && before.photometric == frame.photometric &&
+           before.mask == frame.mask && before.source == frame.source && frame.captureNs >= before.captureNs &&
+           periodBetween(before, frame) <= longestGap && std::abs(brightness - m_brightness) <= gainStep * std::max(m_brightness, 1.0);
+}
+
+// It rises at once, since the latency must not wait, and falls slowly, since noise that comes and goes looks like something.
+double DisplayChain::chosenK(int strength, Duration room, Duration period)
+{
+    const double k = std::max(kOfStrength(strength), leastK(room, period));
+    return k >= m_k ? k : std::max(k, m_k - kStep);
+}
+
+void DisplayChain::filter(const XrayFrame& frame, const DisplaySettings& settings, Duration room)
+{
+    m_brightness = brightnessOf(m_stored);
+    m_isFiltered = settings.noiseReduction > 0;
+    if (!m_isFiltered) {
+        m_temporal.reset();
+        m_k = 1;
+        return;
+    }
+    m_stored.convertTo(m_filtered, CV_32F);
+    if (--m_untilNextNoise < 0) {
+        m_noise = estimateNoise(m_filtered);
+        m_untilNextNoise = framesPerNoise;
+    }
+    const bool mixes = m_previous && m_temporal.remembers({m_filtered.cols, m_filtered.rows});
+    const Duration period = mixes ? periodBetween(m_previous->about, frame) : Duration::zero();
+    m_k = mixes ? chosenK(settings.noiseReduction, room, period) : 1;
+    m_temporal.apply(m_filtered, m_k, m_noise);
+    PictureTreatment& treatment = m_last->treatment;
+    treatment.k = m_k;
+    treatment.filterDelay = filterDelay(m_k, period);
+    treatment.filterIsBounded = mixes && m_k > kOfStrength(settings.noiseReduction);
+}
+
+bool DisplayChain::redraw(const DisplaySettings& settings, DisplayPicture& picture)
+{
+    if (!m_last)
+        return false;
+    picture = *m_last;
+    return draw(settings, picture);
+}
+
+const cv::Mat& DisplayChain::enhanced(const DisplaySettings& settings, DisplayPicture& picture, int& fractionBits)
+{
+    fractionBits = 0;
+    // Of the picture that stands there the filter can be taken away again; it cannot be put on without the ones before.
+    const bool filtered = m_isFiltered && settings.noiseReduction > 0;
+    if (!filtered)
+        picture.treatment = {};
+    if (!filtered && settings.edge == 0)
+        return m_stored;
+    const Instant begun = present();
+    if (filtered)
+        m_filtered.copyTo(m_work);
+    else
+        m_stored.convertTo(m_work, CV_32F);
+    if (settings.edge > 0) {
+        const NoiseModel noise = filtered ? m_noise.scaled(varianceShare(m_k)) : estimateNoise(m_work);
+        m_edge.apply(m_work, settings.edge, noise);
+    }
+    fractionBits = storedBits - picture.about.bitsStored;
+    m_work.convertTo(m_quantised, CV_16U, std::ldexp(1.0, fractionBits));
+    picture.times.edge = present() - begun;
+    return m_quantised;
+}
+
+GreyWindow DisplayChain::automaticWindow(const Shutter& shutter)
+{
+    if (!m_automatic)
+        m_automatic = m_autoWindow.next(m_stored, shutter);
+    return *m_automatic;
+}
+
+GreyWindow DisplayChain::chosenWindow(const DisplaySettings& settings, bool& isAutomatic)
+{
+    const XrayFrame& about = m_last->about;
+    const GreyWindow sent{about.windowCentre, about.windowWidth};
+    const double range = std::ldexp(1.0, about.bitsStored);
+    const Shutter shutter(settings.shutter, {about.columns, about.rows});
+    isAutomatic = false;
+    switch (settings.window) {
+    case WindowChoice::Fixed:
+        return withinPicture(settings.fixed, percentileWindow(m_stored, shutter));
+    case WindowChoice::FullRange:
+        return {range / 2, range};
+    case WindowChoice::AsSent:
+    case WindowChoice::Narrow:
+    case WindowChoice::Wide:
+        if (!sent.isKnown())
+            break;
+        return settings.window == WindowChoice::AsSent
+                   ? sent
+                   : GreyWindow{sent.centre, sent.width * (settings.window == WindowChoice::Wide ? 2 : 0.5)};
+    case WindowChoice::Automatic:
+        break;
+    }
+    isAutomatic = true;
+    return automaticWindow(shutter);
+}
+
+bool DisplayChain::draw(const DisplaySettings& settings, DisplayPicture& picture)
+{
+    int fractionBits = 0;
+    const cv::Mat& last = enhanced(settings, picture, fractionBits);
+    const Instant begun = present();
+    picture.settings = settings;
+    picture.window = chosenWindow(settings, picture.windowIsAutomatic);
+    picture.isCalibrated = m_table.isCalibrated();
+    const bool lowIsWhite = (picture.about.photometric == Photometric::Monochrome1) != settings.inverted;
+    m_table.prepare({picture.window, settings.function, lowIsWhite ? Polarity::LowIsWhite : Polarity::LowIsBlack}, fractionBits);
+    picture.image = m_pool.next({last.cols, last.rows});
+    if (!m_table.apply(last, picture.image))
+        return false;
+    applyShutter(picture.image, Shutter(settings.shutter, picture.image.size()));
+    m_pool.keep(picture.image);
+    picture.times.window = present() - begun;
+    return true;
+}
+
+} // namespace console

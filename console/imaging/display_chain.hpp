@@ -1,0 +1,57 @@
+// The display chain: from a frame's bytes to a picture, in the order of DICOM PS3.4 N.2.5.
+#pragma once
+
+#include "imaging/display_picture.hpp"
+#include "imaging/edge_enhancement.hpp"
+#include "imaging/image_pool.hpp"
+#include "imaging/temporal_filter.hpp"
+#include "imaging/window_level.hpp"
+
+#include <opencv2/core.hpp>
+
+#include <optional>
+
+namespace console {
+
+/// Stored values → temporal filter → edge enhancement → VOI window → polarity and grey scale of the display → shutter. Up to the window the
+/// picture keeps 16 bits or is floating-point; only the last table makes 8 bits of it. One thread at a time; its buffers are used again.
+class DisplayChain {
+public:
+    /// A picture, or why there is none. `filterRoom`: how much later than it could a movement may be shown; the filter stays within it.
+    QString process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture);
+
+    /// The last picture once more under other settings; false when there was none. For the temporal filter no time passes.
+    bool redraw(const DisplaySettings& settings, DisplayPicture& picture);
+
+    void setGreyScale(const GreyScale& greyScale) { m_table.setGreyScale(greyScale); }
+
+private:
+    void filter(const XrayFrame& frame, const DisplaySettings& settings, Duration room);
+    bool draw(const DisplaySettings& settings, DisplayPicture& picture);
+    const cv::Mat& enhanced(const DisplaySettings& settings, DisplayPicture& picture, int& fractionBits);
+    bool continues(const XrayFrame& frame) const;
+    double chosenK(int strength, Duration room, Duration period);
+    GreyWindow chosenWindow(const DisplaySettings& settings, bool& isAutomatic);
+    GreyWindow automaticWindow(const Shutter& shutter);
+
+    cv::Mat m_incoming;  ///< what a refused frame leaves behind is never shown
+    cv::Mat m_stored;    ///< as sent
+    cv::Mat m_filtered;  ///< CV_32FC1, after the temporal filter
+    cv::Mat m_work;      ///< CV_32FC1, after the edge enhancement
+    cv::Mat m_quantised; ///< CV_16UC1: stored values times 2 to the unused bits
+    bool m_isFiltered = false;
+    NoiseModel m_noise;
+    int m_untilNextNoise = 0;
+    double m_brightness = 0;
+    double m_k = 1;
+    TemporalFilter m_temporal;
+    EdgeEnhancement m_edge;
+    WindowLevelTable m_table;
+    AutoWindow m_autoWindow;
+    std::optional<GreyWindow> m_automatic; ///< of the present picture
+    ImagePool m_pool;
+    std::optional<DisplayPicture> m_last;     ///< without its image
+    std::optional<DisplayPicture> m_previous; ///< the one before it
+};
+
+} // namespace console

@@ -1,0 +1,136 @@
+// Distances and angles on a picture.
+#include "imaging/measurement.hpp"
+
+#include "imaging/display_picture.hpp"
+
+#include <QCoreApplication>
+#include <QtMath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+constexpr double thinnestCatheter = 1; ///< Fr
+constexpr double thickestCatheter = 34;
+constexpr int smallestCatheter = 4; ///< of those that a key chooses
+constexpr int largestCatheter = 8;
+
+QString text(const char* source) { return QCoreApplication::translate("Measurement", source); }
+
+bool sameProjection(const XrayFrame& a, const XrayFrame& b)
+{
+    return a.rows == b.rows && a.columns == b.columns && a.imagerPixelSpacing == b.imagerPixelSpacing &&
+           a.geometry.primaryAngle == b.geometry.primaryAngle && a.geometry.secondaryAngle == b.geometry.secondaryAngle &&
+           a.geometry.sourceDetectorDistance == b.geometry.sourceDetectorDistance &&
+           a.geometry.sourceObjectDistance == b.geometry.sourceObjectDistance;
+}
+
+} // namespace
+
+PixelCalibration calibrationOf(const XrayFrame& frame)
+{
+    const std::optional<double> size = pixelSizeAtIsocentre(frame);
+    return size ? PixelCalibration{CalibrationKind::Geometry, *size, 0} : PixelCalibration{};
+}
+
+PixelCalibration calibrationBy(double french, double widthPixels)
+{
+    if (!(french >= thinnestCatheter) || french > thickestCatheter || !(widthPixels > 0) || !std::isfinite(widthPixels))
+        return {};
+    return {CalibrationKind::Catheter, french / 3 / widthPixels, french};
+}
+
+QString lengthText(double pixels, const PixelCalibration& calibration)
+{
+    const auto millimetres = QString::number(pixels * calibration.pixelSize, 'f', 1);
+    switch (calibration.kind) {
+    case CalibrationKind::Geometry:
+        return text("%1 mm @ isocentre plane (geometry)").arg(millimetres);
+    case CalibrationKind::Catheter:
+        return text("%1 mm (%2 F catheter)").arg(millimetres, QString::number(calibration.french));
+    case CalibrationKind::None:
+        break;
+    }
+    return text("%1 px (uncalibrated)").arg(std::lround(pixels));
+}
+
+std::optional<double> angleAt(QPointF corner, QPointF one, QPointF other)
+{
+    const QPointF a = one - corner;
+    const QPointF b = other - corner;
+    const double lengths = std::hypot(a.x(), a.y()) * std::hypot(b.x(), b.y());
+    if (!(lengths > 0))
+        return std::nullopt;
+    return qRadiansToDegrees(std::acos(std::clamp(QPointF::dotProduct(a, b) / lengths, -1.0, 1.0)));
+}
+
+void Measurement::setMode(MeasureMode mode)
+{
+    if (m_mode == mode)
+        return;
+    m_mode = mode;
+    clear();
+}
+
+void Measurement::add(QPointF point)
+{
+    if (m_mode == MeasureMode::Off)
+        return;
+    if (isComplete())
+        clear();
+    m_points.push_back(point);
+}
+
+bool Measurement::isComplete() const { return m_mode != MeasureMode::Off && m_points.size() == wanted(); }
+
+std::optional<double> Measurement::pixels() const
+{
+    if (m_mode != MeasureMode::Distance || !isComplete())
+        return std::nullopt;
+    const QPointF between = m_points[1] - m_points[0];
+    return std::hypot(between.x(), between.y());
+}
+
+QString Measurement::text() const
+{
+    if (!isComplete())
+        return {};
+    if (const auto length = pixels())
+        return lengthText(*length, calibration());
+    const std::optional<double> angle = angleAt(m_points[1], m_points[0], m_points[2]);
+    return angle ? console::text("%1\u00B0 in the picture's plane").arg(*angle, 0, 'f', 1) : console::text("no angle: two points are one");
+}
+
+void Measurement::nextCatheter()
+{
+    if (m_catheterWidth <= 0) {
+        m_catheterWidth = pixels().value_or(0);
+        m_french = m_catheterWidth > 0 ? smallestCatheter : 0;
+    } else if (++m_french > largestCatheter) {
+        m_catheterWidth = 0;
+        m_french = 0;
+    }
+}
+
+PixelCalibration Measurement::calibration() const
+{
+    if (m_catheterWidth > 0)
+        return calibrationBy(m_french, m_catheterWidth);
+    return m_frame ? calibrationOf(*m_frame) : PixelCalibration{};
+}
+
+void Measurement::follow(const XrayFrame& frame)
+{
+    if (m_frame && !sameProjection(*m_frame, frame)) {
+        clear();
+        m_catheterWidth = 0;
+    }
+    m_frame = frame;
+    m_frame->owner.reset();
+    m_frame->pixels = {};
+}
+
+} // namespace console

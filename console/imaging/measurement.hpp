@@ -1,0 +1,78 @@
+// Distances and angles on a picture, each with the word for how its millimetres are known.
+#pragma once
+
+#include "model/display_state.hpp"
+#include "model/xray_frame.hpp"
+
+#include <QPointF>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace console {
+
+/// Where the length of a pixel comes from.
+enum class CalibrationKind : std::uint8_t {
+    None,     ///< pixels only
+    Geometry, ///< imager spacing x SOD / SID: true in the isocentre's plane
+    Catheter, ///< a catheter of known size was measured: true in its plane
+};
+
+struct PixelCalibration {
+    CalibrationKind kind = CalibrationKind::None;
+    double pixelSize = 0; ///< mm in the plane it is true for
+    double french = 0;    ///< of the catheter
+
+    bool operator==(const PixelCalibration&) const = default;
+};
+
+/// From the frame's geometry; none when any of it is unknown.
+PixelCalibration calibrationOf(const XrayFrame& frame);
+
+/// A catheter of `french` (1 Fr = 1/3 mm) that is `widthPixels` wide in the picture; none for numbers that mean nothing.
+PixelCalibration calibrationBy(double french, double widthPixels);
+
+/// `12.4 mm @ isocentre plane (geometry)`, `12.4 mm (8 F catheter)`, `41 px (uncalibrated)`.
+QString lengthText(double pixels, const PixelCalibration& calibration);
+
+/// Of the angle at `corner`, 0 … 180 degrees; nothing when an arm has no length.
+std::optional<double> angleAt(QPointF corner, QPointF one, QPointF other);
+
+/// What a person measures on one picture: two points or three, in pixels of the picture. A new point behind the last begins anew.
+class Measurement {
+public:
+    void setMode(MeasureMode mode);
+    MeasureMode mode() const { return m_mode; }
+
+    void add(QPointF point);
+    void clear() { m_points.clear(); }
+    const std::vector<QPointF>& points() const { return m_points; }
+    bool isComplete() const;
+
+    /// The pixels between the two points of a complete distance.
+    std::optional<double> pixels() const;
+
+    /// Empty until complete. An angle is that of the shadows in the picture's plane, and says so.
+    QString text() const;
+
+    /// The distance just measured is the width of a catheter: of 4 F, at the next call of 5 F, … 8 F, and then of none.
+    void nextCatheter();
+
+    /// That of the catheter, else that of the geometry.
+    PixelCalibration calibration() const;
+
+    /// Points and catheter belong to this projection; in another they would lie: they are cleared.
+    void follow(const XrayFrame& frame);
+
+private:
+    std::size_t wanted() const { return m_mode == MeasureMode::Angle ? 3 : 2; }
+
+    MeasureMode m_mode = MeasureMode::Off;
+    std::vector<QPointF> m_points;
+    std::optional<XrayFrame> m_frame; ///< without its pixels
+    double m_catheterWidth = 0;       ///< pixels; 0: none was measured
+    int m_french = 0;
+};
+
+} // namespace console

@@ -1,0 +1,83 @@
+// A pane with an X-ray picture in it: window, zoom, pan and measuring by mouse and keys.
+#pragma once
+
+#include "imaging/display_picture.hpp"
+#include "imaging/measurement.hpp"
+#include "imaging/picture_viewport.hpp"
+#include "model/display_state.hpp"
+
+#include <QRegion>
+#include <QWidget>
+
+#include <optional>
+
+namespace console {
+
+/// Left button: window (sideways its width, up and down its centre), or a point while measuring; middle button, or Shift with the left:
+/// pan; wheel: zoom. Keys while the pane has the focus, none of them one of the hand's: + − zoom, 8 2 4 6 pan, Home whole picture, A
+/// automatic window, P next window, V next function, Q W narrower and wider, S X lower and higher centre, N invert, T Shift+T noise
+/// reduction, E Shift+E edges, H shutter, M measure, 5 point, B catheter, Delete clear. All other keys are left to the window.
+class PictureCanvas : public QWidget {
+    Q_OBJECT
+public:
+    explicit PictureCanvas(QWidget* parent = nullptr);
+
+    /// Whose settings mouse and keys change; outlives the pane. Without one they change nothing.
+    void setDisplay(DisplayState* display);
+
+    /// Where the picture stands in the pane; empty without one.
+    QRect pictureRect() const;
+
+    /// Fitted to the present pane and picture.
+    PictureViewport viewport() const;
+
+    const Measurement& measurement() const { return m_measurement; }
+
+    void zoomBy(double factor);
+    void resetView();
+    void clearMeasurement();
+    void nextCatheter();
+
+Q_SIGNALS:
+    void viewChanged();
+
+protected:
+    /// What stands in the pane; null for nothing.
+    virtual const DisplayPicture* shown() const = 0;
+
+    /// The subclass tells of each picture before it paints it.
+    void followPicture(const DisplayPicture& picture);
+    void paintShown(QPainter& painter) const;
+    QRegion paintMeasurement(QPainter& painter) const;
+    QFont overlayFont() const;
+
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    enum class Drag { None, Window, Pan };
+
+    bool takeViewKey(int key);
+    bool takeWindowKey(int key);
+    bool takeDisplayKey(int key, bool shift);
+    bool takeMeasureKey(int key);
+    bool step(int key, QPointF& by) const;
+    void moveWindow(double centreShare, double widthShare);
+    void addPoint(QPointF picture);
+
+    DisplayState* m_display = nullptr;
+    PictureViewport m_viewport;
+    Measurement m_measurement;
+    std::optional<QPointF> m_cursor; ///< of the keys while measuring, in pixels of the picture
+    Drag m_drag = Drag::None;
+    QPointF m_dragStart;
+    QPointF m_dragLast;
+    GreyWindow m_dragWindow;
+};
+
+} // namespace console

@@ -1,0 +1,89 @@
+// Saving a picture: names, words, PNG, and the one way of writing a file whole.
+#include "imaging/picture_export.hpp"
+
+#include "imaging/file_writing.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/picture_marks.hpp"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QPainter>
+#include <QSaveFile>
+#include <QTimeZone>
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+QString text(const char* source) { return QCoreApplication::translate("PictureExport", source); }
+
+QString roleName(PictureRole role)
+{
+    switch (role) {
+    case PictureRole::Live:
+        return QStringLiteral("live");
+    case PictureRole::Hold:
+        return QStringLiteral("hold");
+    case PictureRole::Review:
+        return QStringLiteral("review");
+    }
+    return QStringLiteral("picture");
+}
+
+} // namespace
+
+QString exportWords(const DisplayPicture& picture)
+{
+    // Saved, nothing is live any more.
+    const QString role = picture.role == PictureRole::Live ? text("SNAPSHOT") : word(picture.role);
+    const QString source = picture.about.source == PictureSource::Live ? QString() : QStringLiteral("  ") + word(picture.about.source);
+    return text("%1%2  picture of %3").arg(role, source, clockTime(picture.about.captureNs));
+}
+
+QString exportName(const DisplayPicture& picture)
+{
+    const auto time = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(picture.about.captureNs / 1'000'000), QTimeZone::utc());
+    return QStringLiteral("liena_%1_%2_run%3_frame%4")
+        .arg(time.toString(QStringLiteral("yyyy-MM-ddTHH-mm-ss.zzz")), roleName(picture.role))
+        .arg(picture.about.acquisition)
+        .arg(picture.about.frame);
+}
+
+QImage withBanner(const QImage& pane, const DisplayPicture& picture)
+{
+    if (pane.isNull())
+        return {};
+    QFont font;
+    font.setPixelSize(std::clamp(pane.width() / 40, 10, 40));
+    QImage image(pane.width(), pane.height() + 2 * font.pixelSize(), QImage::Format_RGB32);
+    image.fill(pane_colours::background);
+    QPainter painter(&image);
+    painter.drawImage(0, 0, pane);
+    painter.setFont(font);
+    painter.setPen(pane_colours::text);
+    painter.drawText(QRect(0, pane.height(), pane.width(), 2 * font.pixelSize()), Qt::AlignCenter, exportWords(picture));
+    return image;
+}
+
+QString writeWhole(const QByteArray& bytes, const QString& path)
+{
+    QSaveFile file(path);
+    const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    if (written)
+        return {};
+    return text("%1 cannot be written: %2. Nothing was saved; make room on the disk or name another folder.").arg(path, file.errorString());
+}
+
+QString savePng(const QImage& image, const QString& path)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (image.isNull() || !buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))
+        return text("%1 cannot be written: there is no picture, or no memory for it. Save again.").arg(path);
+    return writeWhole(bytes, path);
+}
+
+} // namespace console

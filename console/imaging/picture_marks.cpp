@@ -1,0 +1,138 @@
+// The marks that every picture carries.
+#include "imaging/picture_marks.hpp"
+
+#include "imaging/c_arm_pose.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/temporal_filter.hpp"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFontMetrics>
+#include <QPainter>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace console {
+
+namespace {
+
+QString text(const char* source) { return QCoreApplication::translate("PictureMarks", source); }
+
+// What the filter does and not only what was asked of it: it may be bounded by the latency, or just have begun.
+QString noiseWords(int asked, const PictureTreatment& treatment)
+{
+    const long present = std::lround(strengthOfK(treatment.k));
+    if (present >= asked)
+        return text("noise %1 %").arg(asked);
+    return treatment.filterIsBounded ? text("noise %1 of %2 %, for latency").arg(present).arg(asked)
+                                     : text("noise %1 of %2 %").arg(present).arg(asked);
+}
+
+} // namespace
+
+QString clockTime(quint64 captureNs)
+{
+    const qint64 tenths = static_cast<qint64>(captureNs / 100'000'000);
+    const QDateTime time = QDateTime::fromMSecsSinceEpoch(tenths * 100);
+    return time.toString(QStringLiteral("HH:mm:ss.")) + QString::number(tenths % 10);
+}
+
+double scaleBarLength(double pictureWidthMm)
+{
+    const double wanted = pictureWidthMm / 5;
+    if (!(wanted > 0) || !std::isfinite(wanted))
+        return 0;
+    const double decade = std::pow(10, std::floor(std::log10(wanted)));
+    for (const double step : {5.0, 2.0})
+        if (wanted >= step * decade)
+            return step * decade;
+    return decade;
+}
+
+QString windowLine(const DisplayPicture& picture)
+{
+    QString line = text("C %1  W %2").arg(std::lround(picture.window.centre)).arg(std::lround(picture.window.width));
+    if (picture.settings.function != VoiFunction::Linear)
+        line += QStringLiteral("  ") + word(picture.settings.function);
+    if (picture.windowIsAutomatic)
+        line += text("  AUTO");
+    return line;
+}
+
+QString treatmentLine(const DisplayPicture& picture)
+{
+    QStringList parts;
+    const DisplaySettings& settings = picture.settings;
+    if (settings.inverted)
+        parts << text("INVERTED");
+    if (settings.noiseReduction > 0)
+        parts << noiseWords(settings.noiseReduction, picture.treatment);
+    if (settings.edge > 0)
+        parts << text("edge %1 %").arg(settings.edge);
+    if (settings.shutter != ShutterShape::None)
+        parts << text("SHUTTER");
+    parts << (picture.isCalibrated ? text("display calibrated") : text("display not calibrated"));
+    return parts.join(QStringLiteral("  "));
+}
+
+void placeSides(TextPlates& plates, const QRect& area, const DisplayPicture& picture)
+{
+    const XrayGeometry& geometry = picture.about.geometry;
+    const int middle = area.center().y();
+    const int gap = plates.gap();
+    // Without a geometry the angles are zeros that nobody measured: a side that is guessed is worse than none.
+    if (geometry.sourceDetectorDistance <= 0) {
+        plates.add(text("sides unknown"), {area.left() + gap, middle}, Qt::AlignLeft | Qt::AlignVCenter);
+        return;
+    }
+    const PictureAxes axes = axesOf(geometry.primaryAngle, geometry.secondaryAngle);
+    const QFont font = larger(plates.font(), 1.4);
+    plates.add(sideLetter(-axes.right), font, {area.left() + gap, middle}, Qt::AlignLeft | Qt::AlignVCenter);
+    plates.add(sideLetter(axes.right), font, {area.right() - gap, middle}, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QRect placeScale(TextPlates& plates, const QRect& area, const DisplayPicture& picture, double shownShare)
+{
+    const int gap = plates.gap();
+    const QPoint corner = area.bottomRight() - QPoint(gap, gap);
+    const std::optional<double> pixelSize = pixelSizeAtIsocentre(picture.about);
+    if (!pixelSize) {
+        plates.add(text("no scale: geometry unknown"), corner, Qt::AlignRight | Qt::AlignBottom);
+        return {};
+    }
+    const double shownWidth = *pixelSize * picture.about.columns * shownShare;
+    const double length = scaleBarLength(shownWidth);
+    const QRect label = plates.add(text("%1 mm @ isocentre plane (geometry)").arg(length), corner, Qt::AlignRight | Qt::AlignBottom);
+    const int width = static_cast<int>(std::lround(length / shownWidth * area.width()));
+    return {label.right() - width + 1, label.top() - 2 * gap, width, gap};
+}
+
+void paintScaleBar(QPainter& painter, const QRect& bar)
+{
+    if (bar.isEmpty())
+        return;
+    QColor dark = pane_colours::background;
+    dark.setAlpha(200);
+    painter.fillRect(bar, dark);
+    painter.fillRect(QRect(bar.left(), bar.center().y() - 1, bar.width(), 2), pane_colours::text);
+    painter.fillRect(QRect(bar.left(), bar.top(), 2, bar.height()), pane_colours::text);
+    painter.fillRect(QRect(bar.right() - 1, bar.top(), 2, bar.height()), pane_colours::text);
+}
+
+void placeFacts(TextPlates& plates, const QRect& area, const QRect& bar, const DisplayPicture& picture, double zoom)
+{
+    const int gap = plates.gap();
+    const QPoint corner(area.left() + gap, area.bottom() - gap);
+    const QString frame = text("frame %1  run %2").arg(picture.about.frame).arg(picture.about.acquisition);
+    const QRect low = plates.addAbove(frame + QStringLiteral("  ") + windowLine(picture), corner, bar);
+    QString treatment = treatmentLine(picture);
+    if (zoom > 1)
+        treatment.prepend(text("ZOOM %1\u00D7  ").arg(zoom, 0, 'f', 1));
+    const int room = area.width() - 4 * gap;
+    treatment = QFontMetrics(plates.font()).elidedText(treatment, Qt::ElideRight, room);
+    plates.addAbove(treatment, {corner.x(), low.top() - 1}, bar);
+}
+
+} // namespace console

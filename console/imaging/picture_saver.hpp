@@ -1,0 +1,36 @@
+// Saves pictures beside the work of the console: encoding and disk keep neither the hand nor the pictures waiting.
+#pragma once
+
+#include "imaging/display_picture.hpp"
+
+#include <QImage>
+#include <QObject>
+#include <QString>
+
+#include <thread>
+
+namespace console {
+
+/// GUI thread only; each saving runs on a thread of its own, one at a time.
+class PictureSaver : public QObject {
+    Q_OBJECT
+public:
+    explicit PictureSaver(QString folder, QObject* parent = nullptr);
+    ~PictureSaver() override;
+
+    /// `pane` as it is seen becomes a PNG, `picture` a Secondary Capture, side by side in the folder, which is made when it is missing.
+    void save(const DisplayPicture& picture, const QImage& pane);
+
+Q_SIGNALS:
+    void saved(const QString& path); ///< without the ending
+    void failed(const QString& reason);
+
+private:
+    void finish(const QString& path, const QString& reason);
+
+    const QString m_folder;
+    bool m_busy = false;
+    std::thread m_thread;
+};
+
+} // namespace console

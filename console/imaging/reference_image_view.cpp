@@ -1,0 +1,93 @@
+// The reference picture.
+#include "imaging/reference_image_view.hpp"
+
+#include "imaging/pane_colours.hpp"
+#include "imaging/picture_marks.hpp"
+#include "imaging/picture_overlay.hpp"
+
+#include <QPainter>
+
+namespace console {
+
+namespace {
+
+/// REVIEW, and SIMULATED or RECORDED when it is that; LIVE is never said here.
+QString headOf(const DisplayPicture& picture)
+{
+    const QString role = word(picture.role);
+    return picture.about.source == PictureSource::Live ? role : role + QStringLiteral("  ") + word(picture.about.source);
+}
+
+} // namespace
+
+ReferenceImageView::ReferenceImageView(QWidget* parent) : PictureCanvas(parent)
+{
+    setObjectName(QStringLiteral("referenceImage"));
+    setMinimumSize(160, 160);
+    setAccessibleName(tr("Reference X-ray image"));
+    describe();
+}
+
+void ReferenceImageView::showPicture(const DisplayPicture& picture)
+{
+    if (picture.role == PictureRole::Live)
+        return;
+    m_picture = picture;
+    followPicture(picture);
+    describe();
+}
+
+void ReferenceImageView::setPlace(const QString& place)
+{
+    if (m_place == place)
+        return;
+    m_place = place;
+    update();
+}
+
+void ReferenceImageView::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), pane_colours::background);
+    m_overlay = {};
+    if (!m_picture) {
+        paintNothingYet(painter);
+    } else {
+        paintShown(painter);
+        const QRect area = pictureRect();
+        TextPlates plates(overlayFont());
+        const int gap = plates.gap();
+        const QRect head =
+            plates.add(headOf(*m_picture), larger(plates.font(), 1.4), area.topLeft() + QPoint(gap, gap), Qt::AlignLeft | Qt::AlignTop);
+        const QRect taken = plates.add(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), {head.left(), head.bottom() + 1},
+                                       Qt::AlignLeft | Qt::AlignTop);
+        if (!m_place.isEmpty())
+            plates.add(m_place, {head.left(), taken.bottom() + 1}, Qt::AlignLeft | Qt::AlignTop);
+        placeSides(plates, area, *m_picture);
+        const QRect bar = placeScale(plates, area, *m_picture, 1 / viewport().zoom());
+        placeFacts(plates, area, bar, *m_picture, viewport().zoom());
+        plates.paint(painter);
+        paintScaleBar(painter, bar);
+        m_overlay = plates.region() + bar + paintMeasurement(painter);
+    }
+    paintDashedFrame(painter, rect());
+    if (hasFocus())
+        paintFocusFrame(painter, rect());
+}
+
+void ReferenceImageView::paintNothingYet(QPainter& painter)
+{
+    painter.setFont(overlayFont());
+    painter.setPen(pane_colours::secondary);
+    painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("No reference picture yet. The last image of a run is held here, and the last minute can be reviewed."));
+}
+
+void ReferenceImageView::describe()
+{
+    setAccessibleDescription(m_picture ? tr("%1; the picture was taken at %2. It is not the live picture.")
+                                             .arg(headOf(*m_picture), clockTime(m_picture->about.captureNs))
+                                       : tr("No reference picture yet."));
+}
+
+} // namespace console

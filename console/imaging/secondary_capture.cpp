@@ -1,0 +1,139 @@
+// Saving a picture as a DICOM Secondary Capture.
+#include "imaging/file_writing.hpp"
+#include "imaging/picture_export.hpp"
+#include "imaging/picture_marks.hpp"
+#include "imaging/text_plates.hpp"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QPainter>
+#include <QTimeZone>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcostrmb.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace console {
+
+namespace {
+
+constexpr std::size_t roomForAttributes = 64 * 1024;
+
+QString text(const char* source) { return QCoreApplication::translate("PictureExport", source); }
+
+// What the picture is stands in its pixels: whoever looks at it without the attributes must see it, too.
+QImage withWords(const DisplayPicture& picture)
+{
+    QImage image = picture.image.convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&image);
+    QFont font;
+    font.setPixelSize(std::clamp(image.width() / 40, 10, 40));
+    TextPlates plates(font);
+    plates.add(exportWords(picture), {plates.gap(), plates.gap()}, Qt::AlignLeft | Qt::AlignTop);
+    plates.paint(painter);
+    return image.convertToFormat(QImage::Format_Grayscale8);
+}
+
+void put(DcmDataset& dataset, const DcmTagKey& tag, const QString& value) { dataset.putAndInsertString(tag, value.toUtf8().constData()); }
+
+void putIdentity(DcmDataset& dataset)
+{
+    char uid[65];
+    put(dataset, DCM_SpecificCharacterSet, QStringLiteral("ISO_IR 192"));
+    dataset.putAndInsertString(DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
+    dataset.putAndInsertString(DCM_SOPInstanceUID, dcmGenerateUniqueIdentifier(uid, SITE_INSTANCE_UID_ROOT));
+    dataset.putAndInsertString(DCM_SeriesInstanceUID, dcmGenerateUniqueIdentifier(uid, SITE_SERIES_UID_ROOT));
+    dataset.putAndInsertString(DCM_StudyInstanceUID, dcmGenerateUniqueIdentifier(uid, SITE_STUDY_UID_ROOT));
+    // Of type 2: present, and empty where the console does not know.
+    for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_ReferringPhysicianName,
+                                 DCM_StudyID, DCM_AccessionNumber, DCM_SeriesNumber, DCM_StudyDate, DCM_StudyTime, DCM_PatientOrientation})
+        dataset.insertEmptyElement(tag);
+}
+
+void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
+{
+    const XrayFrame& about = picture.about;
+    const auto taken = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(about.captureNs / 1'000'000), QTimeZone::utc());
+    put(dataset, DCM_ContentDate, taken.toString(QStringLiteral("yyyyMMdd")));
+    put(dataset, DCM_ContentTime, taken.toString(QStringLiteral("HHmmss.zzz")));
+    put(dataset, DCM_TimezoneOffsetFromUTC, QStringLiteral("+0000"));
+    put(dataset, DCM_InstanceNumber, QString::number(about.frame));
+    put(dataset, DCM_AcquisitionNumber, QString::number(about.acquisition));
+    put(dataset, DCM_Modality, QStringLiteral("XA"));
+    put(dataset, DCM_ConversionType, QStringLiteral("WSD"));
+    put(dataset, DCM_ImageType, QStringLiteral("DERIVED\\SECONDARY"));
+    put(dataset, DCM_SecondaryCaptureDeviceManufacturer, QStringLiteral("LiENa"));
+    put(dataset, DCM_SeriesDescription, text("LiENa console, research system, not a medical device"));
+    put(dataset, DCM_ImageComments, exportWords(picture));
+    put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture));
+    put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
+    put(dataset, DCM_QualityControlImage, about.source == PictureSource::Live ? QStringLiteral("NO") : QStringLiteral("YES"));
+    if (about.imagerPixelSpacing > 0) {
+        const QString spacing = QString::number(about.imagerPixelSpacing, 'g', 10);
+        put(dataset, DCM_ImagerPixelSpacing, spacing + QLatin1Char('\\') + spacing);
+    }
+    if (const std::optional<double> size = pixelSizeAtIsocentre(about)) {
+        const QString spacing = QString::number(*size, 'g', 10);
+        put(dataset, DCM_PixelSpacing, spacing + QLatin1Char('\\') + spacing);
+        put(dataset, DCM_PixelSpacingCalibrationType, QStringLiteral("GEOMETRY"));
+        put(dataset, DCM_PixelSpacingCalibrationDescription, text("in the isocentre's plane, from SID and SOD"));
+    }
+}
+
+void putPixels(DcmDataset& dataset, const QImage& grey)
+{
+    dataset.putAndInsertUint16(DCM_SamplesPerPixel, 1);
+    put(dataset, DCM_PhotometricInterpretation, QStringLiteral("MONOCHROME2"));
+    dataset.putAndInsertUint16(DCM_Rows, static_cast<Uint16>(grey.height()));
+    dataset.putAndInsertUint16(DCM_Columns, static_cast<Uint16>(grey.width()));
+    dataset.putAndInsertUint16(DCM_BitsAllocated, 8);
+    dataset.putAndInsertUint16(DCM_BitsStored, 8);
+    dataset.putAndInsertUint16(DCM_HighBit, 7);
+    dataset.putAndInsertUint16(DCM_PixelRepresentation, 0);
+    std::vector<Uint8> pixels;
+    pixels.reserve(static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()) + 1);
+    for (int row = 0; row < grey.height(); ++row)
+        pixels.insert(pixels.end(), grey.constScanLine(row), grey.constScanLine(row) + grey.width());
+    if (pixels.size() % 2 != 0)
+        pixels.push_back(0);
+    dataset.putAndInsertUint8Array(DCM_PixelData, pixels.data(), static_cast<unsigned long>(pixels.size()));
+}
+
+// In memory first: the disk is written by the one way that is whole or not at all.
+QByteArray encoded(DcmFileFormat& file, std::size_t pixels)
+{
+    std::vector<char> room(pixels + roomForAttributes);
+    DcmOutputBufferStream stream(room.data(), static_cast<offile_off_t>(room.size()));
+    file.transferInit();
+    const OFCondition written = file.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr, EGL_recalcGL);
+    file.transferEnd();
+    if (written.bad())
+        return {};
+    void* first = nullptr;
+    offile_off_t length = 0;
+    stream.flushBuffer(first, length);
+    return {static_cast<const char*>(first), static_cast<qsizetype>(length)};
+}
+
+} // namespace
+
+QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path)
+{
+    if (picture.image.isNull())
+        return text("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
+    const QImage grey = withWords(picture);
+    DcmFileFormat file;
+    DcmDataset& dataset = *file.getDataset();
+    putIdentity(dataset);
+    putFacts(dataset, picture);
+    putPixels(dataset, grey);
+    const QByteArray bytes = encoded(file, static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()));
+    if (bytes.isEmpty())
+        return text("%1 cannot be written: the picture could not be encoded as DICOM. Save it as PNG.").arg(path);
+    return writeWhole(bytes, path);
+}
+
+} // namespace console

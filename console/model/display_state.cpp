@@ -1,0 +1,116 @@
+// The display settings in force.
+#include "model/display_state.hpp"
+
+namespace console {
+
+namespace {
+
+constexpr int step = 10; ///< %
+
+} // namespace
+
+QString word(MeasureMode mode)
+{
+    switch (mode) {
+    case MeasureMode::Off:
+        return DisplayState::tr("off");
+    case MeasureMode::Distance:
+        return DisplayState::tr("distance");
+    case MeasureMode::Angle:
+        return DisplayState::tr("angle");
+    }
+    return QStringLiteral("?");
+}
+
+DisplayState::DisplayState(QObject* parent) : QObject(parent) {}
+
+void DisplayState::set(const DisplaySettings& settings)
+{
+    const DisplaySettings bounded = withinBounds(settings);
+    if (bounded == m_settings)
+        return;
+    m_settings = bounded;
+    Q_EMIT changed(m_settings);
+}
+
+void DisplayState::setAutomatic()
+{
+    DisplaySettings next = m_settings;
+    next.window = WindowChoice::Automatic;
+    set(next);
+}
+
+void DisplayState::nextWindow()
+{
+    DisplaySettings next = m_settings;
+    switch (m_settings.window) {
+    case WindowChoice::AsSent:
+        next.window = WindowChoice::FullRange;
+        break;
+    case WindowChoice::FullRange:
+        next.window = WindowChoice::Narrow;
+        break;
+    case WindowChoice::Narrow:
+        next.window = WindowChoice::Wide;
+        break;
+    case WindowChoice::Wide:
+    case WindowChoice::Automatic:
+    case WindowChoice::Fixed:
+        next.window = WindowChoice::AsSent;
+        break;
+    }
+    set(next);
+}
+
+void DisplayState::nextFunction()
+{
+    DisplaySettings next = m_settings;
+    next.function = static_cast<VoiFunction>((static_cast<int>(next.function) + 1) % 3);
+    set(next);
+}
+
+void DisplayState::nextShutter()
+{
+    DisplaySettings next = m_settings;
+    next.shutter = static_cast<ShutterShape>((static_cast<int>(next.shutter) + 1) % 3);
+    set(next);
+}
+
+void DisplayState::toggleInverted()
+{
+    DisplaySettings next = m_settings;
+    next.inverted = !next.inverted;
+    set(next);
+}
+
+void DisplayState::stepNoiseReduction(int steps)
+{
+    DisplaySettings next = m_settings;
+    next.noiseReduction += steps * step;
+    set(next);
+}
+
+void DisplayState::stepEdge(int steps)
+{
+    DisplaySettings next = m_settings;
+    next.edge += steps * step;
+    set(next);
+}
+
+void DisplayState::setWindow(GreyWindow window)
+{
+    DisplaySettings next = m_settings;
+    next.window = WindowChoice::Fixed;
+    next.fixed = window;
+    set(next);
+}
+
+void DisplayState::reset() { set({}); }
+
+void DisplayState::nextMeasureMode()
+{
+    m_measure = static_cast<MeasureMode>((static_cast<int>(m_measure) + 1) % 3);
+    Q_EMIT measureModeChanged(m_measure);
+}
+
+} // namespace console

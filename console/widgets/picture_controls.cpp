@@ -1,0 +1,97 @@
+// The controls under the live picture.
+#include "widgets/picture_controls.hpp"
+
+#include "widgets/labels.hpp"
+#include "widgets/small_button.hpp"
+
+#include <QHBoxLayout>
+
+namespace console {
+
+PictureControls::PictureControls(DisplayState& display, QWidget* parent) : QWidget(parent), m_display(display), m_row(new QHBoxLayout(this))
+{
+    setAccessibleName(tr("Picture controls"));
+    m_row->setContentsMargins(4, 2, 4, 2);
+    m_row->setSpacing(2);
+    buildWindowButtons();
+    m_row->addStretch(1);
+    buildSteppers();
+    m_row->addStretch(1);
+    buildToolButtons();
+    connect(&display, &DisplayState::changed, this, &PictureControls::showSettings);
+    connect(&display, &DisplayState::measureModeChanged, this, [this](MeasureMode mode) {
+        m_measure->setText(mode == MeasureMode::Off ? tr("Measure") : word(mode));
+        m_measure->setAccessibleDescription(word(mode));
+        m_measure->setInForce(mode != MeasureMode::Off);
+    });
+    showSettings(display.settings());
+    showZoom(1);
+}
+
+SmallButton* PictureControls::addButton(const QString& text, const QString& name, const QString& tip)
+{
+    auto* button = new SmallButton(text, name, tip, this);
+    m_row->addWidget(button);
+    return button;
+}
+
+QLabel* PictureControls::addStepper(const QString& name, const std::function<void(int)>& step)
+{
+    SmallButton* less = addButton(QStringLiteral("\u2212"), tr("Less %1").arg(name), tr("Less %1").arg(name));
+    QLabel* label = plainLabel({}, theme::TextRole::Caption, this);
+    label->setAlignment(Qt::AlignCenter);
+    m_row->addWidget(label);
+    SmallButton* more = addButton(QStringLiteral("+"), tr("More %1").arg(name), tr("More %1").arg(name));
+    connect(less, &QPushButton::clicked, this, [step] { step(-1); });
+    connect(more, &QPushButton::clicked, this, [step] { step(1); });
+    return label;
+}
+
+void PictureControls::buildWindowButtons()
+{
+    m_automatic = addButton(tr("AUTO"), tr("Automatic window"), tr("Window from the 1st to the 99th percentile (A)"));
+    m_window = addButton(tr("Window"), tr("Next window"), tr("As sent, full range, half width, twice the width (P)"));
+    m_invert = addButton(tr("Invert"), tr("Invert"), tr("Black and white changed over (N)"));
+    connect(m_automatic, &QPushButton::clicked, &m_display, &DisplayState::setAutomatic);
+    connect(m_window, &QPushButton::clicked, &m_display, &DisplayState::nextWindow);
+    connect(m_invert, &QPushButton::clicked, &m_display, &DisplayState::toggleInverted);
+}
+
+void PictureControls::buildSteppers()
+{
+    m_zoom = addStepper(tr("zoom"), [this](int steps) { Q_EMIT zoomRequested(steps); });
+    m_noise = addStepper(tr("noise reduction"), [this](int steps) { m_display.stepNoiseReduction(steps); });
+    m_edge = addStepper(tr("edge enhancement"), [this](int steps) { m_display.stepEdge(steps); });
+}
+
+void PictureControls::buildToolButtons()
+{
+    SmallButton* whole = addButton(tr("Reset"), tr("Reset picture"), tr("Whole picture, window as sent, no filters"));
+    m_shutter = addButton(tr("Shutter"), tr("Shutter"), tr("None, round, square (H)"));
+    m_measure = addButton(tr("Measure"), tr("Measure"), tr("Distance, angle, off (M)"));
+    SmallButton* save = addButton(tr("Save"), tr("Save picture"), tr("As PNG and as DICOM Secondary Capture"));
+    connect(whole, &QPushButton::clicked, this, [this] {
+        m_display.reset();
+        Q_EMIT wholeRequested();
+    });
+    connect(m_shutter, &QPushButton::clicked, &m_display, &DisplayState::nextShutter);
+    connect(m_measure, &QPushButton::clicked, &m_display, &DisplayState::nextMeasureMode);
+    connect(save, &QPushButton::clicked, this, &PictureControls::saveRequested);
+}
+
+void PictureControls::showZoom(double zoom) { m_zoom->setText(tr("%1\u00D7").arg(zoom, 0, 'f', 1)); }
+
+void PictureControls::showSettings(const DisplaySettings& settings)
+{
+    const bool automatic = settings.window == WindowChoice::Automatic;
+    m_automatic->setInForce(automatic);
+    m_window->setInForce(!automatic && settings.window != WindowChoice::AsSent);
+    m_invert->setInForce(settings.inverted);
+    m_shutter->setInForce(settings.shutter != ShutterShape::None);
+    m_window->setAccessibleDescription(word(settings.window));
+    m_shutter->setAccessibleDescription(word(settings.shutter));
+    m_noise->setText(tr("noise %1").arg(settings.noiseReduction));
+    m_edge->setText(tr("edge %1").arg(settings.edge));
+}
+
+} // namespace console

@@ -1,0 +1,20 @@
+// A button of a picture's row of controls: small, and reached by Tab or the mouse without taking the keys from the hand.
+#pragma once
+
+#include <QPushButton>
+
+namespace console {
+
+class SmallButton : public QPushButton {
+    Q_OBJECT
+public:
+    SmallButton(const QString& text, const QString& accessibleName, const QString& tip, QWidget* parent = nullptr);
+
+    /// What it stands for is in force; a click alone changes nothing of it.
+    void setInForce(bool inForce);
+
+protected:
+    void nextCheckState() override {}
+};
+
+} // namespace console

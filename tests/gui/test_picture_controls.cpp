@@ -1,0 +1,187 @@
+// Tests of the rows of controls under the pictures: every control by mouse and by key, and the keys stay with the hand.
+#include "widgets/picture_controls.hpp"
+#include "widgets/picture_pane.hpp"
+#include "widgets/review_controls.hpp"
+#include "widgets/small_button.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace console;
+
+namespace {
+
+template <typename Root>
+SmallButton* named(Root& root, const QString& name)
+{
+    for (SmallButton* button : root.template findChildren<SmallButton*>())
+        if (button->accessibleName() == name)
+            return button;
+    return nullptr;
+}
+
+bool isWhole(const QPushButton& button)
+{
+    return button.fontMetrics().horizontalAdvance(button.text()) <= button.width() - 4 && button.fontMetrics().height() <= button.height();
+}
+
+} // namespace
+
+class TestPictureControls : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void changeSettings_data()
+    {
+        QTest::addColumn<QString>("name");
+        QTest::newRow("auto") << QStringLiteral("Automatic window");
+        QTest::newRow("window") << QStringLiteral("Next window");
+        QTest::newRow("invert") << QStringLiteral("Invert");
+        QTest::newRow("noise") << QStringLiteral("More noise reduction");
+        QTest::newRow("edge") << QStringLiteral("More edge enhancement");
+        QTest::newRow("shutter") << QStringLiteral("Shutter");
+    }
+
+    void changeSettings()
+    {
+        QFETCH(QString, name);
+        DisplayState display;
+        PictureControls controls(display);
+        SmallButton* button = named(controls, name);
+        QVERIFY(button);
+        QTest::mouseClick(button, Qt::LeftButton);
+        const DisplaySettings byMouse = display.settings();
+        QVERIFY(byMouse != DisplaySettings());
+        display.reset();
+        QTest::keyClick(button, Qt::Key_Space);
+        QCOMPARE(display.settings(), byMouse);
+        QTest::mouseClick(named(controls, QStringLiteral("Reset picture")), Qt::LeftButton);
+        QCOMPARE(display.settings(), DisplaySettings());
+    }
+
+    void askForTheRest()
+    {
+        DisplayState display;
+        PictureControls controls(display);
+        QSignalSpy zoom(&controls, &PictureControls::zoomRequested);
+        QSignalSpy whole(&controls, &PictureControls::wholeRequested);
+        QSignalSpy save(&controls, &PictureControls::saveRequested);
+        named(controls, QStringLiteral("More zoom"))->click();
+        named(controls, QStringLiteral("Less zoom"))->click();
+        QCOMPARE(zoom.at(0).first().toInt(), 1);
+        QCOMPARE(zoom.at(1).first().toInt(), -1);
+        named(controls, QStringLiteral("Reset picture"))->click();
+        QCOMPARE(whole.count(), 1);
+        named(controls, QStringLiteral("Save picture"))->click();
+        QCOMPARE(save.count(), 1);
+        named(controls, QStringLiteral("Measure"))->click();
+        QCOMPARE(display.measureMode(), MeasureMode::Distance);
+        named(controls, QStringLiteral("Measure"))->click();
+        named(controls, QStringLiteral("Measure"))->click();
+        QCOMPARE(display.measureMode(), MeasureMode::Off);
+    }
+
+    void showWhatIsInForce()
+    {
+        DisplayState display;
+        PictureControls controls(display);
+        SmallButton* automatic = named(controls, QStringLiteral("Automatic window"));
+        QVERIFY(!automatic->isChecked());
+        display.setAutomatic();
+        QVERIFY(automatic->isChecked());
+        QTest::mouseClick(automatic, Qt::LeftButton); // it is so already, and stays so
+        QVERIFY(automatic->isChecked());
+        display.nextWindow();
+        QVERIFY(!automatic->isChecked());
+        display.stepNoiseReduction(4);
+        display.stepEdge(30);
+        QStringList texts;
+        for (const QLabel* label : controls.findChildren<QLabel*>())
+            texts << label->text();
+        QVERIFY(texts.contains(QStringLiteral("noise 40")));
+        QVERIFY(texts.contains(QStringLiteral("edge 100")));
+        controls.showZoom(2.5);
+        QCOMPARE(controls.findChildren<QLabel*>().first()->text(), QStringLiteral("2.5\u00D7"));
+    }
+
+    void clickLeavesTheKeysToTheHand()
+    {
+        QWidget window;
+        window.setFocusPolicy(Qt::StrongFocus);
+        DisplayState display;
+        auto* pane = new PicturePane(new QWidget, new PictureControls(display), &window);
+        window.resize(900, 600);
+        pane->resize(window.size());
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        window.setFocus();
+        for (SmallButton* button : window.findChildren<SmallButton*>()) {
+            QTest::mouseClick(button, Qt::LeftButton);
+            QVERIFY(window.hasFocus());
+            button->setFocus(Qt::TabFocusReason);
+            QVERIFY(button->hasFocus());
+            window.setFocus();
+        }
+    }
+
+    void textsAreWhole_data()
+    {
+        QTest::addColumn<int>("edge");
+        QTest::addColumn<double>("scale");
+        QTest::newRow("2560x1440") << 1136 << 1.0;
+        QTest::newRow("1920x1080") << 852 << 0.75;
+        QTest::newRow("1366x768") << 606 << 0.53;
+    }
+
+    void textsAreWhole()
+    {
+        QFETCH(int, edge);
+        QFETCH(double, scale);
+        DisplayState display;
+        PicturePane live(new QWidget, new PictureControls(display));
+        PicturePane reference(new QWidget, new ReviewControls);
+        display.stepNoiseReduction(10);
+        display.stepEdge(10);
+        for (PicturePane* pane : {&live, &reference}) {
+            theme::applyScale(pane, scale);
+            pane->resize(pane == &live ? edge : edge / 2, edge);
+            pane->show();
+            QVERIFY(QTest::qWaitForWindowExposed(pane));
+            QCOMPARE(pane->width(), pane == &live ? edge : edge / 2); // nothing in it asks for more
+            for (const SmallButton* button : pane->findChildren<SmallButton*>()) {
+                QVERIFY2(isWhole(*button), qPrintable(button->text()));
+                QVERIFY(pane->rect().contains(QRect(button->mapTo(pane, QPoint()), button->size())));
+                QVERIFY(!button->accessibleName().isEmpty());
+            }
+        }
+    }
+
+    void reviewIsSteppedOnlyWhileItIsOpen()
+    {
+        ReviewControls controls;
+        QSignalSpy steps(&controls, &ReviewControls::stepRequested);
+        QSignalSpy play(&controls, &ReviewControls::playRequested);
+        SmallButton* back = named(controls, QStringLiteral("One picture back"));
+        SmallButton* film = named(controls, QStringLiteral("Play"));
+        QTest::mouseClick(back, Qt::LeftButton);
+        QCOMPARE(steps.count(), 0);
+        controls.showReview(true, false);
+        QTest::mouseClick(back, Qt::LeftButton);
+        QTest::mouseClick(named(controls, QStringLiteral("One picture on")), Qt::LeftButton);
+        QCOMPARE(steps.at(0).first().toInt(), -1);
+        QCOMPARE(steps.at(1).first().toInt(), 1);
+        QTest::mouseClick(film, Qt::LeftButton);
+        QCOMPARE(play.last().first().toBool(), true);
+        controls.showReview(true, true);
+        QCOMPARE(film->text(), QStringLiteral("Stop"));
+        QTest::mouseClick(film, Qt::LeftButton);
+        QCOMPARE(play.last().first().toBool(), false);
+    }
+};
+
+QTEST_MAIN(TestPictureControls)
+#include "test_picture_controls.moc"

@@ -1,0 +1,207 @@
+// Tests of the picture panes in the cockpit's window, with the chain behind them: live, hold, review, saving, and whose keys are whose.
+#include "app/picture_desk.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/reference_image_view.hpp"
+#include "sample_frames.hpp"
+#include "widgets/cockpit_window.hpp"
+#include "widgets/small_button.hpp"
+#include "widgets/theme.hpp"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace console;
+
+namespace {
+
+constexpr QSize frameSize(256, 256);
+
+struct Desk {
+    explicit Desk(const QString& display = {}) : options(optionsWith(display)), desk(options, models), window(models)
+    {
+        models.picture.setLinkUp(true);
+        models.picture.expect(15, std::chrono::steady_clock::now());
+        desk.build(window);
+        window.resize(1366, 768);
+        window.show();
+        live = window.findChild<LiveImageView*>();
+        reference = window.findChild<ReferenceImageView*>();
+    }
+
+    Options optionsWith(const QString& display) const
+    {
+        Options made;
+        made.pictures = folder.filePath(QStringLiteral("saved"));
+        made.display = display;
+        return made;
+    }
+
+    bool send(quint32 number, quint32 run = 1)
+    {
+        auto frame = samples::frame(number, frameSize, 12, PixelEncoding::Raw);
+        frame->acquisition = run;
+        frame->arrival = std::chrono::steady_clock::now();
+        desk.pipeline().showFrame(frame);
+        const quint64 before = models.picture.paintedCount();
+        return QTest::qWaitFor([&] { return models.picture.paintedCount() > before; });
+    }
+
+    SmallButton* button(const QString& name) const
+    {
+        for (SmallButton* button : window.findChildren<SmallButton*>())
+            if (button->accessibleName() == name)
+                return button;
+        return nullptr;
+    }
+
+    void click(const QString& name) const { QTest::mouseClick(button(name), Qt::LeftButton); }
+
+    QTemporaryDir folder;
+    ConsoleModels models;
+    Options options;
+    PictureDesk desk;
+    CockpitWindow window;
+    LiveImageView* live = nullptr;
+    ReferenceImageView* reference = nullptr;
+};
+
+} // namespace
+
+class TestPictureDesk : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void referenceNeverCoversLive()
+    {
+        Desk desk;
+        QVERIFY(desk.live && desk.reference);
+        const auto placeOf = [&desk](const QWidget* view) { return QRect(view->mapTo(&desk.window, QPoint()), view->size()); };
+        QVERIFY(desk.window.regionGeometry(Region::Live).contains(placeOf(desk.live)));
+        QVERIFY(desk.window.regionGeometry(Region::Reference).contains(placeOf(desk.reference)));
+        QVERIFY(!placeOf(desk.live).intersects(placeOf(desk.reference)));
+        for (const SmallButton* button : desk.window.findChildren<SmallButton*>())
+            QVERIFY(!placeOf(button).intersects(placeOf(desk.live)));
+    }
+
+    void holdsWhenThePedalGoesUp()
+    {
+        Desk desk;
+        QVERIFY(desk.send(1));
+        QVERIFY(desk.send(2));
+        QVERIFY(!desk.reference->picture());
+        desk.models.picture.expect(0, std::chrono::steady_clock::now());
+        QTRY_VERIFY(desk.reference->picture());
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Hold);
+        QCOMPARE(desk.reference->picture()->about.frame, 2U);
+        QCOMPARE(desk.live->picture()->role, PictureRole::Live);
+    }
+
+    void reviewsBesideTheLivePicture()
+    {
+        Desk desk;
+        for (quint32 number = 1; number <= 4; ++number)
+            QVERIFY(desk.send(number));
+        desk.click(QStringLiteral("Review"));
+        QTRY_VERIFY(desk.reference->picture());
+        desk.click(QStringLiteral("Oldest picture"));
+        QTRY_COMPARE(desk.reference->picture()->about.frame, 1U);
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Review);
+        // The live picture goes on meanwhile, and only it is counted.
+        QVERIFY(desk.send(5));
+        QCOMPARE(desk.live->picture()->about.frame, 5U);
+        QCOMPARE(desk.models.picture.paintedCount(), quint64(5));
+        QCOMPARE(desk.models.picture.newest()->frame, 5U);
+        QCOMPARE(desk.reference->picture()->about.frame, 1U);
+        // A hold that comes while a review is open does not push it away; asked for, it does.
+        desk.models.picture.expect(0, std::chrono::steady_clock::now());
+        QTRY_VERIFY(desk.live->accessibleDescription().startsWith(QStringLiteral("Last image hold")));
+        QCoreApplication::processEvents();
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Review);
+        desk.click(QStringLiteral("Last image hold"));
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Hold);
+        QCOMPARE(desk.reference->picture()->about.frame, 5U);
+    }
+
+    void reviewAloneShowsNoLivePicture()
+    {
+        Desk desk;
+        QVERIFY(desk.send(1));
+        desk.models.picture.setLinkUp(false);
+        desk.click(QStringLiteral("Review"));
+        QTRY_VERIFY(desk.reference->picture());
+        for (int i = 0; i < 3; ++i) {
+            desk.click(QStringLiteral("One picture back"));
+            desk.click(QStringLiteral("One picture on"));
+        }
+        QCoreApplication::processEvents();
+        desk.reference->grab();
+        QCOMPARE(desk.models.picture.paintedCount(), quint64(1));
+        QCOMPARE(desk.models.picture.reading(std::chrono::steady_clock::now()).condition, PictureCondition::Frozen);
+    }
+
+    void savesPicturesAndSaysSo()
+    {
+        Desk desk;
+        desk.click(QStringLiteral("Save picture")); // there is none
+        QVERIFY(desk.send(1));
+        desk.click(QStringLiteral("Save picture"));
+        const QDir saved(desk.folder.filePath(QStringLiteral("saved")));
+        QTRY_COMPARE(saved.entryList({QStringLiteral("*_live_*.png")}, QDir::Files).size(), 1);
+        QTRY_COMPARE(saved.entryList({QStringLiteral("*_live_*.dcm")}, QDir::Files).size(), 1);
+    }
+
+    void boundsFilterByTheAgeLimit()
+    {
+        Desk desk;
+        DisplaySettings settings;
+        settings.noiseReduction = 100;
+        desk.desk.display().set(settings);
+        for (quint32 number = 1; number <= 12; ++number)
+            QVERIFY(desk.send(number));
+        const PictureReading reading = desk.models.picture.reading(std::chrono::steady_clock::now());
+        QVERIFY(reading.network && *reading.network + reading.processing <= desk.models.picture.limit());
+        QVERIFY(desk.live->picture()->treatment.filterDelay <= desk.models.picture.limit());
+    }
+
+    void picturesKeysLeaveTheHandItsOwn()
+    {
+        Desk desk;
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        QVERIFY(desk.send(1));
+        QSignalSpy hand(&desk.window, &CockpitWindow::handKeyPressed);
+        QSignalSpy focus(&desk.window, &CockpitWindow::handFocusChanged);
+        desk.click(QStringLiteral("Invert"));
+        QTest::mouseClick(desk.live, Qt::LeftButton, {}, desk.live->rect().center());
+        QCOMPARE(focus.count(), 0);
+        desk.live->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(desk.live, Qt::Key_N);
+        QTest::keyClick(desk.live, Qt::Key_Plus);
+        QCOMPARE(hand.count(), 0);
+        QTest::keyClick(desk.live, Qt::Key_D);
+        QCOMPARE(hand.count(), 1);
+        QTest::keyClick(desk.live, Qt::Key_Space);
+        QCOMPARE(hand.count(), 1);
+    }
+
+    void readsMeasurementOfTheDisplay()
+    {
+        const QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("display.txt")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("ambient 0.2\n0 0.4\n128 60\n255 350\n");
+        file.close();
+        QString error;
+        Desk calibrated(file.fileName());
+        QVERIFY2(calibrated.desk.prepare(&error), qPrintable(error));
+        QVERIFY(calibrated.send(1));
+        QVERIFY(calibrated.live->picture()->isCalibrated);
+        Desk none(folder.filePath(QStringLiteral("missing.txt")));
+        QVERIFY(!none.desk.prepare(&error));
+        QVERIFY(error.contains(QStringLiteral("missing.txt")));
+    }
+};
+
+QTEST_MAIN(TestPictureDesk)
+#include "test_picture_desk.moc"

@@ -1,0 +1,202 @@
+// Tests of saved pictures: read back with another reader, whole or not at all, and saying what they are.
+#include "imaging/file_writing.hpp"
+#include "imaging/picture_export.hpp"
+#include "imaging/picture_saver.hpp"
+#include "sample_frames.hpp"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <csignal>
+#include <sys/resource.h>
+
+using namespace console;
+
+namespace {
+
+constexpr QSize size(301, 201); // odd: DICOM pads
+
+DisplayPicture picture(PictureRole role = PictureRole::Review)
+{
+    DisplayPicture picture;
+    picture.about = *samples::frame(17, size, 8, PixelEncoding::Raw);
+    picture.about.acquisition = 3;
+    picture.role = role;
+    picture.window = {128, 256};
+    picture.image = QImage(size, QImage::Format_RGB32);
+    for (int y = 0; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x)
+            picture.image.setPixel(x, y, qRgb((x + y) % 256, (x + y) % 256, (x + y) % 256));
+    return picture;
+}
+
+QString valueOf(DcmDataset& dataset, const DcmTagKey& tag)
+{
+    OFString value;
+    dataset.findAndGetOFStringArray(tag, value);
+    return QString::fromUtf8(value.c_str());
+}
+
+// While it lives no file of this process grows beyond so many bytes: a disk that is full.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        std::signal(SIGXFSZ, SIG_IGN);
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit limit = m_before;
+        limit.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FullDisk() { setrlimit(RLIMIT_FSIZE, &m_before); }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit m_before{};
+};
+
+} // namespace
+
+class TestPictureExport : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void writesSecondaryCapture();
+    void leavesOutWhatIsNotKnown();
+    void namesAndWordsTellWhatItIs();
+    void writesPng();
+    void leavesOldFileWhenDiskIsFull();
+    void namesFolderThatIsMissing();
+    void savesBothBesideTheWork();
+    void refusesWithoutPicture();
+};
+
+void TestPictureExport::writesSecondaryCapture()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    const DisplayPicture sent = picture();
+    QCOMPARE(saveSecondaryCapture(sent, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    DcmDataset& dataset = *file.getDataset();
+    QCOMPARE(valueOf(dataset, DCM_SOPClassUID), QString::fromLatin1(UID_SecondaryCaptureImageStorage));
+    QVERIFY(valueOf(dataset, DCM_ImageComments).startsWith(QStringLiteral("REVIEW  SIMULATED")));
+    QCOMPARE(valueOf(dataset, DCM_QualityControlImage), QStringLiteral("YES"));
+    QCOMPARE(valueOf(dataset, DCM_BurnedInAnnotation), QStringLiteral("YES"));
+    QCOMPARE(valueOf(dataset, DCM_ConversionType), QStringLiteral("WSD"));
+    QCOMPARE(valueOf(dataset, DCM_PatientName), QString());
+    QVERIFY(dataset.tagExists(DCM_PatientName));
+    QCOMPARE(valueOf(dataset, DCM_PixelSpacingCalibrationType), QStringLiteral("GEOMETRY"));
+    QVERIFY(std::abs(valueOf(dataset, DCM_PixelSpacing).split(QLatin1Char('\\')).first().toDouble() - 0.3 * 750 / 1100) < 1e-6);
+    Uint16 rows = 0;
+    Uint16 columns = 0;
+    const Uint8* pixels = nullptr;
+    unsigned long count = 0;
+    QVERIFY(dataset.findAndGetUint16(DCM_Rows, rows).good() && rows == size.height());
+    QVERIFY(dataset.findAndGetUint16(DCM_Columns, columns).good() && columns == size.width());
+    QVERIFY(dataset.findAndGetUint8Array(DCM_PixelData, pixels, &count).good());
+    QCOMPARE(count, static_cast<unsigned long>(size.width() * size.height() + 1));
+    // Below the words every pixel is the one that was shown.
+    int wrong = 0;
+    for (int y = 40; y < size.height(); ++y)
+        for (int x = 0; x < size.width(); ++x)
+            wrong += pixels[y * size.width() + x] != (x + y) % 256 ? 1 : 0;
+    QCOMPARE(wrong, 0);
+    int words = 0;
+    for (int x = 0; x < 100; ++x)
+        words += pixels[12 * size.width() + x] != (x + 12) % 256 ? 1 : 0;
+    QVERIFY(words > 50);
+}
+
+void TestPictureExport::leavesOutWhatIsNotKnown()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    DisplayPicture sent = picture(PictureRole::Live);
+    sent.about.geometry = {};
+    sent.about.source = PictureSource::Live;
+    QCOMPARE(saveSecondaryCapture(sent, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    QVERIFY(!file.getDataset()->tagExists(DCM_PixelSpacing));
+    QVERIFY(file.getDataset()->tagExists(DCM_ImagerPixelSpacing));
+    QCOMPARE(valueOf(*file.getDataset(), DCM_QualityControlImage), QStringLiteral("NO"));
+}
+
+void TestPictureExport::namesAndWordsTellWhatItIs()
+{
+    DisplayPicture sent = picture(PictureRole::Live);
+    sent.about.source = PictureSource::Live;
+    QVERIFY(exportWords(sent).startsWith(QStringLiteral("SNAPSHOT  picture of")));
+    QVERIFY(!exportWords(sent).contains(QStringLiteral("LIVE")));
+    sent.about.source = PictureSource::Recorded;
+    QVERIFY(exportWords(sent).contains(QStringLiteral("RECORDED")));
+    sent.about.captureNs = 1'700'000'000'250'000'000ULL;
+    QCOMPARE(exportName(sent), QStringLiteral("liena_2023-11-14T22-13-20.250_live_run3_frame17"));
+    QVERIFY(exportName(picture(PictureRole::Hold)).contains(QStringLiteral("_hold_")));
+}
+
+void TestPictureExport::writesPng()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.png"));
+    const QImage image = withBanner(picture().image, picture());
+    QCOMPARE(savePng(image, path), QString());
+    QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), image);
+    QCOMPARE(image.copy(0, 0, size.width(), size.height()), picture().image);
+    QVERIFY(image.height() > size.height());
+}
+
+void TestPictureExport::leavesOldFileWhenDiskIsFull()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    QCOMPARE(writeWhole("before", path), QString());
+    {
+        const FullDisk full(10000);
+        const QString reason = saveSecondaryCapture(picture(), path);
+        QVERIFY2(reason.contains(path) && reason.contains(QStringLiteral("make room on the disk")), qPrintable(reason));
+    }
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("before"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1); // nothing half written is left
+}
+
+void TestPictureExport::namesFolderThatIsMissing()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("none/a.png"));
+    QVERIFY(savePng(picture().image, path).contains(path));
+}
+
+void TestPictureExport::savesBothBesideTheWork()
+{
+    const QTemporaryDir folder;
+    PictureSaver saver(folder.filePath(QStringLiteral("pictures")));
+    QSignalSpy saved(&saver, &PictureSaver::saved);
+    QSignalSpy failed(&saver, &PictureSaver::failed);
+    saver.save(picture(), picture().image);
+    saver.save(picture(), picture().image); // one at a time
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(failed.count(), 1);
+    const QString path = saved.first().first().toString();
+    QVERIFY(QFile::exists(path + QStringLiteral(".png")));
+    QVERIFY(QFile::exists(path + QStringLiteral(".dcm")));
+    saver.save(picture(), picture().image);
+    QTRY_COMPARE(saved.count(), 2);
+}
+
+void TestPictureExport::refusesWithoutPicture()
+{
+    QVERIFY(!saveSecondaryCapture({}, QStringLiteral("/nowhere/a.dcm")).isEmpty());
+    QVERIFY(!savePng({}, QStringLiteral("/nowhere/a.png")).isEmpty());
+}
+
+QTEST_MAIN(TestPictureExport)
+#include "test_picture_export.moc"

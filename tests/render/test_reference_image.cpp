@@ -1,0 +1,236 @@
+// Tests of hold and review: what they show, that they say so, and that they can never count as the live picture.
+#include "imaging/cine_review.hpp"
+#include "imaging/image_hold.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/reference_image_view.hpp"
+#include "model/permit_guards.hpp"
+#include "sample_frames.hpp"
+
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace console;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr QSize size(320, 260);
+
+DisplayPicture pictureWith(PictureRole role, quint32 number, quint32 run = 1)
+{
+    DisplayPicture picture;
+    picture.about = *samples::frame(number, size, 8, PixelEncoding::Raw);
+    picture.about.acquisition = run;
+    picture.about.source = PictureSource::Live;
+    picture.about.arrival = std::chrono::steady_clock::now();
+    picture.about.ageAtArrival = 5ms; // as young as the youngest
+    picture.role = role;
+    picture.image = QImage(size, QImage::Format_RGB32);
+    picture.image.fill(qRgb(100, 100, 100));
+    return picture;
+}
+
+std::shared_ptr<XrayFrame> ringFrame(quint32 number)
+{
+    auto frame = samples::frame(number, size, 8, PixelEncoding::Raw);
+    frame->arrival = std::chrono::steady_clock::now();
+    return frame;
+}
+
+} // namespace
+
+class TestReferenceImage : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void reviewNeverCountsAsLive_data();
+    void reviewNeverCountsAsLive();
+    void livePictureIsNotShownAsReference();
+    void hasDashedFrameAndItsWord();
+    void neverSaysLive();
+    void holdsLastPictureOfRun();
+    void reviewsRing();
+    void playsToTheEndAndStops();
+    void staysWhereItIsWhenTheRingMovesOn();
+};
+
+void TestReferenceImage::reviewNeverCountsAsLive_data()
+{
+    QTest::addColumn<int>("role");
+    QTest::newRow("hold") << static_cast<int>(PictureRole::Hold);
+    QTest::newRow("review") << static_cast<int>(PictureRole::Review);
+}
+
+void TestReferenceImage::reviewNeverCountsAsLive()
+{
+    QFETCH(int, role);
+    PictureState state;
+    state.setLinkUp(true);
+    const Instant now = std::chrono::steady_clock::now();
+    state.expect(15, now - 2s);
+    LiveImageView live(state);
+    live.resize(400, 400);
+    // Even handed to the live pane by mistake, and even if a stamp were made of it.
+    live.showPicture(pictureWith(static_cast<PictureRole>(role), 1));
+    live.grab();
+    QVERIFY(!live.picture());
+    PictureStamp stamp;
+    stamp.frame = 1;
+    stamp.source = PictureSource::Live;
+    stamp.role = static_cast<PictureRole>(role);
+    stamp.captured = now;
+    stamp.arrived = stamp.painted = now;
+    state.notePainted(stamp);
+    QCOMPARE(state.reading(now).condition, PictureCondition::None);
+    QCOMPARE(state.paintedCount(), quint64(0));
+    GuardReadings readings;
+    readings.picture = state.reading(now);
+    readings.pictureLimit = state.limit();
+    const GuardSet met = metGuards(checkGuards(readings));
+    QVERIFY(!met.test(static_cast<std::size_t>(Guard::PictureLive)));
+    QVERIFY(!checkKept(readings).test(static_cast<std::size_t>(Guard::PictureLive)));
+    stamp.role = PictureRole::Live;
+    state.notePainted(stamp);
+    QCOMPARE(state.reading(now).condition, PictureCondition::Live);
+}
+
+void TestReferenceImage::livePictureIsNotShownAsReference()
+{
+    ReferenceImageView view;
+    view.showPicture(pictureWith(PictureRole::Live, 1));
+    QVERIFY(!view.picture());
+    view.showPicture(pictureWith(PictureRole::Hold, 1));
+    QVERIFY(view.picture());
+}
+
+void TestReferenceImage::hasDashedFrameAndItsWord()
+{
+    ReferenceImageView view;
+    view.resize(420, 400);
+    QCOMPARE(view.accessibleDescription(), QStringLiteral("No reference picture yet."));
+    view.showPicture(pictureWith(PictureRole::Hold, 1));
+    const QImage hold = view.grab().toImage();
+    QVERIFY(view.accessibleDescription().startsWith(QStringLiteral("LAST IMAGE HOLD")));
+    QVERIFY(view.accessibleDescription().contains(QStringLiteral("not the live picture")));
+    // The frame is broken: along its upper edge there is line, and there is ground.
+    int line = 0;
+    int ground = 0;
+    for (int x = 10; x < view.width() - 10; ++x) {
+        line += hold.pixelColor(x, 1) == pane_colours::line ? 1 : 0;
+        ground += hold.pixelColor(x, 1) == pane_colours::background ? 1 : 0;
+    }
+    QVERIFY(line > view.width() / 4);
+    QVERIFY(ground > view.width() / 5);
+    view.showPicture(pictureWith(PictureRole::Review, 1));
+    view.setPlace(QStringLiteral("3 of 9"));
+    QVERIFY(view.grab().toImage() != hold);
+    QVERIFY(view.accessibleDescription().startsWith(QStringLiteral("REVIEW")));
+}
+
+void TestReferenceImage::neverSaysLive()
+{
+    ReferenceImageView view;
+    for (const PictureRole role : {PictureRole::Hold, PictureRole::Review})
+        for (const PictureSource source : {PictureSource::Live, PictureSource::Simulated, PictureSource::Recorded}) {
+            DisplayPicture picture = pictureWith(role, 1);
+            picture.about.source = source;
+            view.showPicture(picture);
+            QVERIFY(!view.accessibleDescription().contains(QStringLiteral("LIVE")));
+            if (source != PictureSource::Live)
+                QVERIFY(view.accessibleDescription().contains(word(source)));
+        }
+}
+
+void TestReferenceImage::holdsLastPictureOfRun()
+{
+    ImageHold hold;
+    std::vector<DisplayPicture> held;
+    QObject::connect(&hold, &ImageHold::held, this, [&held](const DisplayPicture& picture) { held.push_back(picture); });
+    hold.endRun();
+    QVERIFY(held.empty());
+    hold.take(pictureWith(PictureRole::Live, 1));
+    hold.take(pictureWith(PictureRole::Live, 2));
+    hold.take(pictureWith(PictureRole::Review, 99));
+    QVERIFY(held.empty());
+    hold.endRun();
+    QCOMPARE(held.size(), std::size_t(1));
+    QCOMPARE(held.back().role, PictureRole::Hold);
+    QCOMPARE(held.back().about.frame, 2U);
+    hold.take(pictureWith(PictureRole::Live, 3, 2));
+    QCOMPARE(held.size(), std::size_t(1));           // it was held when the pedal went up
+    hold.take(pictureWith(PictureRole::Live, 4, 3)); // the pedal came down again at once
+    QCOMPARE(held.size(), std::size_t(2));
+    QCOMPARE(held.back().about.frame, 3U);
+}
+
+void TestReferenceImage::reviewsRing()
+{
+    CineRing ring;
+    CineReview review(ring);
+    QVERIFY(!review.open());
+    QCOMPARE(review.place(), QString());
+    for (quint32 number = 1; number <= 5; ++number)
+        ring.add(*ringFrame(number));
+    std::vector<DisplayPicture> shown;
+    QObject::connect(&review, &CineReview::pictureReady, this, [&shown](const DisplayPicture& picture) { shown.push_back(picture); });
+    QVERIFY(review.open());
+    QTRY_VERIFY(!shown.empty());
+    QCOMPARE(shown.back().role, PictureRole::Review);
+    QCOMPARE(shown.back().about.frame, 5U);
+    QCOMPARE(review.place(), QStringLiteral("5 of 5, 0.0 s before the newest"));
+    review.step(-2);
+    QTRY_COMPARE(shown.back().about.frame, 3U);
+    QCOMPARE(review.place(), QStringLiteral("3 of 5, 0.1 s before the newest"));
+    review.step(-100);
+    QTRY_COMPARE(shown.back().about.frame, 1U);
+    review.step(100);
+    QTRY_COMPARE(shown.back().about.frame, 5U);
+    review.toOldest();
+    QTRY_COMPARE(shown.back().about.frame, 1U);
+    for (const DisplayPicture& picture : shown)
+        QCOMPARE(picture.role, PictureRole::Review);
+    review.close();
+    QVERIFY(!review.isOpen());
+    review.step(1);
+    QVERIFY(!review.isOpen());
+}
+
+void TestReferenceImage::playsToTheEndAndStops()
+{
+    CineRing ring;
+    for (quint32 number = 1; number <= 4; ++number) {
+        auto frame = ringFrame(number);
+        frame->captureNs = number * 1'000'000ULL;
+        ring.add(*frame);
+    }
+    CineReview review(ring);
+    std::vector<quint32> shown;
+    QObject::connect(&review, &CineReview::pictureReady, this,
+                     [&shown](const DisplayPicture& picture) { shown.push_back(picture.about.frame); });
+    QVERIFY(review.open());
+    review.setPlaying(true);
+    QVERIFY(review.isPlaying());
+    QTRY_VERIFY(!review.isPlaying());
+    QTRY_COMPARE(shown.back(), 4U);
+    QVERIFY(review.isOpen());
+}
+
+void TestReferenceImage::staysWhereItIsWhenTheRingMovesOn()
+{
+    CineRing ring(3 * static_cast<std::size_t>(size.width() * size.height()));
+    for (quint32 number = 1; number <= 3; ++number)
+        ring.add(*ringFrame(number));
+    CineReview review(ring);
+    QSignalSpy pictures(&review, &CineReview::pictureReady);
+    QVERIFY(review.open());
+    QTRY_COMPARE(pictures.count(), 1);
+    for (quint32 number = 4; number <= 9; ++number)
+        ring.add(*ringFrame(number));
+    QCOMPARE(review.place(), QStringLiteral("older than the 3 frames that are kept"));
+    review.step(-1); // the oldest there still is
+    QTRY_COMPARE(pictures.count(), 2);
+    QCOMPARE(pictures.last().first().value<DisplayPicture>().about.frame, 7U);
+}
+
+QTEST_MAIN(TestReferenceImage)
+#include "test_reference_image.moc"
