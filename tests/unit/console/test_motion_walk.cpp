@@ -314,6 +314,7 @@ private:
         r.handAlive = m_keyboard.read(m_world.now).alive;
         r.windowActive = m_world.focus;
         r.deadMan = m_keyboard.read(m_world.now).deadMan;
+        r.alarmsTested = true;
         return r;
     }
 
