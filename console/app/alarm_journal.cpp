@@ -165,12 +165,12 @@ QString AlarmJournal::write(const AlarmLogEntry& entry)
         if (::fdatasync(m_descriptor) != 0 ||
             std::rename(QFile::encodeName(m_file).constData(), QFile::encodeName(m_previous).constData()) != 0)
             return because(tr("%1 cannot be put aside: %2"), m_file);
-        ::close(m_descriptor);
+        ::close(std::exchange(m_descriptor, -1));
         m_inFile = 0;
         m_goodBytes = 0;
-        if (!openNewest())
-            return because(tr("%1 cannot be opened: %2"), m_file);
     }
+    if (m_descriptor < 0 && !openNewest()) // tried again with each entry
+        return because(tr("%1 cannot be opened: %2"), m_file);
     const auto line = alarmLine(entry, m_chain);
     const auto written = ::write(m_descriptor, line.bytes.constData(), static_cast<std::size_t>(line.bytes.size()));
     if (written != line.bytes.size()) {
