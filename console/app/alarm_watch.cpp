@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::chrono::seconds overdueMemory{5};
 constexpr std::chrono::milliseconds clockLimit{25};
+constexpr std::chrono::seconds paintingSpan{2};
+constexpr quint64 fewPictures = 10; ///< in that time; below it one late picture would be a large part
 
 bool isArmed(PermitPhase phase) { return phase == PermitPhase::Armed || phase == PermitPhase::Engaged; }
 
@@ -63,6 +65,10 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
     reading.suspectsInMinute = static_cast<int>(
         std::count_if(link.suspects.begin(), link.suspects.end(), [now](Instant at) { return at > now - SessionModel::historyLength; }));
     reading.clockUncertain = link.state == LinkState::Open && link.figures.clockOffset && link.figures.clockUncertainty > clockLimit;
+    reading.images = kindOf(link.peer) == DeviceKind::Eye;
+    reading.systemDiffers = link.systemDiffers;
+    if (link.peer == m_robot)
+        reading.commandRoundTrip = link.figures.roundTrip;
     const auto overdue = m_overdue.find(link.peer);
     if (overdue != m_overdue.end() && now - overdue->second.at < overdueMemory)
         reading.deadlineMissed = overdue->second.message;
@@ -91,11 +97,50 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.drivesKnown = m_models.instrument.drives().known();
     all.drivesHealthy = m_models.instrument.drivesHealthy(now);
     all.emergencyStop = robot.known() && robot.value.emergencyStopToken != 0;
+    readInstruments(all, now);
+    all.painting = painting();
+    all.recorderTrouble = !m_logTrouble.isEmpty() ? m_logTrouble : m_auditTrouble;
+    all.soundTrouble = m_soundTrouble;
+    all.watchdogTrouble = m_watchdogTrouble;
     return all;
 }
 
-void AlarmWatch::update(Instant now)
+void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
 {
+    const auto& instrument = m_models.instrument;
+    const bool linked = m_robot && carriesMessages(m_models.sessions.state(*m_robot));
+    all.trackerOverdue = linked && instrument.tip().known() && !instrument.tipFresh(now);
+    all.contrastLeft = instrument.robot().value.contrastRemaining;
+    const auto& injections = instrument.injections();
+    all.injecting = !injections.empty() &&
+                    (injections.back().progress == InjectionProgress::Accepted || injections.back().progress == InjectionProgress::Running);
+    // What has been given stays given, however old the report.
+    if (m_models.xray.status().known())
+        all.airKerma = m_models.xray.status().value.airKerma;
+}
+
+void AlarmWatch::noteDelivered(quint64 delivered, Instant now)
+{
+    m_counted.push_back({now, delivered, m_models.picture.paintedCount()});
+    while (m_counted.size() > 2 && m_counted[1].at <= now - paintingSpan)
+        m_counted.pop_front();
+}
+
+std::optional<PaintingReading> AlarmWatch::painting() const
+{
+    if (m_counted.size() < 2 || m_counted.back().at - m_counted.front().at < paintingSpan)
+        return std::nullopt;
+    const auto delivered = m_counted.back().delivered - m_counted.front().delivered;
+    if (delivered < fewPictures)
+        return std::nullopt;
+    const double span = seconds(m_counted.back().at - m_counted.front().at);
+    const auto painted = m_counted.back().painted - m_counted.front().painted;
+    return PaintingReading{static_cast<double>(delivered) / span, static_cast<double>(painted) / span};
+}
+
+void AlarmWatch::update(Instant now, quint64 delivered)
+{
+    noteDelivered(delivered, now);
     if (m_stopAt && robotHoldsSince(*m_stopAt))
         m_stopAt.reset();
     m_models.alarms.update(presentAlarms(readings(now)), now, QDateTime::currentMSecsSinceEpoch());

@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include <deque>
 #include <map>
 #include <optional>
 
@@ -17,18 +18,32 @@ class AlarmWatch : public QObject {
 public:
     AlarmWatch(ConsoleModels& models, std::optional<quint32> robot, QObject* parent = nullptr);
 
-    /// Ten times a second.
-    void update(Instant now);
+    /// Ten times a second. `delivered`: pictures that this console has received, in all.
+    void update(Instant now, quint64 delivered);
 
     /// A peer's report is overdue; it counts until reports come again.
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
+
+    // What this program says of itself, each in words; empty: it works.
+    void setAuditTrouble(const QString& trouble) { m_auditTrouble = trouble; }
+    void setLogTrouble(const QString& trouble) { m_logTrouble = trouble; }
+    void setSoundTrouble(const QString& trouble) { m_soundTrouble = trouble; }
+    void setWatchdogTrouble(const QString& trouble) { m_watchdogTrouble = trouble; }
 
 private:
     void notePhase(PermitPhase from, PermitPhase to);
     bool robotHoldsSince(Instant stop) const;
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
     AlarmReadings readings(Instant now) const;
+    void readInstruments(AlarmReadings& all, Instant now) const;
+    void noteDelivered(quint64 delivered, Instant now);
+    std::optional<PaintingReading> painting() const;
 
+    struct Counted {
+        Instant at;
+        quint64 delivered = 0;
+        quint64 painted = 0;
+    };
     struct Overdue {
         QString message;
         Instant at;
@@ -39,6 +54,11 @@ private:
     std::optional<Instant> m_stopAt; ///< motion ended and the robot has not yet said that it holds
     bool m_troubleWhileArmed = false;
     std::map<quint32, Overdue> m_overdue;
+    std::deque<Counted> m_counted; ///< of the last two seconds
+    QString m_auditTrouble;
+    QString m_logTrouble;
+    QString m_soundTrouble;
+    QString m_watchdogTrouble;
 };
 
 } // namespace console

@@ -37,6 +37,8 @@ CockpitApplication::~CockpitApplication()
 {
     if (m_control)
         m_control->stop();
+    // Told before the sessions close, which takes its time in this thread.
+    m_alarms.reset();
     if (m_link)
         m_link->stop();
 }
@@ -62,8 +64,17 @@ bool CockpitApplication::prepare(QString* error)
     if (!m_link)
         return false;
     m_control = std::make_unique<CockpitControl>(m_models, *m_link, m_keyboard, m_recording.get());
+    buildAlarms();
     buildWindow();
     return true;
+}
+
+void CockpitApplication::buildAlarms()
+{
+    const auto* self = m_models.sessions.self();
+    const auto name = QStringLiteral("alarms-") + (self != nullptr ? self->idText() : QStringLiteral("unknown"));
+    m_alarms =
+        std::make_unique<AlarmService>(m_models, m_control->alarmWatch(), AlarmSettings{m_options.alarmLog, name, m_options.watchdog});
 }
 
 void CockpitApplication::buildWindow()
@@ -79,6 +90,7 @@ void CockpitApplication::buildWindow()
     m_window->setRehearsal(m_options.rehearsal);
     m_window->setKeyLegend(KeyboardMaster::legend());
     connectIntents();
+    connectAlarms();
     connectHand();
     connectPictures();
 }
@@ -111,8 +123,18 @@ void CockpitApplication::connectIntents()
             [link](quint64 incident) { link->dismiss(incident, tr("given up by the operator")); });
     connect(window, &CockpitWindow::emergencyStopRequested, link, &SystemLink::emergencyStop);
     connect(window, &CockpitWindow::emergencyStopResetRequested, link, &SystemLink::resetEmergencyStop);
-    connect(window, &CockpitWindow::acknowledgeRequested, this,
-            [this](quint64 alarm) { m_models.alarms.acknowledge(alarm, QDateTime::currentMSecsSinceEpoch()); });
+}
+
+void CockpitApplication::connectAlarms()
+{
+    auto* window = m_window.get();
+    auto* alarms = m_alarms.get();
+    connect(window, &CockpitWindow::acknowledgeRequested, alarms, [this](quint64 alarm) { m_alarms->acknowledge(alarm, m_options.user); });
+    connect(window, &CockpitWindow::audioPauseRequested, alarms, [this] { m_alarms->toggleAudioPause(m_options.user); });
+    connect(window, &CockpitWindow::alarmTestRequested, alarms, [this] { m_models.selfTest.begin(std::chrono::steady_clock::now()); });
+    connect(window, &CockpitWindow::alarmTestAnswered, alarms, [this](bool seenAndHeard) {
+        m_alarms->answerSelfTest(seenAndHeard, m_options.unattended ? tr("the unattended run, no person") : m_options.user);
+    });
 }
 
 void CockpitApplication::connectHand()
@@ -168,6 +190,7 @@ void CockpitApplication::show()
 {
     m_link->start();
     m_control->start();
+    m_alarms->start();
     m_sceneClock.start();
     showWindow();
 }

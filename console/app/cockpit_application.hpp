@@ -1,6 +1,7 @@
 // Makes every object of the console and connects the rooms.
 #pragma once
 
+#include "app/alarm_service.hpp"
 #include "app/cockpit_control.hpp"
 #include "app/command_line.hpp"
 #include "app/picture_desk.hpp"
@@ -40,9 +41,11 @@ public:
 
 private:
     bool loadRecording(QString* error);
+    void buildAlarms();
     void buildWindow();
     void buildTopology();
     void connectIntents();
+    void connectAlarms();
     void connectHand();
     void connectPictures();
     void refreshScene();
@@ -56,6 +59,7 @@ private:
     std::unique_ptr<RecordedMaster> m_recording;
     std::unique_ptr<SystemLink> m_link;
     std::unique_ptr<CockpitControl> m_control;
+    std::unique_ptr<AlarmService> m_alarms;
     std::unique_ptr<CockpitWindow> m_window;
     SceneView* m_scene = nullptr; ///< the window's
     QTimer m_sceneClock;

@@ -46,6 +46,9 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, Keyboard
     connect(&link.sessionEvents(), &SessionIntake::stalled, this, [this] { apply(PermitEventKind::Stalled); });
     connect(&link.sessionEvents(), &SessionIntake::deadlineMissed, this,
             [this](quint32 peer, const QString& message) { m_alarms.noteDeadlineMissed(peer, message, presentTime()); });
+    connect(&link.sessionEvents(), &SessionIntake::auditLost, this,
+            [this](const QString& reason) { m_alarms.setAuditTrouble(tr("the audit file is not written: %1").arg(reason)); });
+    connect(&link.sessionEvents(), &SessionIntake::auditRestored, this, [this] { m_alarms.setAuditTrouble({}); });
     connect(&keyboard, &KeyboardMaster::deadManChanged, this, [this](bool pressed) {
         readHand(presentTime());
         apply(pressed ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased);
@@ -85,7 +88,7 @@ void CockpitControl::run()
     if (m_runs % guardRuns == 0)
         publishStatus(now);
     if (m_runs % alarmRuns == 0) {
-        m_alarms.update(now);
+        m_alarms.update(now, m_link.framesReceived());
         noteTrends(now);
     }
     ++m_runs;
@@ -209,6 +212,7 @@ GuardReadings CockpitControl::guardReadings(Instant now) const
     r.handAlive = m_models.hand.reading().alive;
     r.windowActive = m_keyboard.listening();
     r.deadMan = m_models.hand.reading().deadMan;
+    r.alarmsTested = m_models.selfTest.passed();
     return r;
 }
 

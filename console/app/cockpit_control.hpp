@@ -23,6 +23,8 @@ public:
 
     void start();
 
+    AlarmWatch& alarmWatch() { return m_alarms; }
+
     /// Pedal up and Hold: what is asked of the robot and the X-ray system ends before their sessions do.
     void stop();
 

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include <cmath>
 
@@ -20,11 +21,14 @@ A first try, with the reference devices running on this computer:
   liena-console --topology topologies/cerebrovascular.xml
       --certificate pki/cockpit.crt --key pki/cockpit.key --authority pki/ca.crt
 
-On the screen: F2, then "Open all". Hold F for pictures, hold R for 1.5 s to arm; then motion lasts while D is held:
-up/down and right/left for the guidewire, I/K and J/L for the catheter. Letting go of D stops. F12 holds, Esc is the
-emergency stop. After any interruption motion needs a new ARM.
+On the screen: "Alarm self-test" at the top, once per start: three colours and three sounds, then say whether they were
+there. F2, then "Open all". Hold F for pictures, hold R for 1.5 s to arm; then motion lasts while D is held: up/down and
+right/left for the guidewire, I/K and J/L for the catheter. Letting go of D stops. F9 pauses the alarm sound for a
+minute, F12 holds, Esc is the emergency stop. After any interruption motion needs a new ARM.
 
 Without a screen: QT_QPA_PLATFORM=offscreen liena-console --unattended 10 --report run.json ...)";
+
+QString defaultAlarmLog() { return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/alarms"); }
 
 struct Declared {
     QCommandLineParser parser;
@@ -54,6 +58,11 @@ struct Declared {
                                  QStringLiteral("Recorded hand (time,x,y,z,buttons) to move by while the dead-man is held."),
                                  QStringLiteral("FILE")};
     QCommandLineOption vessels{QStringLiteral("vessels"), QStringLiteral("Vessel tree for the 3-D scene, SWC."), QStringLiteral("FILE")};
+    QCommandLineOption alarmLog{
+        QStringLiteral("alarm-log"),
+        QStringLiteral("Folder of the alarm log: the last 2000 entries at least, kept over a loss of power. Default: %1.")
+            .arg(defaultAlarmLog()),
+        QStringLiteral("FOLDER")};
     QCommandLineOption pictures{QStringLiteral("pictures"),
                                 QStringLiteral("Folder for saved pictures. Default: liena in the person's folder of pictures."),
                                 QStringLiteral("FOLDER")};
@@ -70,8 +79,8 @@ struct Declared {
                             QStringLiteral("WxH")};
     QCommandLineOption unattended{
         QStringLiteral("unattended"),
-        QStringLiteral("Operates the console by itself: opens every session, takes pictures, arms, moves for that time by "
-                       "the recorded hand, stops. Status 0 only if all of it worked. For test systems only: it moves the "
+        QStringLiteral("Operates the console by itself: confirms the alarm self-test, opens every session, takes pictures, arms, moves for "
+                       "that time by the recorded hand, stops. Status 0 only if all of it worked. For test systems only: it moves the "
                        "robot without a person."),
         QStringLiteral("SECONDS")};
     QCommandLineOption report{QStringLiteral("report"), QStringLiteral("With --unattended: writes what was measured, JSON."),
@@ -84,9 +93,9 @@ struct Declared {
     Declared()
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
-        parser.addOptions({topology,         device, certificate, key,     authority,  registry, store,
-                           profile,          user,   recording,   vessels, pictures,   display,  rehearsal,
-                           measureOnRequest, size,   unattended,  report,  screenshot, help,     version});
+        parser.addOptions({topology, device,     certificate, key,        authority, registry, store,     profile,
+                           user,     recording,  vessels,     alarmLog,   pictures,  display,  rehearsal, measureOnRequest,
+                           size,     unattended, report,      screenshot, help,      version});
     }
 };
 
@@ -136,6 +145,10 @@ QString readOptions(const Declared& declared, Options& options)
     options.key = parser.value(declared.key);
     options.authority = parser.value(declared.authority);
     options.recording = parser.value(declared.recording);
+    options.alarmLog = parser.isSet(declared.alarmLog) ? parser.value(declared.alarmLog) : defaultAlarmLog();
+    if (options.alarmLog.isEmpty())
+        return QStringLiteral("--alarm-log is empty: name a folder");
+    options.watchdog = QCoreApplication::applicationDirPath() + QStringLiteral("/liena-console-watchdog");
     options.vessels = parser.value(declared.vessels);
     options.pictures = parser.value(declared.pictures);
     options.display = parser.value(declared.display);

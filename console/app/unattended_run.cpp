@@ -2,6 +2,7 @@
 #include "app/unattended_run.hpp"
 
 #include "widgets/cockpit_window.hpp"
+#include "widgets/self_test_block.hpp"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -77,6 +78,7 @@ Duration UnattendedRun::inStep() const { return presentTime() - m_entered; }
 
 void UnattendedRun::proceed()
 {
+    clickSelfTest();
     switch (m_step) {
     case Step::Show:
         return show();
@@ -222,6 +224,9 @@ QString UnattendedRun::save() const
     for (int row = std::max(0, m_models.log.rowCount() - logLines); row < m_models.log.rowCount(); ++row)
         log.append(m_models.log.data(m_models.log.index(row)).toString());
     json.insert(QStringLiteral("log"), log);
+    json.insert(QStringLiteral("alarm_self_test"), m_models.selfTest.passed()
+                                                       ? QStringLiteral("confirmed by the run itself; no person saw or heard it")
+                                                       : QStringLiteral("not confirmed"));
     const bool written = file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(json).toJson()) > 0 && file.commit();
     return written ? QString() : QStringLiteral("%1: the report could not be written: %2").arg(m_settings.report, file.errorString());
 }
@@ -238,6 +243,20 @@ bool UnattendedRun::clickOpenAll()
     sendMouse(found, QEvent::MouseButtonPress, Qt::LeftButton);
     sendMouse(found, QEvent::MouseButtonRelease, Qt::NoButton);
     return true;
+}
+
+/// To begin it, and to confirm it: whichever button is offered first.
+void UnattendedRun::clickSelfTest()
+{
+    const auto* block = m_window.findChild<SelfTestBlock*>();
+    if (block == nullptr || m_models.selfTest.passed())
+        return;
+    for (auto* button : block->findChildren<QAbstractButton*>())
+        if (button->isVisible()) {
+            sendMouse(button, QEvent::MouseButtonPress, Qt::LeftButton);
+            sendMouse(button, QEvent::MouseButtonRelease, Qt::NoButton);
+            return;
+        }
 }
 
 void UnattendedRun::sendKey(int key, bool press)

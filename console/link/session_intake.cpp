@@ -42,7 +42,9 @@ void SessionIntake::take(const liena::SessionEvent& event)
         log(LogKind::Link, tr("%1: opened in %2 ms").arg(peerName(event)).arg(milliseconds(event.duration), 0, 'f', 0));
         break;
     case Kind::OpenFailed:
-        m_models.sessions.noteOpenFailed(peer, failureText(event));
+        m_models.sessions.noteOpenFailed(peer, failureText(event),
+                                         event.reason == liena::RejectReason::TopologyMismatch ||
+                                             event.reason == liena::RejectReason::MessageSetChanged);
         if (const auto* link = m_models.sessions.linkTo(peer); link != nullptr && link->incident != 0)
             m_models.incidents.setReopenFailure(link->incident, failureText(event));
         log(LogKind::Trouble, tr("%1: not opened: %2").arg(peerName(event), failureText(event)));
@@ -149,9 +151,11 @@ void SessionIntake::takeRemark(const liena::SessionEvent& event)
         break;
     case Kind::AuditLost:
         log(LogKind::Trouble, tr("no audit file is written, so no new session opens: %1").arg(text(event.detail)));
+        Q_EMIT auditLost(text(event.detail));
         break;
     case Kind::AuditRestored:
         log(LogKind::Link, tr("the audit file is written again"));
+        Q_EMIT auditRestored();
         break;
     default:
         break;

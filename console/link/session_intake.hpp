@@ -27,6 +27,8 @@ Q_SIGNALS:
     void interrupted(quint32 peer, double milliseconds);
     void deadlineMissed(quint32 peer, const QString& message);
     void stalled(double milliseconds);
+    void auditLost(const QString& reason);
+    void auditRestored();
 
 private:
     void takeIncident(const liena::SessionEvent& event);

@@ -58,17 +58,17 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
     const auto known = std::find_if(m_alarms.begin(), m_alarms.end(), [&report](const Alarm& alarm) {
         return report.condition == alarm.condition && report.subject == alarm.subject;
     });
-    const bool stands = known != m_alarms.end() && known->present && report.priority <= known->priority;
+    const bool stands = known != m_alarms.end() && known->present && report.priority <= known->priority && report.step <= known->step;
     if (stands) {
         const bool textChanged = known->text != report.text;
         known->text = report.text;
         return textChanged;
     }
-    // One that ended latched, or whose priority rose, demands attention anew.
+    // One that ended latched, or that rose, demands attention anew.
     if (known != m_alarms.end())
         m_alarms.erase(known);
     m_alarms.push_back({m_nextId++, report.condition, report.subject, report.priority, report.text, report.remedy, now, wallMs, true,
-                        report.latching, false});
+                        report.latching, false, report.step});
     ++m_raised;
     if (report.priority == AlarmPriority::High)
         m_audioPausedUntil.reset();
@@ -77,23 +77,39 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
     return true;
 }
 
-void AlarmList::acknowledge(quint64 id, qint64 wallMs)
+void AlarmList::acknowledge(quint64 id, qint64 wallMs, const QString& who)
 {
     const auto place = std::find_if(m_alarms.begin(), m_alarms.end(), [id](const Alarm& alarm) { return alarm.id == id; });
     if (place == m_alarms.end() || place->acknowledged)
         return;
     place->acknowledged = true;
-    write(wallMs, place->priority, Text::tr("acknowledged: %1").arg(place->text));
+    write(wallMs, place->priority,
+          who.isEmpty() ? Text::tr("acknowledged: %1").arg(place->text) : Text::tr("acknowledged by %1: %2").arg(who, place->text));
     if (!place->present)
         m_alarms.erase(place);
     sort();
     Q_EMIT changed();
 }
 
-void AlarmList::pauseAudio(Instant now)
+void AlarmList::pauseAudio(Instant now, qint64 wallMs, const QString& who)
 {
     m_audioPausedUntil = now + audioPause;
+    note(wallMs, who.isEmpty() ? Text::tr("audio paused") : Text::tr("audio paused by %1").arg(who));
     Q_EMIT changed();
+}
+
+void AlarmList::resumeAudio(qint64 wallMs)
+{
+    m_audioPausedUntil.reset();
+    note(wallMs, Text::tr("audio pause ended"));
+    Q_EMIT changed();
+}
+
+void AlarmList::restoreLog(const std::vector<AlarmLogEntry>& entries)
+{
+    m_log.insert(m_log.begin(), entries.begin(), entries.end());
+    while (m_log.size() > logLimit)
+        m_log.pop_front();
 }
 
 std::optional<Duration> AlarmList::audioPauseLeft(Instant now) const
@@ -108,6 +124,7 @@ void AlarmList::write(qint64 wallMs, AlarmPriority priority, const QString& text
     m_log.push_back({wallMs, priority, text});
     while (m_log.size() > logLimit)
         m_log.pop_front();
+    Q_EMIT logged(m_log.back());
 }
 
 void AlarmList::sort()

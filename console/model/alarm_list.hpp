@@ -20,6 +20,7 @@ QString word(AlarmPriority priority);
 enum class AlarmCondition : std::uint8_t {
     LinkLost,         ///< subject: the peer
     HoldNotConfirmed, ///< the robot has not confirmed its hold 200 ms after the stop
+    ImageLost,        ///< subject: the peer that sends the live picture
     PictureStale,
     PictureReduced,
     ForceStop,
@@ -31,6 +32,16 @@ enum class AlarmCondition : std::uint8_t {
     ClockUncertain, ///< subject: the peer
     SoftLimit,
     HardLimit,
+    CommandRoundTrip, ///< subject: the robot
+    TrackerStale,
+    ContrastLow,
+    ContrastEmpty,
+    AirKerma,        ///< raised anew with every further gray
+    PaintingBehind,  ///< pictures arrive faster than they are painted
+    SystemDiffers,   ///< subject: the peer whose topology or message set is another
+    RecorderStopped, ///< alarms or sessions are not recorded, or will soon not be
+    SoundFailed,
+    WatchdogGone, ///< nobody would sound an alarm for this program
 };
 
 struct Alarm {
@@ -45,15 +56,19 @@ struct Alarm {
     bool present = true;     ///< false: it ended, and stays until acknowledged
     bool latching = false;
     bool acknowledged = false;
+    int step = 0;
 
-    /// It flashes and sounds.
+    /// It flashes.
     bool demandsAttention() const { return !acknowledged; }
+
+    /// What is shown latches; what sounds does not.
+    bool sounds() const { return present && !acknowledged; }
 };
 
 struct AlarmLogEntry {
     qint64 wallMs = 0;
     AlarmPriority priority = AlarmPriority::Low;
-    QString text; ///< `raised: …`, `ended: …`, `acknowledged: …`
+    QString text; ///< `raised: …`, `ended: …`, `acknowledged by …: …`
 };
 
 /// What a rule says about one condition now.
@@ -64,6 +79,7 @@ struct AlarmReport {
     bool latching = false;
     QString text;
     QString remedy;
+    int step = 0; ///< of a condition that grows in steps of one priority: a higher one demands attention anew
 };
 
 /// GUI thread only.
@@ -84,18 +100,28 @@ public:
     /// Replaces the set of present conditions: new ones are raised, missing ones end; a condition whose priority rises is raised anew.
     void update(const std::vector<AlarmReport>& present, Instant now, qint64 wallMs);
 
-    void acknowledge(quint64 id, qint64 wallMs);
+    /// `who` is for the log; empty when nobody said who it is.
+    void acknowledge(quint64 id, qint64 wallMs, const QString& who = {});
 
     /// Silences the sound for `audioPause`; a new high alarm ends it.
-    void pauseAudio(Instant now);
+    void pauseAudio(Instant now, qint64 wallMs = 0, const QString& who = {});
+    void resumeAudio(qint64 wallMs);
     std::optional<Duration> audioPauseLeft(Instant now) const;
 
     const std::deque<AlarmLogEntry>& log() const { return m_log; } ///< oldest first
+
+    /// Of earlier runs, oldest first; they stand before everything that this run logs.
+    void restoreLog(const std::vector<AlarmLogEntry>& entries);
+
+    /// Something about alarms that is no condition: a self-test, a start.
+    void note(qint64 wallMs, const QString& text) { write(wallMs, AlarmPriority::Low, text); }
+
     quint64 raisedInAll() const { return m_raised; }
 
 Q_SIGNALS:
     void changed();
     void raised(quint64 id);
+    void logged(const console::AlarmLogEntry& entry);
 
 private:
     bool raise(const AlarmReport& report, Instant now, qint64 wallMs);

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace console {
@@ -28,13 +29,17 @@ public:
         addForce();
         addDrives();
         addLimits();
+        addInstruments();
+        addPainting();
+        addConsole();
         return std::move(m_reports);
     }
 
 private:
-    void add(AlarmCondition condition, Priority priority, bool latching, const QString& text, const QString& remedy, quint32 subject = 0)
+    void add(AlarmCondition condition, Priority priority, bool latching, const QString& text, const QString& remedy, quint32 subject = 0,
+             int step = 0)
     {
-        m_reports.push_back({condition, subject, priority, latching, text, remedy});
+        m_reports.push_back({condition, subject, priority, latching, text, remedy, step});
     }
 
     void addLink(const AlarmLinkReading& link);
@@ -43,6 +48,11 @@ private:
     void addForce();
     void addDrives();
     void addLimits();
+    void addRoundTrip(const AlarmLinkReading& link);
+    void addInstruments();
+    void addKerma(double milligrays);
+    void addPainting();
+    void addConsole();
 
     Priority whenArmed(Priority armed, Priority otherwise) const { return m_readings.armed ? armed : otherwise; }
 
@@ -53,8 +63,14 @@ private:
 void Rules::addLink(const AlarmLinkReading& link)
 {
     if (link.state == LinkState::StandBy)
-        add(AlarmCondition::LinkLost, whenArmed(Priority::High, Priority::Medium), true,
-            Text::tr("%1: link lost, stand-by").arg(link.title), Text::tr("Read the prompt, then re-open the channel."), link.peer);
+        add(link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost, whenArmed(Priority::High, Priority::Medium), true,
+            link.images ? Text::tr("%1: picture link lost, stand-by").arg(link.title) : Text::tr("%1: link lost, stand-by").arg(link.title),
+            Text::tr("Read the prompt, then re-open the channel."), link.peer);
+    if (link.systemDiffers)
+        add(AlarmCondition::SystemDiffers, Priority::Medium, true,
+            Text::tr("%1: its topology or message sets are others than ours").arg(link.title),
+            Text::tr("Give both sides the same files; do not arm."), link.peer);
+    addRoundTrip(link);
     if (!link.deadlineMissed.isEmpty() && carriesMessages(link.state))
         add(AlarmCondition::DeadlineMissed, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: %2 is overdue").arg(link.title, link.deadlineMissed),
@@ -67,6 +83,19 @@ void Rules::addLink(const AlarmLinkReading& link)
         add(AlarmCondition::ClockUncertain, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: clock uncertain, ages unknown").arg(link.title),
             Text::tr("Wait; arming is refused until the clocks are compared."), link.peer);
+}
+
+void Rules::addRoundTrip(const AlarmLinkReading& link)
+{
+    if (!link.commandRoundTrip || !carriesMessages(link.state))
+        return;
+    const auto text =
+        Text::tr("%1: commands take %2 ms there and back").arg(link.title).arg(milliseconds(*link.commandRoundTrip), 0, 'f', 0);
+    if (*link.commandRoundTrip > m_readings.pictureLimit)
+        add(AlarmCondition::CommandRoundTrip, whenArmed(Priority::Medium, Priority::Low), false, text,
+            Text::tr("Move slowly and wait for the picture, or stop; have the line looked at."), link.peer);
+    else if (*link.commandRoundTrip > roundTripCaution && m_readings.armed)
+        add(AlarmCondition::CommandRoundTrip, Priority::Low, false, text, Text::tr("Move slowly and wait for the picture."), link.peer);
 }
 
 void Rules::addHold()
@@ -126,6 +155,55 @@ void Rules::addLimits()
         add(AlarmCondition::HardLimit, Priority::Medium, false, Text::tr("Hard limit reached"), Text::tr("Move the other way."));
     else if ((m_readings.limitSwitches & softLimits) != 0)
         add(AlarmCondition::SoftLimit, Priority::Low, false, Text::tr("Soft limit reached"), Text::tr("Move the other way."));
+}
+
+void Rules::addInstruments()
+{
+    if (m_readings.trackerOverdue)
+        add(AlarmCondition::TrackerStale, whenArmed(Priority::Medium, Priority::Low), false, Text::tr("Tracker: no valid tip position"),
+            Text::tr("Go by the picture alone; what is shown of the tip is old."));
+    if (m_readings.robotFresh && m_readings.injecting && m_readings.contrastLeft <= 0)
+        add(AlarmCondition::ContrastEmpty, whenArmed(Priority::Medium, Priority::Low), true, Text::tr("Contrast EMPTY during an injection"),
+            Text::tr("Have the patient side refill the injector and look for air."));
+    else if (m_readings.robotFresh && m_readings.contrastLeft < plannedInjection)
+        add(AlarmCondition::ContrastLow, Priority::Low, false,
+            Text::tr("Contrast %1 mL, below one injection").arg(m_readings.contrastLeft, 0, 'f', 1),
+            Text::tr("Have the patient side refill the injector."));
+    if (m_readings.airKerma && *m_readings.airKerma >= kermaFirst)
+        addKerma(*m_readings.airKerma);
+}
+
+void Rules::addKerma(double milligrays)
+{
+    constexpr double largest = 1e6; // of what can be shown; a device may send anything
+    const int grays = static_cast<int>(std::min(milligrays, largest) / 1000);
+    add(AlarmCondition::AirKerma, milligrays >= kermaUrgent ? Priority::Medium : Priority::Low, true,
+        Text::tr("Air kerma has reached %1 Gy").arg(grays), Text::tr("Weigh the dose against what is still to do."), 0, grays);
+}
+
+void Rules::addPainting()
+{
+    if (!m_readings.painting || m_readings.painting->paintedPerSecond >= paintedPart * m_readings.painting->deliveredPerSecond)
+        return;
+    add(AlarmCondition::PaintingBehind, whenArmed(Priority::Medium, Priority::Low), false,
+        Text::tr("Console paints %1 of %2 pictures a second")
+            .arg(m_readings.painting->paintedPerSecond, 0, 'f', 0)
+            .arg(m_readings.painting->deliveredPerSecond, 0, 'f', 0),
+        Text::tr("Close other programs on this computer; mind fast motion."));
+}
+
+void Rules::addConsole()
+{
+    if (!m_readings.recorderTrouble.isEmpty())
+        add(AlarmCondition::RecorderStopped, Priority::Low, true, Text::tr("Recording: %1").arg(m_readings.recorderTrouble),
+            Text::tr("Make room on the disk, or have the computer looked at."));
+    if (!m_readings.soundTrouble.isEmpty())
+        add(AlarmCondition::SoundFailed, whenArmed(Priority::Medium, Priority::Low), false,
+            Text::tr("No alarm sound: %1").arg(m_readings.soundTrouble), Text::tr("Keep this band in view; connect a loudspeaker."));
+    if (!m_readings.watchdogTrouble.isEmpty())
+        add(AlarmCondition::WatchdogGone, whenArmed(Priority::Medium, Priority::Low), false,
+            Text::tr("No alarm if this program hangs: %1").arg(m_readings.watchdogTrouble),
+            Text::tr("Watch the liveness mark; start the console anew before the next procedure."));
 }
 
 } // namespace

@@ -21,6 +21,18 @@ struct AlarmLinkReading {
     int suspectsInMinute = 0;
     bool clockUncertain = false;
     QString deadlineMissed; ///< the message that is overdue; empty
+    bool images = false;    ///< it carries the live picture
+    bool systemDiffers = false;
+    std::optional<Duration> commandRoundTrip; ///< the robot's link only: there and back, as heartbeats measure it
+};
+
+/// Contrast left in the injector, in mL.
+inline constexpr double plannedInjection = 5; ///< the default of the robot's message set
+
+/// What of a picture stream arrived and what of it was painted, over the same seconds.
+struct PaintingReading {
+    double deliveredPerSecond = 0;
+    double paintedPerSecond = 0;
 };
 
 struct AlarmReadings {
@@ -38,9 +50,23 @@ struct AlarmReadings {
     bool drivesHealthy = true;
     bool drivesKnown = false;
     bool emergencyStop = false;
+    bool trackerOverdue = false; ///< it reported, its link is up, and there is no valid recent report
+    double contrastLeft = 0;     ///< mL, meaningful while robotFresh
+    bool injecting = false;
+    std::optional<double> airKerma; ///< mGy, as last repeated from the X-ray system
+    std::optional<PaintingReading> painting;
+    QString recorderTrouble; ///< what is not recorded, and why; empty when all is
+    QString soundTrouble;    ///< why nothing would be heard; empty when it would
+    QString watchdogTrouble;
 };
 
 inline constexpr std::chrono::milliseconds holdConfirmationLimit{200};
+inline constexpr std::chrono::milliseconds roundTripCaution{150};
+inline constexpr double paintedPart = 0.8; ///< of the delivered pictures; fewer is too few
+
+// Air kerma at the reference point: from the first on and at every whole gray, and where it becomes more urgent.
+inline constexpr double kermaFirst = 3000;  ///< mGy
+inline constexpr double kermaUrgent = 5000; ///< mGy
 
 /// Pure.
 std::vector<AlarmReport> presentAlarms(const AlarmReadings& readings);

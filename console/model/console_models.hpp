@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/alarm_list.hpp"
+#include "model/alarm_self_test.hpp"
 #include "model/arm_state.hpp"
 #include "model/event_log.hpp"
 #include "model/hand_state.hpp"
@@ -26,6 +27,7 @@ struct ConsoleModels {
     PermitModel permit;
     HandState hand;
     AlarmList alarms;
+    AlarmSelfTest selfTest;
     EventLog log;
     TrendBook trends;
 };

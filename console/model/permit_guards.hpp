@@ -32,8 +32,9 @@ enum class Guard : std::uint8_t {
     HandAlive,
     WindowActive,
     DeadManReleased,
+    AlarmsTested,
 };
-inline constexpr std::size_t guardCount = 15;
+inline constexpr std::size_t guardCount = 16;
 
 using GuardSet = std::bitset<guardCount>; ///< bit n: guard n is met
 
@@ -72,6 +73,7 @@ struct GuardReadings {
     bool handAlive = false;
     bool windowActive = false;
     bool deadMan = false;
+    bool alarmsTested = false; ///< since this program was started
 };
 
 struct GuardLine {

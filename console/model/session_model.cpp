@@ -148,15 +148,17 @@ void SessionModel::noteOpened(quint32 peer, Duration took)
         return;
     link->openingMs = milliseconds(took);
     link->failure.clear();
+    link->systemDiffers = false;
     Q_EMIT linkOpened(peer, *link->openingMs);
 }
 
-void SessionModel::noteOpenFailed(quint32 peer, const QString& reason)
+void SessionModel::noteOpenFailed(quint32 peer, const QString& reason, bool systemDiffers)
 {
     auto* link = ownLink(peer);
     if (link == nullptr)
         return;
     link->failure = reason;
+    link->systemDiffers = systemDiffers;
     Q_EMIT linkOpenFailed(peer, reason);
 }
 

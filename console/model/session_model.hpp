@@ -27,6 +27,7 @@ struct LinkNode {
     std::deque<LinkSample> history;      ///< own links: 60 s, oldest first
     std::optional<double> openingMs;     ///< how long the last opening or re-opening took
     QString failure;                     ///< why the last opening failed, for a person; empty after a success
+    bool systemDiffers = false;          ///< the last opening failed since topology or message sets are not the same on both sides
     std::vector<Instant> suspects;       ///< entries into Suspect or worse in the last 60 s
     bool inIncident = false;             ///< an incident of this pair is held; known for links of others, too
     quint64 incident = 0;
@@ -91,7 +92,7 @@ public:
     void setLinkState(quint32 peer, LinkState state, Instant now);
     void setLinkFigures(quint32 peer, const LinkFigures& figures, Instant now);
     void noteOpened(quint32 peer, Duration took);
-    void noteOpenFailed(quint32 peer, const QString& reason);
+    void noteOpenFailed(quint32 peer, const QString& reason, bool systemDiffers = false);
     void setLinkIncident(quint32 a, quint32 b, quint64 incident); ///< 0: no longer
     void setStandBy(bool standBy);
 

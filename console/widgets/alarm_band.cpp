@@ -1,6 +1,9 @@
 // The band's colour says the priority from afar; its badge flashes, its text never does.
 #include "widgets/alarm_band.hpp"
 
+#include "widgets/alarm_colours.hpp"
+#include "widgets/flash_clock.hpp"
+#include "widgets/self_test_block.hpp"
 #include "widgets/theme.hpp"
 
 #include <QHBoxLayout>
@@ -17,98 +20,66 @@ namespace colour = theme::colour;
 
 namespace {
 
-struct Colours {
-    QColor surface, ink, badgeLit, badgeDim, badgeInkLit, badgeInkDim;
-};
+QString badgeWord(AlarmPriority priority) { return word(priority).toUpper(); }
 
-Colours coloursOf(AlarmPriority priority, bool acknowledged)
+void makeCompact(QPushButton* button)
+{
+    theme::setTextRole(button, TextRole::Strong);
+    button->setAutoDefault(false);
+    button->setProperty("compact", true);
+    button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+}
+
+QString testText(AlarmPriority priority)
 {
     switch (priority) {
     case AlarmPriority::High:
-        return {acknowledged ? colour::highSurfaceDim : colour::highSurface,
-                Qt::white,
-                Qt::white,
-                colour::highSurfaceDim,
-                colour::highSurface,
-                Qt::white};
+        return AlarmBand::tr("SELF-TEST, no alarm: red, flashing fast, ten pulses");
     case AlarmPriority::Medium:
-        return {acknowledged ? colour::mediumSurfaceDim : colour::medium,
-                acknowledged ? QColor(Qt::white) : colour::onAlarm,
-                colour::onAlarm,
-                colour::mediumSurfaceDim,
-                colour::medium,
-                Qt::white};
+        return AlarmBand::tr("SELF-TEST, no alarm: yellow, flashing slowly, three pulses");
     case AlarmPriority::Low:
         break;
     }
-    return {acknowledged ? colour::raised : colour::low,
-            acknowledged ? colour::low : colour::onAlarm,
-            colour::onAlarm,
-            colour::onAlarm,
-            colour::low,
-            colour::low};
-}
-
-QString badgeWord(AlarmPriority priority) { return word(priority).toUpper(); }
-
-// Shape as well as colour: one bar for low, two for medium, three for high.
-void drawBars(QPainter& painter, const QRectF& where, AlarmPriority priority)
-{
-    const int bars = priority == AlarmPriority::High ? 3 : priority == AlarmPriority::Medium ? 2 : 1;
-    const double step = where.width() / 3;
-    for (int i = 0; i < bars; ++i) {
-        const double tall = where.height() * (0.45 + 0.275 * i);
-        painter.fillRect(QRectF(where.left() + i * step, where.bottom() - tall, step * 0.6, tall), painter.pen().color());
-    }
+    return AlarmBand::tr("SELF-TEST, no alarm: cyan, steady, two pulses");
 }
 
 } // namespace
 
-FlashClock::FlashClock(QObject* parent) : QObject(parent)
-{
-    m_high.setInterval(highHalfPeriodMs);
-    m_medium.setInterval(mediumHalfPeriodMs);
-    connect(&m_high, &QTimer::timeout, this, [this] {
-        m_highLit = !m_highLit;
-        Q_EMIT ticked();
-    });
-    connect(&m_medium, &QTimer::timeout, this, [this] {
-        m_mediumLit = !m_mediumLit;
-        Q_EMIT ticked();
-    });
-    m_high.start();
-    m_medium.start();
-}
-
-bool FlashClock::isLit(AlarmPriority priority) const
-{
-    return priority == AlarmPriority::High ? m_highLit : priority == AlarmPriority::Medium ? m_mediumLit : true;
-}
-
 AlarmBand::AlarmBand(QWidget* parent)
-    : QFrame(parent), m_row(new QHBoxLayout(this)), m_acknowledge(new QPushButton(tr("Acknowledge"), this))
+    : QFrame(parent),
+      m_clock(new FlashClock(this)),
+      m_row(new QHBoxLayout(this)),
+      m_test(new SelfTestBlock(this)),
+      m_pause(new QPushButton(this)),
+      m_acknowledge(new QPushButton(tr("Acknowledge"), this))
 {
     setAccessibleName(tr("Alarms"));
     theme::setTextRole(this, TextRole::Alarm);
-    theme::setTextRole(m_acknowledge, TextRole::Strong);
+    for (QPushButton* button : {m_pause, m_acknowledge})
+        makeCompact(button);
     m_acknowledge->setAccessibleName(tr("Acknowledge the alarm shown"));
-    m_acknowledge->setAutoDefault(false);
-    m_acknowledge->setProperty("compact", true);
-    m_acknowledge->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-    QSizePolicy kept = m_acknowledge->sizePolicy();
-    kept.setRetainSizeWhenHidden(true);
-    m_acknowledge->setSizePolicy(kept);
-    m_acknowledge->hide();
+    for (QPushButton* button : {m_pause, m_acknowledge}) {
+        QSizePolicy kept = button->sizePolicy();
+        kept.setRetainSizeWhenHidden(true);
+        button->setSizePolicy(kept);
+        button->hide();
+    }
+    m_pause->setAccessibleName(tr("Pause the alarm sound for a minute, or end the pause"));
     m_row->setContentsMargins(6, 5, 8, 5);
     m_row->setSpacing(8);
     m_row->addStretch(1);
+    m_row->addWidget(m_test);
+    m_row->addWidget(m_pause);
     m_row->addWidget(m_acknowledge);
+    connect(m_pause, &QPushButton::clicked, this, &AlarmBand::audioPauseRequested);
+    connect(m_test, &SelfTestBlock::beginRequested, this, &AlarmBand::selfTestRequested);
+    connect(m_test, &SelfTestBlock::answered, this, &AlarmBand::selfTestAnswered);
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
         if (const Alarm* alarm = firstUnacknowledged())
             Q_EMIT acknowledgeRequested(alarm->id);
     });
-    connect(&m_clock, &FlashClock::ticked, this, [this] {
-        if (!m_alarms.empty())
+    connect(m_clock, &FlashClock::ticked, this, [this] {
+        if (!m_alarms.empty() || testSignal())
             update();
     });
 }
@@ -122,6 +93,8 @@ const Alarm* AlarmBand::firstUnacknowledged() const
 void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
 {
     m_alarms = alarms;
+    m_test->setSoundWorks(std::none_of(alarms.begin(), alarms.end(),
+                                       [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; }));
     const Alarm* next = firstUnacknowledged();
     m_acknowledge->setVisible(next != nullptr);
     if (next)
@@ -144,55 +117,82 @@ void AlarmBand::setFoldedSheets(const std::vector<std::pair<quint64, QString>>& 
     m_chips.clear();
     for (const auto& [key, text] : sheets) {
         auto* chip = new QPushButton(text, this);
-        theme::setTextRole(chip, TextRole::Strong);
+        makeCompact(chip);
         chip->setAccessibleName(tr("Show again: %1").arg(text));
-        chip->setAutoDefault(false);
-        chip->setProperty("compact", true);
-        chip->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
         connect(chip, &QPushButton::clicked, this, [this, key = key] { Q_EMIT sheetRequested(key); });
-        m_row->insertWidget(m_row->count() - 1, chip);
+        m_row->insertWidget(1, chip);
         chip->show();
         m_chips.push_back(chip);
     }
 }
 
+void AlarmBand::setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal)
+{
+    m_testStep = step;
+    m_testSignal = signal;
+    m_test->setStep(step);
+    update();
+}
+
+void AlarmBand::setSound(bool demanded, std::optional<Duration> pausedFor)
+{
+    const auto left = pausedFor ? std::chrono::ceil<std::chrono::seconds>(*pausedFor).count() : 0;
+    const QString text = pausedFor ? tr("AUDIO PAUSED %1 s").arg(left) : tr("Pause sound (F9)");
+    if (m_pause->text() != text)
+        m_pause->setText(text);
+    const int room = m_pause->fontMetrics().horizontalAdvance(tr("AUDIO PAUSED %1 s").arg(60)) + theme::px(this, 44);
+    if (m_pause->minimumWidth() != room)
+        m_pause->setFixedWidth(room);
+    m_pause->setVisible(demanded || pausedFor);
+}
+
+std::optional<AlarmColours> AlarmBand::colours() const
+{
+    if (const auto test = testSignal())
+        return alarmColours(*test, false);
+    if (m_alarms.empty())
+        return std::nullopt;
+    return alarmColours(m_alarms.front().priority, m_alarms.front().acknowledged);
+}
+
 QColor AlarmBand::surface() const
 {
-    return m_alarms.empty() ? colour::panel : coloursOf(m_alarms.front().priority, m_alarms.front().acknowledged).surface;
+    const auto shown = colours();
+    return shown ? shown->surface : colour::panel;
 }
 
 QColor AlarmBand::ink() const
 {
-    return m_alarms.empty() ? colour::secondary : coloursOf(m_alarms.front().priority, m_alarms.front().acknowledged).ink;
+    const auto shown = colours();
+    return shown ? shown->ink : colour::secondary;
 }
 
-int AlarmBand::paintBadge(QPainter& painter) const
+int AlarmBand::paintBadge(QPainter& painter, AlarmPriority priority, bool acknowledged) const
 {
-    const Alarm& top = m_alarms.front();
-    const Colours colours = coloursOf(top.priority, top.acknowledged);
-    const bool lit = top.acknowledged ? false : m_clock.isLit(top.priority);
+    const AlarmColours colours = alarmColours(priority, acknowledged);
+    const bool lit = !acknowledged && m_clock->isLit(priority);
     painter.setFont(theme::font(TextRole::Title, theme::scaleOf(this)));
     const QFontMetricsF metrics(painter.font());
     const double bars = metrics.height();
-    const double width = metrics.horizontalAdvance(badgeWord(top.priority)) + bars + theme::px(this, 44);
+    const double width = metrics.horizontalAdvance(badgeWord(priority)) + bars + theme::px(this, 44);
     const QRectF badge(6, 5, width, height() - 10);
     QPainterPath path;
     path.addRoundedRect(badge, 4, 4);
     painter.fillPath(path, lit ? colours.badgeLit : colours.badgeDim);
     painter.setPen(lit ? colours.badgeInkLit : colours.badgeInkDim);
     const double pad = theme::px(this, 14);
-    drawBars(painter, QRectF(badge.left() + pad, badge.center().y() - bars * 0.38, bars, bars * 0.76), top.priority);
-    painter.drawText(badge.adjusted(pad + bars + pad / 2, 0, -pad / 2, 0), Qt::AlignLeft | Qt::AlignVCenter, badgeWord(top.priority));
+    drawPriorityBars(painter, QRectF(badge.left() + pad, badge.center().y() - bars * 0.38, bars, bars * 0.76), priority);
+    painter.drawText(badge.adjusted(pad + bars + pad / 2, 0, -pad / 2, 0), Qt::AlignLeft | Qt::AlignVCenter, badgeWord(priority));
     return int(badge.right()) + theme::px(this, 16);
 }
 
-void AlarmBand::paintChips(QPainter& painter, const QRectF& room) const
+void AlarmBand::paintChips(QPainter& painter, const QRectF& room, std::size_t first) const
 {
     painter.setFont(theme::font(TextRole::Strong, theme::scaleOf(this)));
     const QFontMetricsF metrics(painter.font());
     const double pad = theme::px(this, 12);
     double x = room.left();
-    for (std::size_t i = 1; i < m_alarms.size(); ++i) {
+    for (std::size_t i = first; i < m_alarms.size(); ++i) {
         const double bars = metrics.height() * 0.8;
         const QString more = tr("+%1 more").arg(m_alarms.size() - i);
         const double reserve = i + 1 < m_alarms.size() ? metrics.horizontalAdvance(more) + pad : 0;
@@ -202,7 +202,7 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room) const
             painter.drawText(QRectF(x, room.top(), room.right() - x, room.height()), Qt::AlignLeft | Qt::AlignVCenter, more);
             return;
         }
-        const Colours colours = coloursOf(m_alarms[i].priority, m_alarms[i].acknowledged);
+        const AlarmColours colours = alarmColours(m_alarms[i].priority, m_alarms[i].acknowledged);
         const QRectF chip(x, room.top() + room.height() * 0.16, width, room.height() * 0.68);
         QPainterPath path;
         path.addRoundedRect(chip, 4, 4);
@@ -210,7 +210,7 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room) const
         painter.setPen(QPen(colour::background, 2));
         painter.drawPath(path);
         painter.setPen(colours.ink);
-        drawBars(painter, QRectF(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8), m_alarms[i].priority);
+        drawPriorityBars(painter, QRectF(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8), m_alarms[i].priority);
         painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_alarms[i].text);
         x += width + pad * 0.7;
     }
@@ -218,12 +218,54 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room) const
 
 void AlarmBand::paintQuiet(QPainter& painter, double right) const
 {
+    using Step = AlarmSelfTest::Step;
     painter.setFont(theme::font(TextRole::Title, theme::scaleOf(this)));
     painter.setPen(ink());
-    painter.drawText(QRectF(theme::px(this, 20), 0, right, height()), Qt::AlignLeft | Qt::AlignVCenter, tr("No alarms"));
-    painter.setFont(theme::font(TextRole::Caption, theme::scaleOf(this)));
-    painter.drawText(QRectF(0, 0, right, height()), Qt::AlignRight | Qt::AlignVCenter,
-                     tr("Alarms are shown here; this version has no alarm sound"));
+    QString text = tr("No alarms");
+    if (m_testStep == Step::Asking)
+        text = tr("Were all three colours seen, and all three sounds heard?");
+    else if (m_testStep == Step::Failed)
+        text = tr("No alarms. The alarm self-test was not confirmed: have screen and sound looked at");
+    else if (m_testStep == Step::NotDone)
+        text = tr("No alarms. The alarm self-test is to be done before arming");
+    const double left = theme::px(this, 20);
+    const QString shown = QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, right - left);
+    painter.drawText(QRectF(left, 0, right - left, height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
+}
+
+/// The text of the test or of the highest alarm; returns where it ends.
+double AlarmBand::paintText(QPainter& painter, const QString& text, double left, double most) const
+{
+    painter.setFont(font());
+    const QFontMetricsF metrics(font());
+    const QString shown = metrics.elidedText(text, Qt::ElideRight, most);
+    painter.setPen(ink());
+    painter.drawText(QRectF(left, 0, most, height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
+    return left + metrics.horizontalAdvance(shown) + theme::px(this, 24);
+}
+
+void AlarmBand::paintAlarms(QPainter& painter, double right) const
+{
+    const Alarm& top = m_alarms.front();
+    const int left = paintBadge(painter, top.priority, top.acknowledged);
+    const double room = right - left;
+    const double end = paintText(painter, top.text, left, m_alarms.size() > 1 ? room * 0.62 : room);
+    if (m_alarms.size() > 1)
+        return paintChips(painter, QRectF(end, 0, right - end, height()), 1);
+    painter.setFont(theme::font(TextRole::Body, theme::scaleOf(this)));
+    const QString remedy = QFontMetricsF(painter.font()).elidedText(top.remedy, Qt::ElideRight, right - end);
+    painter.drawText(QRectF(end, 0, right - end, height()), Qt::AlignLeft | Qt::AlignVCenter, remedy);
+}
+
+double AlarmBand::freeRight() const
+{
+    double right = m_acknowledge->isVisible() ? m_acknowledge->x() : width() - 12;
+    for (const QWidget* other : {static_cast<const QWidget*>(m_test), static_cast<const QWidget*>(m_pause)})
+        if (other->isVisible())
+            right = std::min(right, double(other->x()));
+    for (const QPushButton* chip : m_chips)
+        right = std::min(right, double(chip->x()));
+    return right - theme::px(this, 16);
 }
 
 void AlarmBand::paintEvent(QPaintEvent*)
@@ -231,30 +273,16 @@ void AlarmBand::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), surface());
-    double right = m_acknowledge->isVisible() ? m_acknowledge->x() : width() - 12;
-    for (const QPushButton* chip : m_chips)
-        right = std::min(right, double(chip->x()));
-    right -= theme::px(this, 16);
-    if (m_alarms.empty()) {
+    const double right = freeRight();
+    if (const auto test = testSignal()) {
+        const int left = paintBadge(painter, *test, false);
+        const double end = paintText(painter, testText(*test), left, right - left);
+        paintChips(painter, QRectF(end, 0, right - end, height()), 0);
+    } else if (m_alarms.empty()) {
         paintQuiet(painter, right);
-        return;
+    } else {
+        paintAlarms(painter, right);
     }
-    const int left = paintBadge(painter);
-    painter.setFont(font());
-    const QFontMetricsF metrics(font());
-    const double room = right - left;
-    const double most = m_alarms.size() > 1 ? room * 0.62 : room;
-    const QString text = metrics.elidedText(m_alarms.front().text, Qt::ElideRight, most);
-    painter.setPen(ink());
-    painter.drawText(QRectF(left, 0, most, height()), Qt::AlignLeft | Qt::AlignVCenter, text);
-    double end = left + metrics.horizontalAdvance(text) + theme::px(this, 24);
-    if (m_alarms.size() == 1 && !m_alarms.front().remedy.isEmpty()) {
-        painter.setFont(theme::font(TextRole::Body, theme::scaleOf(this)));
-        const QString remedy = QFontMetricsF(painter.font()).elidedText(m_alarms.front().remedy, Qt::ElideRight, right - end);
-        painter.drawText(QRectF(end, 0, right - end, height()), Qt::AlignLeft | Qt::AlignVCenter, remedy);
-    }
-    if (m_alarms.size() > 1)
-        paintChips(painter, QRectF(end, 0, right - end, height()));
 }
 
 } // namespace console

@@ -1,11 +1,12 @@
 // Region B: the highest alarm over the whole band, the others as chips, and the sheets that were folded away.
 #pragma once
 
-#include "model/alarm_list.hpp"
+#include "model/alarm_self_test.hpp"
+#include "widgets/alarm_colours.hpp"
 
 #include <QFrame>
-#include <QTimer>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,25 +15,8 @@ class QPushButton;
 
 namespace console {
 
-/// The one flash clock of the screen: 2 Hz for high, 0.6 Hz for medium, half on and half off. Low does not flash.
-class FlashClock : public QObject {
-    Q_OBJECT
-public:
-    explicit FlashClock(QObject* parent = nullptr);
-    bool isLit(AlarmPriority priority) const;
-
-    static constexpr int highHalfPeriodMs = 250;
-    static constexpr int mediumHalfPeriodMs = 833;
-
-Q_SIGNALS:
-    void ticked();
-
-private:
-    QTimer m_high;
-    QTimer m_medium;
-    bool m_highLit = true;
-    bool m_mediumLit = true;
-};
+class FlashClock;
+class SelfTestBlock;
 
 /// Its room is fixed: alarms come and go and nothing else on the screen moves.
 class AlarmBand : public QFrame {
@@ -46,26 +30,46 @@ public:
     /// A chip that brings a folded sheet back; its incident is handed back in `sheetRequested`.
     void setFoldedSheets(const std::vector<std::pair<quint64, QString>>& sheets);
 
+    /// While `signal` is shown it takes the band's place; the alarms that stand are then chips beside it.
+    void setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal);
+
+    /// `demanded`: something sounds, or would but for the pause.
+    void setSound(bool demanded, std::optional<Duration> pausedFor);
+
+    FlashClock& flashClock() { return *m_clock; }
+
     /// The band's colour now, for what lies beneath the text.
     QColor surface() const;
 
 Q_SIGNALS:
     void acknowledgeRequested(quint64 id);
     void sheetRequested(quint64 incident);
+    void audioPauseRequested();
+    void selfTestRequested();
+    void selfTestAnswered(bool seenAndHeard);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    int paintBadge(QPainter& painter) const;
-    void paintChips(QPainter& painter, const QRectF& room) const;
+    std::optional<AlarmColours> colours() const;
+    std::optional<AlarmPriority> testSignal() const { return m_testSignal; }
+    double freeRight() const;
+    int paintBadge(QPainter& painter, AlarmPriority priority, bool acknowledged) const;
+    double paintText(QPainter& painter, const QString& text, double left, double most) const;
+    void paintChips(QPainter& painter, const QRectF& room, std::size_t first) const;
     void paintQuiet(QPainter& painter, double right) const;
+    void paintAlarms(QPainter& painter, double right) const;
     QColor ink() const;
     const Alarm* firstUnacknowledged() const;
 
     std::vector<Alarm> m_alarms;
-    FlashClock m_clock;
+    AlarmSelfTest::Step m_testStep = AlarmSelfTest::Step::NotDone;
+    std::optional<AlarmPriority> m_testSignal;
+    FlashClock* m_clock;
     QHBoxLayout* m_row;
+    SelfTestBlock* m_test;
+    QPushButton* m_pause;
     QPushButton* m_acknowledge;
     std::vector<QPushButton*> m_chips;
     std::vector<std::pair<quint64, QString>> m_folded;

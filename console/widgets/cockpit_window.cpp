@@ -1,6 +1,7 @@
 // Regions, intents, keys and the window's own clock.
 #include "widgets/cockpit_window.hpp"
 
+#include "model/sound_schedule.hpp"
 #include "widgets/alarm_band.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/dose_panel.hpp"
@@ -91,6 +92,15 @@ void CockpitWindow::connectIntents()
     connect(m_rail, &LinksRail::openAllRequested, this, &CockpitWindow::openAllRequested);
     connect(m_rail, &LinksRail::topologyRequested, this, [this] { showView(View::Topology); });
     connect(m_band, &AlarmBand::acknowledgeRequested, this, &CockpitWindow::acknowledgeRequested);
+    connect(m_band, &AlarmBand::audioPauseRequested, this, [this] {
+        Q_EMIT audioPauseRequested();
+        setFocus();
+    });
+    connect(m_band, &AlarmBand::selfTestRequested, this, &CockpitWindow::alarmTestRequested);
+    connect(m_band, &AlarmBand::selfTestAnswered, this, [this](bool seenAndHeard) {
+        Q_EMIT alarmTestAnswered(seenAndHeard);
+        setFocus();
+    });
     connect(m_band, &AlarmBand::sheetRequested, m_deck, &SheetDeck::open);
     connect(m_deck, &SheetDeck::chipsChanged, m_band, &AlarmBand::setFoldedSheets);
     connect(m_deck, &SheetDeck::closed, this, [this] { setFocus(); });
@@ -109,7 +119,13 @@ void CockpitWindow::connectIntents()
 void CockpitWindow::connectModels()
 {
     const auto now = [this] { refresh(std::chrono::steady_clock::now()); };
-    connect(&m_models.alarms, &AlarmList::changed, this, [this] { m_band->setAlarms(m_models.alarms.alarms()); });
+    connect(&m_models.alarms, &AlarmList::changed, this, [this] {
+        m_band->setAlarms(m_models.alarms.alarms());
+        refreshSound(std::chrono::steady_clock::now());
+    });
+    const auto test = [this] { m_band->setSelfTest(m_models.selfTest.step(), m_models.selfTest.signal()); };
+    connect(&m_models.selfTest, &AlarmSelfTest::changed, this, test);
+    test();
     connect(&m_models.permit, &PermitModel::phaseChanged, this, now);
     connect(&m_models.sessions, &SessionModel::linkStateChanged, this, now);
     connect(&m_models.sessions, &SessionModel::topologyChanged, this, now);
@@ -126,6 +142,7 @@ void CockpitWindow::addKeys()
     };
     bind(Qt::Key_F1, [this] { showView(View::Cockpit); });
     bind(Qt::Key_F2, [this] { showView(m_view == View::Topology ? View::Cockpit : View::Topology); });
+    bind(Qt::Key_F9, [this] { Q_EMIT audioPauseRequested(); });
     bind(Qt::Key_F12, [this] { Q_EMIT panicHoldRequested(); });
     bind(Qt::Key_Escape, [this] { Q_EMIT emergencyStopRequested(tr("Esc key on the console")); });
 }
@@ -165,7 +182,7 @@ void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehears
 
 void CockpitWindow::setKeyLegend(const QString& legend)
 {
-    const QString own = tr("F12 hold \u00B7 Esc emergency stop \u00B7 F1 cockpit \u00B7 F2 topology");
+    const QString own = tr("F9 audio pause \u00B7 F12 hold \u00B7 Esc emergency stop \u00B7 F1 cockpit \u00B7 F2 topology");
     m_motion->setKeyLegend(legend.isEmpty() ? own : legend + QStringLiteral(" \u00B7 ") + own);
 }
 
@@ -237,8 +254,14 @@ void CockpitWindow::refresh(Instant now)
     refreshSlow(now);
 }
 
+void CockpitWindow::refreshSound(Instant now)
+{
+    m_band->setSound(SoundSchedule::demandsSound(m_models.alarms.alarms()), m_models.alarms.audioPauseLeft(now));
+}
+
 void CockpitWindow::refreshSlow(Instant now)
 {
+    refreshSound(now);
     refreshStrip(now);
     m_rail->refresh(now);
     m_dose->refresh(now);

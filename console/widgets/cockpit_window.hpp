@@ -25,9 +25,9 @@ enum class View { Cockpit, Topology };
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys belong to the hand while the
-/// cockpit itself has the focus; while a sheet, the topology or another window has it, the hand has none, and `handFocusChanged(false)`
-/// says so before the first key goes elsewhere. Space and Enter are never handed on.
+/// Keys: F1 cockpit, F2 topology, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys belong to the
+/// hand while the cockpit itself has the focus; while a sheet, the topology or another window has it, the hand has none, and
+/// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -69,6 +69,9 @@ Q_SIGNALS:
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
     void acknowledgeRequested(quint64 alarm);
+    void audioPauseRequested();
+    void alarmTestRequested();
+    void alarmTestAnswered(bool seenAndHeard);
     void panicHoldRequested();
     void viewRequested(console::View view);
     void handKeyPressed(int key);
@@ -96,6 +99,7 @@ private:
     void tick();
     void refreshStrip(Instant now);
     void refreshSlow(Instant now);
+    void refreshSound(Instant now);
 
     ConsoleModels& m_models;
     CockpitLayout* m_layout;

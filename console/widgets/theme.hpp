@@ -19,7 +19,7 @@ inline constexpr QColor strongLine{0x55, 0x5E, 0x68};
 inline constexpr QColor bright{0xF1, 0xF3, 0xF5};    ///< 17:1, the one thing to read first
 inline constexpr QColor text{0xC8, 0xCD, 0xD3};      ///< 11.8:1
 inline constexpr QColor secondary{0x92, 0x9A, 0xA3}; ///< 6.7:1
-inline constexpr QColor stale{0x6F, 0x77, 0x80};     ///< 4.2:1, large text only and always with a mark
+inline constexpr QColor stale{0x82, 0x8A, 0x93};     ///< 5.4:1, always with a mark
 inline constexpr QColor onAlarm{0x0B, 0x0D, 0x0F};   ///< on medium, low, armed and X-ray surfaces
 inline constexpr QColor high{0xFF, 0x45, 0x3A};
 inline constexpr QColor highSurface{0xB3, 0x26, 0x1E}; ///< under white

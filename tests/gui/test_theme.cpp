@@ -3,8 +3,10 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QFile>
 #include <QFontInfo>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QTest>
 
 using namespace console;
@@ -33,7 +35,9 @@ private Q_SLOTS:
             QTest::newRow(on("medium")) << QColor(colour::medium) << surface << 4.5;
             QTest::newRow(on("low")) << QColor(colour::low) << surface << 4.5;
             QTest::newRow(on("x-ray")) << QColor(colour::xray) << surface << 4.5;
-            QTest::newRow(on("stale, large text only")) << QColor(colour::stale) << surface << 3.0;
+            QTest::newRow(on("stale")) << QColor(colour::stale) << surface << 4.5;
+            QTest::newRow(on("high")) << QColor(colour::high) << surface << 4.5;
+            QTest::newRow(on("plot")) << QColor(colour::plot) << surface << 4.5;
         }
         QTest::newRow("white on high") << QColor(Qt::white) << QColor(colour::highSurface) << 4.5;
         QTest::newRow("white on acknowledged high") << QColor(Qt::white) << QColor(colour::highSurfaceDim) << 4.5;
@@ -51,6 +55,28 @@ private Q_SLOTS:
         QFETCH(QColor, surface);
         QFETCH(double, least);
         QVERIFY2(theme::contrast(ink, surface) >= least, qPrintable(QString::number(theme::contrast(ink, surface))));
+    }
+
+    /// Each rule of the style sheet that names both.
+    void theStyleSheetIsReadable()
+    {
+        QFile sheet(QStringLiteral(":/liena/styles/cockpit.qss"));
+        QVERIFY(sheet.open(QIODevice::ReadOnly));
+        const QRegularExpression rule(QStringLiteral("\\{([^}]*)\\}"));
+        const QRegularExpression ink(QStringLiteral("(?:^|[\\s;])color: (#[0-9A-Fa-f]{6})"));
+        const QRegularExpression surface(QStringLiteral("(?:^|[\\s;])background: (#[0-9A-Fa-f]{6})"));
+        int checked = 0;
+        auto rules = rule.globalMatch(QString::fromUtf8(sheet.readAll()));
+        while (rules.hasNext()) {
+            const auto body = rules.next().captured(1);
+            const auto text = ink.match(body);
+            const auto under = surface.match(body);
+            if (!text.hasMatch() || !under.hasMatch())
+                continue;
+            ++checked;
+            QVERIFY2(theme::contrast(QColor(text.captured(1)), QColor(under.captured(1))) >= 4.5, qPrintable(body));
+        }
+        QVERIFY(checked >= 5);
     }
 
     void contrastIsTheOneOfWcag()

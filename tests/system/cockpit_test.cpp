@@ -9,6 +9,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDeadlineTimer>
+#include <QFile>
 #include <QTest>
 
 using namespace liena::test;
@@ -38,6 +39,8 @@ public:
         options.certificate = text(settings.certificate);
         options.key = text(settings.key);
         options.authority = text(settings.authority);
+        options.alarmLog = text(files.folder() / "alarms");
+        options.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
         options.size = QSize(1366, 768);
         options.profile = PictureProfile::Coronary;
         cockpit = std::make_unique<CockpitApplication>(options);
@@ -93,6 +96,7 @@ public:
     /// computer paints too late, say) sends a person back to the start, and so this.
     void armAndMove()
     {
+        testAlarms();
         const QDeadlineTimer deadline(3 * patience);
         const auto before = robotStatus().guidewirePosition;
         const auto moved = [&] { return robotStatus().guidewirePosition > before + 0.5; };
@@ -115,6 +119,16 @@ public:
         }
     }
 
+    /// Once per start: look at the colours, listen, and say so.
+    void testAlarms()
+    {
+        if (models().selfTest.passed())
+            return;
+        click(QStringLiteral("Alarm self-test"));
+        click(QStringLiteral("Test seen"));
+        QVERIFY(models().selfTest.passed());
+    }
+
     void acknowledgeAlarms()
     {
         constexpr int most = 16;
@@ -130,6 +144,27 @@ public:
         for (const auto& entry : models().log.lines())
             text += entry.text + QLatin1Char('\n');
         return text + models().permit.unmetText(9);
+    }
+
+    bool stands(AlarmCondition condition) const
+    {
+        const auto& alarms = models().alarms.alarms();
+        return std::any_of(alarms.begin(), alarms.end(),
+                           [condition](const Alarm& alarm) { return alarm.condition == condition && alarm.present; });
+    }
+
+    bool logContains(const QString& text) const
+    {
+        const auto& lines = models().log.lines();
+        return std::any_of(lines.begin(), lines.end(), [&text](const LogLine& line) { return line.text == text; });
+    }
+
+    /// The alarm log's file as it is on the disk now.
+    QByteArray keptAlarms() const
+    {
+        QFile file(QString::fromStdString((files.folder() / "alarms").string()) +
+                   QStringLiteral("/alarms-%1.jsonl").arg(models().sessions.self()->idText()));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
 
     bool reaches(PermitPhase wanted)
@@ -187,6 +222,18 @@ private Q_SLOTS:
         QVERIFY(theatre.robotStatus().appliedCommands > 0);
         theatre.releaseAll();
         QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, patience);
+    }
+
+    void aLostXraySystemIsAnAlarmOfItsOwnAndIsKept()
+    {
+        Theatre theatre;
+        theatre.openAll();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.logContains(QStringLiteral("the watchdog watches")), patience);
+        theatre.xray->kill();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.stands(AlarmCondition::ImageLost), patience);
+        QVERIFY(!theatre.stands(AlarmCondition::LinkLost));
+        QVERIFY(!theatre.stands(AlarmCondition::WatchdogGone) && !theatre.stands(AlarmCondition::RecorderStopped));
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.keptAlarms().contains("picture link lost"), patience);
     }
 
     void aFrozenRobotAppliesNothingStaleWhenItWakes()

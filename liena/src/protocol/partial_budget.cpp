@@ -16,14 +16,29 @@ constexpr std::size_t leastWorth = 16 * 1024; // below, the heap is as good
 bool PartialBudget::keep(std::size_t bytes)
 {
     const auto most = m_limit / 4;
-    while (m_kept + bytes > most && !m_spare.empty()) {
-        m_kept -= m_spare.front().capacity();
-        m_spare.erase(m_spare.begin());
-    }
+    while (m_kept + bytes > most && !m_spare.empty())
+        dropOldest();
     if (m_kept + bytes > most)
         return false;
     m_kept += bytes;
     return true;
+}
+
+void PartialBudget::dropOldest()
+{
+    m_kept -= m_spare.front().capacity();
+    m_spare.erase(m_spare.begin());
+    m_unneeded = std::min(m_unneeded, m_spare.size());
+}
+
+void PartialBudget::trim(std::chrono::steady_clock::time_point now)
+{
+    if (now - m_looked < idleAfter)
+        return;
+    m_looked = now;
+    if (m_unneeded > 0)
+        dropOldest();
+    m_unneeded = m_spare.size();
 }
 
 PartialBudget::Buffer PartialBudget::buffer(std::size_t bytes)
@@ -36,6 +51,7 @@ PartialBudget::Buffer PartialBudget::buffer(std::size_t bytes)
     if (fits != m_spare.end()) {
         buffer.bytes = std::move(*fits);
         m_spare.erase(fits);
+        m_unneeded = std::min(m_unneeded, m_spare.size());
         buffer.room = buffer.bytes.capacity();
     } else if (keep(bytes)) {
         buffer.bytes.reserve(bytes);
@@ -49,10 +65,8 @@ void PartialBudget::recycle(FieldBytes&& used)
     const auto room = used.capacity();
     if (room < leastWorth || room > m_limit / 8)
         return;
-    if (m_spare.size() >= mostSpare) {
-        m_kept -= m_spare.front().capacity();
-        m_spare.erase(m_spare.begin());
-    }
+    if (m_spare.size() >= mostSpare)
+        dropOldest();
     if (!keep(room))
         return;
     used.clear();

@@ -3,6 +3,7 @@
 
 #include "liena/message.hpp"
 
+#include <chrono>
 #include <cstddef>
 #include <vector>
 
@@ -36,16 +37,24 @@ public:
     /// What the application has no use for any more serves the next long message.
     void recycle(FieldBytes&& used);
 
+    /// From time to time: of the spare buffers that nothing has needed for `idleAfter`, one is given back to the heap each time. A burst of
+    /// images leaves nothing behind.
+    void trim(std::chrono::steady_clock::time_point now);
+    static constexpr std::chrono::seconds idleAfter{2};
+
     /// Room that is kept and holds nothing that is counted as used.
     std::size_t kept() const { return m_kept; }
 
 private:
     bool keep(std::size_t bytes);
+    void dropOldest();
 
     std::size_t m_limit;
     std::size_t m_used = 0;
     std::size_t m_kept = 0;
     std::vector<FieldBytes> m_spare;
+    std::size_t m_unneeded = 0; ///< the fewest spare ones since the last look
+    std::chrono::steady_clock::time_point m_looked{};
 };
 
 } // namespace liena::protocol

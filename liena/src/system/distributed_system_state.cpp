@@ -202,7 +202,9 @@ void DistributedSystem::State::turned()
 void DistributedSystem::State::housekeeping()
 {
     watchAudit();
-    elasticWork.balance(std::chrono::steady_clock::now());
+    const auto now = std::chrono::steady_clock::now();
+    elasticWork.balance(now);
+    partialBudget.trim(now);
     for (auto& [peer, one] : modules)
         one->housekeeping();
 }

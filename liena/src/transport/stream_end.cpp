@@ -95,6 +95,7 @@ bool StreamEnd::secure(SSL_CTX* context, bool asServer)
     SSL_set_bio(m_tls.get(), bio.get(), bio.get());
     (void)bio.release(); // the connection's from now on
     SSL_set_mode(m_tls.get(), SSL_MODE_ENABLE_PARTIAL_WRITE | SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER | SSL_MODE_RELEASE_BUFFERS);
+    SSL_clear_mode(m_tls.get(), SSL_MODE_AUTO_RETRY); // a record without a byte for us ends the call, else a peer could keep us in it
     SSL_set_read_ahead(m_tls.get(), 1);
     if (asServer)
         SSL_set_accept_state(m_tls.get());
@@ -113,6 +114,8 @@ StreamEnd::Step StreamEnd::read(std::span<std::byte> buffer, std::size_t most)
 {
     if (m_tls == nullptr)
         return readClear(buffer);
+    if (m_ended)
+        return {0, Need::Nothing, m_ended};
     Step step;
     const auto limit = std::min(most, buffer.size());
     while (step.bytes < limit) {
@@ -120,8 +123,12 @@ StreamEnd::Step StreamEnd::read(std::span<std::byte> buffer, std::size_t most)
         ERR_clear_error();
         const int result = SSL_read_ex(m_tls.get(), buffer.data() + step.bytes, buffer.size() - step.bytes, &count);
         step.bytes += count;
-        if (result != 1)
-            return step.bytes > 0 ? step : explain(result, step); // what ended it is met again
+        if (result != 1 && step.bytes == 0)
+            return explain(result, step);
+        if (result != 1) {
+            m_ended = explain(result, {}).failure; // OpenSSL says it once
+            return step;
+        }
         if (!mayHaveMore())
             break;
     }

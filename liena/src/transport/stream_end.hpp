@@ -43,7 +43,8 @@ public:
     /// Nothing is needed any more when it is done.
     Step shakeHands();
 
-    /// At least one byte, or what is needed for it; no more than fit, and no more than about `most`.
+    /// At least one byte, or what is needed for it; no more than fit, and no more than about `most`. A peer that only renews its keys takes
+    /// no longer than a buffer of such records does.
     Step read(std::span<std::byte> buffer, std::size_t most);
 
     /// The bytes of `parts` behind the first `done` of them; about `most` at once.
@@ -72,6 +73,7 @@ private:
     Wire m_wire;
     std::size_t m_burst = 0;
     security::SslPtr m_tls;
+    std::optional<Failure> m_ended; ///< met behind bytes that were read, and not told yet
 };
 
 } // namespace liena::transport

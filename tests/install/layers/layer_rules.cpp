@@ -33,11 +33,13 @@ const std::vector<Room>& rooms()
         {"liena/src/system/", "system", {"tasks", "topology", "transport", "session", "cache", "security", "audit", "protocol", "base"}},
         {"console/model/", "model", {}},
         {"console/input/", "input", {"model"}},
+        {"console/sound/", "sound", {"model"}},
+        {"console/watchdog/", "watchdog", {"sound", "model"}},
         {"console/imaging/", "imaging", {"model"}},
         {"console/widgets/", "widgets", {"imaging", "model"}},
         {"console/editor/", "editor", {"widgets", "model"}},
         {"console/link/", "link", {"model"}},
-        {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "model"}},
+        {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "sound", "watchdog", "model"}},
     };
     return table;
 }
@@ -55,6 +57,7 @@ const std::vector<Library>& libraries()
         {"pugixml", "pugi", {"liena/src/topology/"}},
         {"OpenSSL", "openssl/", {"liena/src/security/", "liena/src/transport/", "liena/src/base/hash.cpp"}},
         {"Qt", "(Qt?[A-Z]|qt|qobject)", {"console/"}},
+        {"Qt Multimedia", "(QtMultimedia|QAudio|QMedia|QSound)", {"console/sound/"}},
         {"VTK", "vtk", {"console/imaging/"}},
         {"OpenCV", "opencv", {"console/imaging/"}},
         {"OpenGL", "(GL|EGL|KHR)/", {"console/imaging/"}},

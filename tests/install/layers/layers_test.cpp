@@ -84,6 +84,9 @@ void LayersTest::findsPlantedInclude_data()
     row("console/widgets/a.cpp", "#include \"link/session_link.hpp\"", "widgets may know");
     row("console/widgets/a.cpp", "#include <vtkNew.h>", "VTK is for");
     row("console/widgets/a.cpp", "#include <opencv2/core.hpp>", "OpenCV is for");
+    row("console/widgets/a.cpp", "#include <QAudioSink>", "Qt Multimedia is for console/sound/");
+    row("console/sound/a.cpp", "#include \"app/alarm_sounder.hpp\"", "sound may know model");
+    row("console/watchdog/a.cpp", "#include \"app/watchdog_process.hpp\"", "watchdog may know sound, model");
     row("console/input/a.cpp", "#include \"widgets/theme.hpp\"", "input may know model");
     row("console/imaging/a.cpp", "#include \"widgets/theme.hpp\"", "imaging may know model");
     row("console/link/a.cpp", "#include \"app/main_window.hpp\"", "link may know model");

@@ -30,10 +30,14 @@ AlarmReadings calm()
     r.robotFresh = true;
     r.drivesKnown = true;
     r.pictureLimit = 250ms;
+    r.contrastLeft = 40;
+    r.airKerma = 2999;
+    r.painting = PaintingReading{15, 14};
     AlarmLinkReading link;
     link.peer = 5;
     link.title = QStringLiteral("Robot");
     link.state = LinkState::Open;
+    link.commandRoundTrip = 150ms;
     r.links = {link};
     return r;
 }
@@ -44,6 +48,12 @@ const std::vector<Case>& cases()
     constexpr auto High = AlarmPriority::High, Medium = AlarmPriority::Medium, Low = AlarmPriority::Low;
     static const std::vector<Case> all{
         {"link lost", [](auto& r) { r.links[0].state = LinkState::StandBy; }, C::LinkLost, High, Medium, true},
+        {"picture link lost",
+         [](auto& r) {
+             r.links[0].state = LinkState::StandBy;
+             r.links[0].images = true;
+         },
+         C::ImageLost, High, Medium, true},
         {"hold not confirmed", [](auto& r) { r.awaitingHold = 201ms; }, C::HoldNotConfirmed, High, Medium, true},
         {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, C::PictureStale, High, Low, false},
         {"picture reduced",
@@ -61,6 +71,27 @@ const std::vector<Case>& cases()
         {"clock", [](auto& r) { r.links[0].clockUncertain = true; }, C::ClockUncertain, Medium, Low, false},
         {"soft limit", [](auto& r) { r.limitSwitches = GuidewireSoftHigh; }, C::SoftLimit, Low, std::nullopt, false},
         {"hard limit", [](auto& r) { r.limitSwitches = CatheterHardLow; }, C::HardLimit, Medium, std::nullopt, false},
+        {"round trip, caution", [](auto& r) { r.links[0].commandRoundTrip = 151ms; }, C::CommandRoundTrip, Low, std::nullopt, false},
+        {"round trip above the limit", [](auto& r) { r.links[0].commandRoundTrip = 251ms; }, C::CommandRoundTrip, Medium, Low, false},
+        {"tracker", [](auto& r) { r.trackerOverdue = true; }, C::TrackerStale, Medium, Low, false},
+        {"contrast low", [](auto& r) { r.contrastLeft = 4.9; }, C::ContrastLow, Low, Low, false},
+        {"contrast empty",
+         [](auto& r) {
+             r.contrastLeft = 0;
+             r.injecting = true;
+         },
+         C::ContrastEmpty, Medium, Low, true},
+        {"air kerma 3 Gy", [](auto& r) { r.airKerma = 3000; }, C::AirKerma, Low, Low, true},
+        {"air kerma 5 Gy", [](auto& r) { r.airKerma = 5000; }, C::AirKerma, Medium, Medium, true},
+        {"painting",
+         [](auto& r) {
+             r.painting = PaintingReading{15, 11};
+         },
+         C::PaintingBehind, Medium, Low, false},
+        {"another system", [](auto& r) { r.links[0].systemDiffers = true; }, C::SystemDiffers, Medium, Medium, true},
+        {"recorder", [](auto& r) { r.recorderTrouble = QStringLiteral("disk full"); }, C::RecorderStopped, Low, Low, true},
+        {"sound", [](auto& r) { r.soundTrouble = QStringLiteral("no output"); }, C::SoundFailed, Medium, Low, false},
+        {"watchdog", [](auto& r) { r.watchdogTrouble = QStringLiteral("ended"); }, C::WatchdogGone, Medium, Low, false},
     };
     return all;
 }
@@ -183,6 +214,55 @@ private Q_SLOTS:
         QVERIFY(list.audioPauseLeft(start));
         list.update({report(AlarmCondition::ForceStop, AlarmPriority::High, false)}, start, 0);
         QVERIFY(!list.audioPauseLeft(start));
+    }
+
+    void eachFurtherGrayDemandsAttentionAnew()
+    {
+        AlarmList list;
+        auto readings = calm();
+        const auto at = [&](double milligrays) {
+            readings.airKerma = milligrays;
+            list.update(presentAlarms(readings), start, 0);
+            return list.alarms().size() == 1 && list.highest()->demandsAttention();
+        };
+        QVERIFY(at(3000));
+        list.acknowledge(list.highest()->id, 0);
+        QVERIFY(!at(3999));
+        QVERIFY(at(4000));
+        list.acknowledge(list.highest()->id, 0);
+        QVERIFY(at(5000));
+        QCOMPARE(list.highest()->priority, AlarmPriority::Medium);
+        QVERIFY(at(1e300)); // whatever a device sends, it stays one alarm
+        QVERIFY(at(6000));
+    }
+
+    void aRoundTripOfAClosedLinkIsNoAlarm()
+    {
+        auto readings = calm();
+        readings.armed = true;
+        readings.links[0].commandRoundTrip = 900ms;
+        readings.links[0].state = LinkState::Closed;
+        QVERIFY(presentAlarms(readings).empty());
+    }
+
+    void logTellsWhoAcknowledged()
+    {
+        AlarmList list;
+        QSignalSpy logged(&list, &AlarmList::logged);
+        list.update({report(AlarmCondition::ForceStop, AlarmPriority::High, true)}, start, 0);
+        list.acknowledge(list.highest()->id, 7, QStringLiteral("Dr Wu"));
+        QCOMPARE(list.log().back().text, QStringLiteral("acknowledged by Dr Wu: text"));
+        QCOMPARE(list.log().back().wallMs, qint64(7));
+        QCOMPARE(logged.count(), 2);
+    }
+
+    void logOfEarlierRunsStandsBeforeThisOne()
+    {
+        AlarmList list;
+        list.note(5, QStringLiteral("now"));
+        list.restoreLog({{1, AlarmPriority::High, QStringLiteral("raised: then")}});
+        QCOMPARE(list.log().size(), std::size_t(2));
+        QCOMPARE(list.log().front().text, QStringLiteral("raised: then"));
     }
 
     void logIsBounded()

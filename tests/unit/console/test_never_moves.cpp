@@ -82,8 +82,6 @@ void TestNeverMoves::reopenedSessionNeedsGuardsForASecondAndANewArm()
 }
 
 /// Seeded walks through the machine: whenever it streams motion, the whole way lies behind it since the last thing that ends motion.
-
-/// Seeded walks through the machine: whenever it streams motion, the whole way lies behind it since the last thing that ends motion.
 void TestNeverMoves::nothingButTheWholeWayLeadsToMotion()
 {
     std::uint32_t seed = 12345;

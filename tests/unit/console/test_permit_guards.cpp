@@ -31,6 +31,7 @@ GuardReadings good()
     r.drivesHealthy = true;
     r.handAlive = true;
     r.windowActive = true;
+    r.alarmsTested = true;
     return r;
 }
 
@@ -77,6 +78,7 @@ const std::vector<Case>& cases()
         {"hand gone", [](auto& r) { r.handAlive = false; }, Guard::HandAlive, false},
         {"window without keyboard", [](auto& r) { r.windowActive = false; }, Guard::WindowActive, false},
         {"dead-man down", [](auto& r) { r.deadMan = true; }, Guard::DeadManReleased, true},
+        {"alarms not tested", [](auto& r) { r.alarmsTested = false; }, Guard::AlarmsTested, true},
     };
     return all;
 }

@@ -303,6 +303,38 @@ private Q_SLOTS:
         QCOMPARE(models.sessions.linkTo(robot.value())->incident, quint64(0));
     }
 
+    void anotherSystemOnTheOtherSideIsKnownUntilItOpens()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto refused = occurred(Kind::OpenFailed);
+        refused.reason = liena::RejectReason::Busy;
+        intake.take(refused);
+        QVERIFY(!models.sessions.linkTo(robot.value())->systemDiffers);
+        for (const auto reason : {liena::RejectReason::TopologyMismatch, liena::RejectReason::MessageSetChanged}) {
+            refused.reason = reason;
+            intake.take(refused);
+            QVERIFY(models.sessions.linkTo(robot.value())->systemDiffers);
+            intake.take(occurred(Kind::Opened));
+            QVERIFY(!models.sessions.linkTo(robot.value())->systemDiffers);
+        }
+    }
+
+    void aLostAuditFileIsTold()
+    {
+        ConsoleModels models;
+        SessionIntake intake(models);
+        const QSignalSpy lost(&intake, &SessionIntake::auditLost);
+        const QSignalSpy restored(&intake, &SessionIntake::auditRestored);
+        auto event = occurred(Kind::AuditLost);
+        event.detail = "disk full";
+        intake.take(event);
+        QCOMPARE(lost.value(0).value(0).toString(), QStringLiteral("disk full"));
+        intake.take(occurred(Kind::AuditRestored));
+        QCOMPARE(restored.count(), 1);
+    }
+
     void holdIsTimedOnlyWhereTheClocksWereCompared()
     {
         ConsoleModels models;

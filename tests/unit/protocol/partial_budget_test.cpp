@@ -16,6 +16,8 @@ private slots:
     void muchTooLargeBufferIsNotTaken();
     void keepsNoMoreThanAQuarter();
     void spareBuffersMakeRoomForThoseInUse();
+    void buffersThatNothingNeedsGo();
+    void bufferThatIsNeededStays();
 };
 
 void PartialBudgetTest::takesUpToItsLimit()
@@ -85,6 +87,37 @@ void PartialBudgetTest::spareBuffersMakeRoomForThoseInUse()
     const auto needed = budget.buffer(950'000);
     QCOMPARE(needed.room, std::size_t{950'000});
     QCOMPARE(budget.kept(), needed.room);
+}
+
+void PartialBudgetTest::buffersThatNothingNeedsGo()
+{
+    PartialBudget budget;
+    budget.recycle(FieldBytes(1'000'000));
+    budget.recycle(FieldBytes(2'000'000));
+    std::chrono::steady_clock::time_point now{std::chrono::hours(1)};
+    budget.trim(now);
+    budget.trim(now + PartialBudget::idleAfter / 2);
+    QVERIFY(budget.kept() >= 3'000'000); // the time is not over
+    budget.trim(now += PartialBudget::idleAfter);
+    QVERIFY(budget.kept() >= 2'000'000 && budget.kept() < 3'000'000); // one each time
+    budget.trim(now += PartialBudget::idleAfter);
+    QCOMPARE(budget.kept(), std::size_t{0});
+    budget.trim(now + PartialBudget::idleAfter); // and nothing is no fault
+}
+
+void PartialBudgetTest::bufferThatIsNeededStays()
+{
+    PartialBudget budget;
+    budget.recycle(FieldBytes(1'000'000));
+    std::chrono::steady_clock::time_point now{std::chrono::hours(1)};
+    for (int i = 0; i < 5; ++i) {
+        budget.trim(now += PartialBudget::idleAfter);
+        auto one = budget.buffer(900'000);
+        QVERIFY(one.bytes.capacity() >= 900'000);
+        budget.release(one.room);
+        budget.recycle(std::move(one.bytes));
+    }
+    QVERIFY(budget.kept() >= 900'000);
 }
 
 QTEST_APPLESS_MAIN(PartialBudgetTest)

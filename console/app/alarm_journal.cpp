@@ -1,0 +1,198 @@
+// The alarm log on the disk.
+#include "app/alarm_journal.hpp"
+
+#include "app/alarm_line.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QStorageInfo>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace console {
+
+namespace {
+
+constexpr qint64 leastRoom = 64 * 1024 * 1024;
+
+QString because(const QString& what, const QString& file) { return what.arg(file, QString::fromLocal8Bit(std::strerror(errno))); }
+
+void forceFolder(const QString& folder)
+{
+    const int descriptor = ::open(QFile::encodeName(folder).constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    ::fsync(descriptor);
+    ::close(descriptor);
+}
+
+} // namespace
+
+AlarmJournal::AlarmJournal(const QString& folder, const QString& name, QObject* parent)
+    : QObject(parent),
+      m_folder(QDir(folder).absolutePath()),
+      m_file(m_folder + QLatin1Char('/') + name + QStringLiteral(".jsonl")),
+      m_previous(m_folder + QLatin1Char('/') + name + QStringLiteral(".previous.jsonl"))
+{
+    if (!QDir().mkpath(m_folder)) {
+        m_trouble = tr("%1 cannot be made").arg(m_folder);
+        return;
+    }
+    m_lock = std::make_unique<QLockFile>(m_file + QStringLiteral(".lock"));
+    m_lock->setStaleLockTime(0);
+    if (!m_lock->tryLock(0)) {
+        m_trouble = m_lock->error() == QLockFile::LockFailedError ? tr("%1 is in use by another console").arg(m_file)
+                                                                  : tr("%1 may not be written").arg(m_folder);
+        return;
+    }
+    read(m_previous, false);
+    read(m_file, true);
+    if (!openNewest()) {
+        m_trouble = because(tr("%1 cannot be opened: %2"), m_file);
+        return;
+    }
+    m_trouble = checkRoom();
+    m_reported = m_trouble;
+    m_thread = std::thread([this] { run(); });
+}
+
+AlarmJournal::~AlarmJournal()
+{
+    if (m_thread.joinable()) {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_stopping = true;
+        }
+        m_wake.notify_one();
+        m_thread.join();
+    }
+    if (m_descriptor >= 0)
+        ::close(m_descriptor);
+}
+
+/// The chain runs on from the older file into the newer. Only the newest file's last line can be torn.
+void AlarmJournal::read(const QString& name, bool newest)
+{
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        return;
+    const QByteArray bytes = file.read(byteLimit);
+    qsizetype at = 0;
+    bool fits = true;
+    for (auto end = bytes.indexOf('\n'); end >= 0; end = bytes.indexOf('\n', at)) {
+        const auto line = bytes.mid(at, end - at);
+        const auto entry = readAlarmLine(line, m_chain);
+        // The very first line follows one that is no more.
+        fits = fits && (entry.fits || m_restored.empty());
+        if (entry.readable)
+            m_restored.push_back(entry.entry);
+        m_chain = entry.chain;
+        at = end + 1;
+        if (newest)
+            ++m_inFile;
+    }
+    if (!fits)
+        m_remark += tr("%1: a line does not follow from the one before it; the file was changed or damaged. ").arg(name);
+    if (at < bytes.size())
+        m_remark += tr("%1: the last line is torn, as a loss of power leaves it; it was dropped. ").arg(name);
+    if (newest)
+        m_goodBytes = at;
+}
+
+bool AlarmJournal::openNewest()
+{
+    m_descriptor = ::open(QFile::encodeName(m_file).constData(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+    if (m_descriptor < 0)
+        return false;
+    if (::lseek(m_descriptor, 0, SEEK_END) > m_goodBytes && ::ftruncate(m_descriptor, m_goodBytes) != 0)
+        return false;
+    forceFolder(m_folder);
+    return true;
+}
+
+QString AlarmJournal::checkRoom() const
+{
+    const auto room = QStorageInfo(m_folder).bytesAvailable();
+    return room >= 0 && room < leastRoom ? tr("the disk of %1 is nearly full, %2 MB left").arg(m_folder).arg(room / 1024 / 1024)
+                                         : QString();
+}
+
+void AlarmJournal::append(const AlarmLogEntry& entry)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_waiting.size() >= queueLimit || !m_thread.joinable()) {
+            ++m_lost;
+            return;
+        }
+        m_waiting.push_back(entry);
+    }
+    m_wake.notify_one();
+}
+
+void AlarmJournal::run()
+{
+    std::unique_lock lock(m_mutex);
+    while (true) {
+        m_wake.wait(lock, [this] { return m_stopping || !m_waiting.empty(); });
+        if (m_waiting.empty())
+            return;
+        const auto entries = std::exchange(m_waiting, {});
+        const auto lost = std::exchange(m_lost, 0);
+        lock.unlock();
+        QString trouble = checkRoom();
+        for (const auto& entry : entries)
+            if (const auto wrong = write(entry); !wrong.isEmpty())
+                trouble = wrong;
+        if (lost > 0)
+            trouble = tr("%1 entries were lost, the disk is too slow").arg(lost);
+        if (trouble.isEmpty() && ::fdatasync(m_descriptor) != 0)
+            trouble = because(tr("%1 is not kept: %2"), m_file);
+        report(trouble);
+        lock.lock();
+    }
+}
+
+QString AlarmJournal::write(const AlarmLogEntry& entry)
+{
+    if (m_inFile >= fileLimit || m_goodBytes > byteLimit - alarmLineLimit) {
+        if (::fdatasync(m_descriptor) != 0 ||
+            std::rename(QFile::encodeName(m_file).constData(), QFile::encodeName(m_previous).constData()) != 0)
+            return because(tr("%1 cannot be put aside: %2"), m_file);
+        ::close(m_descriptor);
+        m_inFile = 0;
+        m_goodBytes = 0;
+        if (!openNewest())
+            return because(tr("%1 cannot be opened: %2"), m_file);
+    }
+    const auto line = alarmLine(entry, m_chain);
+    const auto written = ::write(m_descriptor, line.bytes.constData(), static_cast<std::size_t>(line.bytes.size()));
+    if (written != line.bytes.size()) {
+        const auto wrong = because(tr("%1 cannot be written: %2"), m_file);
+        // Half a line would be taken for one that was torn.
+        return ::ftruncate(m_descriptor, m_goodBytes) == 0 ? wrong : wrong + tr(", nor put right");
+    }
+    m_chain = line.chain;
+    m_goodBytes += written;
+    ++m_inFile;
+    return {};
+}
+
+void AlarmJournal::report(const QString& trouble)
+{
+    if (trouble == m_reported)
+        return;
+    m_reported = trouble;
+    QMetaObject::invokeMethod(this, [this, trouble] {
+        m_trouble = trouble;
+        Q_EMIT troubleChanged(trouble);
+    });
+}
+
+} // namespace console

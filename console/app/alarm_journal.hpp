@@ -1,0 +1,81 @@
+// The alarm log on the disk: what was raised, ended and acknowledged, kept over a loss of power.
+#pragma once
+
+#include "model/alarm_list.hpp"
+
+#include <QLockFile>
+#include <QObject>
+#include <QString>
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace console {
+
+/// Two files in one folder, `NAME.jsonl` and `NAME.previous.jsonl`, one entry a line; the first becomes the second when it is full, so the
+/// last `fileLimit` entries are always there and never more than twice as many. Each line carries a hash of itself and of the line before:
+/// the console changes no line, and a line that somebody changed does not fit. Entries are written and forced to the disk by a thread of
+/// its own; the GUI thread never waits.
+class AlarmJournal : public QObject {
+    Q_OBJECT
+public:
+    static constexpr std::size_t fileLimit = 2000;    ///< entries
+    static constexpr qint64 byteLimit = 1024 * 1024;  ///< of one file: what is larger is not ours
+    static constexpr std::size_t queueLimit = 10'000; ///< entries that wait for a slow disk; more are lost, and counted
+
+    /// `folder` is made if need be. Reads what is there; nothing is written before the first entry.
+    AlarmJournal(const QString& folder, const QString& name, QObject* parent = nullptr);
+    ~AlarmJournal() override; ///< what waits is written first
+
+    /// Of earlier runs, oldest first.
+    const std::vector<AlarmLogEntry>& restored() const { return m_restored; }
+
+    /// What was found when it was opened, in words: a last line that a loss of power tore, a line that does not fit. Empty: all is well.
+    const QString& remark() const { return m_remark; }
+
+    /// Why entries do not reach the disk; empty: they do. Later changes are told by troubleChanged.
+    const QString& trouble() const { return m_trouble; }
+
+    QString fileName() const { return m_file; }
+
+    void append(const AlarmLogEntry& entry);
+
+Q_SIGNALS:
+    void troubleChanged(const QString& trouble);
+
+private:
+    void read(const QString& file, bool newest);
+    void run();
+    QString write(const AlarmLogEntry& entry);
+    bool openNewest();
+    QString checkRoom() const;
+    void report(const QString& trouble);
+
+    QString m_folder;
+    QString m_file;
+    QString m_previous;
+    std::unique_ptr<QLockFile> m_lock;
+    std::vector<AlarmLogEntry> m_restored;
+    QString m_remark;
+    QString m_trouble; ///< GUI thread
+
+    // Of the writing thread, from its start on.
+    int m_descriptor = -1;
+    std::size_t m_inFile = 0;
+    qint64 m_goodBytes = 0; ///< of the newest file: where its last whole line ends
+    QByteArray m_chain;
+    QString m_reported;
+
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::deque<AlarmLogEntry> m_waiting;
+    std::size_t m_lost = 0;
+    bool m_stopping = false;
+    std::thread m_thread; ///< last: it uses all of the above
+};
+
+} // namespace console

@@ -1,0 +1,99 @@
+// Sound, log, self-test and watchdog of the alarms.
+#include "app/alarm_service.hpp"
+
+#include <QDateTime>
+
+namespace console {
+
+namespace {
+
+constexpr std::chrono::milliseconds period{50};
+
+qint64 wallTime() { return QDateTime::currentMSecsSinceEpoch(); }
+
+QString named(const QString& who) { return who.isEmpty() ? AlarmService::tr("the operator") : who; }
+
+} // namespace
+
+AlarmService::AlarmService(ConsoleModels& models, AlarmWatch& watch, const AlarmSettings& settings, QObject* parent)
+    : QObject(parent), m_models(models), m_watch(watch), m_sounder(models, m_voice)
+{
+    openJournal(settings);
+    listen(settings);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    m_timer.setInterval(period);
+    connect(&m_timer, &QTimer::timeout, this, &AlarmService::run);
+}
+
+void AlarmService::openJournal(const AlarmSettings& settings)
+{
+    if (settings.logFolder.isEmpty())
+        return m_watch.setLogTrouble(tr("alarms are not kept, no folder was named"));
+    m_journal = std::make_unique<AlarmJournal>(settings.logFolder, settings.logName);
+    m_models.alarms.restoreLog(m_journal->restored());
+    m_watch.setLogTrouble(m_journal->trouble());
+    connect(m_journal.get(), &AlarmJournal::troubleChanged, this, [this](const QString& trouble) { m_watch.setLogTrouble(trouble); });
+    connect(&m_models.alarms, &AlarmList::logged, m_journal.get(), &AlarmJournal::append);
+    m_models.log.append(LogKind::Note, tr("alarm log: %1").arg(m_journal->fileName()), wallTime());
+    if (!m_journal->remark().isEmpty())
+        m_models.log.append(LogKind::Trouble, m_journal->remark().trimmed(), wallTime());
+    m_models.alarms.note(wallTime(), tr("console started. %1").arg(m_journal->remark()).trimmed());
+}
+
+void AlarmService::listen(const AlarmSettings& settings)
+{
+    const auto tell = [this](const QString& trouble, const QString& good) {
+        m_models.log.append(trouble.isEmpty() ? LogKind::Note : LogKind::Trouble, trouble.isEmpty() ? good : trouble, wallTime());
+    };
+    connect(&m_voice, &AlarmVoice::troubleChanged, this, [this, tell](const QString& trouble) {
+        m_watch.setSoundTrouble(trouble);
+        tell(trouble, tr("alarm sound is there"));
+    });
+    if (settings.watchdog.isEmpty())
+        return m_watch.setWatchdogTrouble(tr("no watchdog was named"));
+    m_watchdog = std::make_unique<WatchdogProcess>(settings.watchdog);
+    connect(m_watchdog.get(), &WatchdogProcess::troubleChanged, this, [this, tell](const QString& trouble) {
+        m_watch.setWatchdogTrouble(trouble);
+        tell(trouble, tr("the watchdog watches"));
+    });
+}
+
+void AlarmService::start()
+{
+    m_voice.start();
+    m_timer.start();
+}
+
+void AlarmService::run()
+{
+    const auto now = std::chrono::steady_clock::now();
+    const auto phase = m_models.permit.phase();
+    if (m_watchdog)
+        m_watchdog->beat(phase == PermitPhase::Armed || phase == PermitPhase::Engaged, now);
+    m_models.selfTest.update(m_models.alarms.unacknowledgedHigh(), now);
+    m_sounder.update(now);
+}
+
+void AlarmService::acknowledge(quint64 alarm, const QString& who) { m_models.alarms.acknowledge(alarm, wallTime(), who); }
+
+void AlarmService::toggleAudioPause(const QString& who)
+{
+    const auto now = std::chrono::steady_clock::now();
+    if (m_models.alarms.audioPauseLeft(now))
+        m_models.alarms.resumeAudio(wallTime());
+    else
+        m_models.alarms.pauseAudio(now, wallTime(), who);
+}
+
+void AlarmService::answerSelfTest(bool seenAndHeard, const QString& who)
+{
+    if (seenAndHeard)
+        m_models.selfTest.confirm();
+    else
+        m_models.selfTest.refuse();
+    m_models.alarms.note(
+        wallTime(),
+        (m_models.selfTest.passed() ? tr("alarm self-test confirmed by %1") : tr("alarm self-test not confirmed, by %1")).arg(named(who)));
+}
+
+} // namespace console

@@ -1,0 +1,49 @@
+// Everything about alarms that is not on the screen: their sound, their log on the disk, the self-test's time, and the watchdog.
+#pragma once
+
+#include "app/alarm_journal.hpp"
+#include "app/alarm_sounder.hpp"
+#include "app/alarm_watch.hpp"
+#include "app/watchdog_process.hpp"
+#include "sound/loudspeaker.hpp"
+
+#include <QTimer>
+
+#include <memory>
+
+namespace console {
+
+struct AlarmSettings {
+    QString logFolder; ///< empty: alarms are not kept, and an alarm says so
+    QString logName;
+    QString watchdog; ///< program; empty: nobody watches, and an alarm says so
+};
+
+/// GUI thread only. What of it fails is itself an alarm, and stops nothing.
+class AlarmService : public QObject {
+    Q_OBJECT
+public:
+    AlarmService(ConsoleModels& models, AlarmWatch& watch, const AlarmSettings& settings, QObject* parent = nullptr);
+
+    void start();
+
+    // A person's wishes; `who` is for the log.
+    void acknowledge(quint64 alarm, const QString& who);
+    void toggleAudioPause(const QString& who);
+    void answerSelfTest(bool seenAndHeard, const QString& who);
+
+private:
+    void openJournal(const AlarmSettings& settings);
+    void listen(const AlarmSettings& settings);
+    void run();
+
+    ConsoleModels& m_models;
+    AlarmWatch& m_watch;
+    Loudspeaker m_voice;
+    AlarmSounder m_sounder;
+    std::unique_ptr<AlarmJournal> m_journal;
+    std::unique_ptr<WatchdogProcess> m_watchdog;
+    QTimer m_timer;
+};
+
+} // namespace console

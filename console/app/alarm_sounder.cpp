@@ -1,0 +1,39 @@
+// From alarms to bursts.
+#include "app/alarm_sounder.hpp"
+
+#include <chrono>
+
+namespace console {
+
+AlarmSounder::AlarmSounder(ConsoleModels& models, AlarmVoice& voice, QObject* parent) : QObject(parent), m_models(models), m_voice(voice)
+{
+    connect(&models.alarms, &AlarmList::changed, this, [this] { update(std::chrono::steady_clock::now()); });
+    connect(&models.selfTest, &AlarmSelfTest::changed, this, &AlarmSounder::testSound);
+}
+
+void AlarmSounder::testSound()
+{
+    if (const auto signal = m_models.selfTest.signal())
+        m_voice.play(*signal);
+    else
+        m_voice.silence();
+    m_sounding = m_models.selfTest.signal().has_value();
+}
+
+void AlarmSounder::update(Instant now)
+{
+    // A few seconds: a high alarm ends the test, and while it only waits for its answer alarms sound as ever.
+    if (m_models.selfTest.signal())
+        return;
+    const auto& alarms = m_models.alarms.alarms();
+    const bool paused = m_models.alarms.audioPauseLeft(now).has_value();
+    if (const auto burst = m_schedule.next(alarms, paused, now)) {
+        m_voice.play(*burst);
+        m_sounding = true;
+    } else if (m_sounding && (paused || !SoundSchedule::demandsSound(alarms))) {
+        m_voice.silence();
+        m_sounding = false;
+    }
+}
+
+} // namespace console

@@ -1,0 +1,48 @@
+// Whether the console still runs, judged by its beats.
+#pragma once
+
+#include "model/instant.hpp"
+
+#include <chrono>
+#include <cstdint>
+
+namespace console {
+
+/// What the console writes to the watchdog's pipe, one character each, twenty times a second.
+enum class Beat : char { Idle = 'i', Armed = 'a', Goodbye = 'q' };
+
+/// ```
+///                  armed, and no beat for 250 ms
+///   Watching ─────────────────────────────────────► Hung
+///    │  │  ▲                                         │ │
+///    │  │  └──────────── any beat ───────────────────┘ │ pipe ends
+///    │  │ pipe ends while armed                        ▼
+///    │  └───────────────────────────────────────────► Died ── sounded long enough ──► Over
+///    └── goodbye, or the pipe ends while not armed ─────────────────────────────────► Over
+/// ```
+/// No clock of its own. Nothing that was said before the first armed beat sounds.
+class BeatWatch {
+public:
+    enum class State : std::uint8_t { Watching, Hung, Died, Over };
+
+    static constexpr std::chrono::milliseconds patience{250};
+
+    /// `mourning`: how long the death of an armed console is sounded.
+    explicit BeatWatch(std::chrono::seconds mourning) : m_mourning(mourning) {}
+
+    void take(char beat, Instant now);
+    void noteEnd(Instant now); ///< the pipe has ended
+    State look(Instant now);
+
+    /// Since the last beat; for the words of the alarm.
+    Duration silence(Instant now) const { return now - m_lastBeat; }
+
+private:
+    std::chrono::seconds m_mourning;
+    State m_state = State::Watching;
+    bool m_armed = false;
+    Instant m_lastBeat;
+    Instant m_died;
+};
+
+} // namespace console

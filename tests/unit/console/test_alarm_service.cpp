@@ -1,0 +1,120 @@
+// Sound, log, self-test and watchdog together: what fails of them is an alarm of its own.
+#include "app/alarm_service.hpp"
+#include "invented_cockpit.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace console;
+using namespace console::test;
+using namespace std::chrono_literals;
+using C = AlarmCondition;
+
+namespace {
+
+struct Room {
+    InventedCockpit cockpit;
+    AlarmWatch watch{cockpit.models, robotId};
+    QTemporaryDir folder;
+
+    AlarmSettings settings(const QString& watchdog = {}) const
+    {
+        return {folder.filePath(QStringLiteral("log")), QStringLiteral("alarms-test"), watchdog};
+    }
+
+    const Alarm* find(AlarmCondition condition)
+    {
+        watch.update(std::chrono::steady_clock::now(), 0);
+        for (const auto& alarm : cockpit.models.alarms.alarms())
+            if (alarm.condition == condition && alarm.present)
+                return &alarm;
+        return nullptr;
+    }
+
+    QByteArray logged() const
+    {
+        QFile file(folder.filePath(QStringLiteral("log/alarms-test.jsonl")));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+};
+
+} // namespace
+
+class TestAlarmService : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { qputenv("PULSE_SERVER", "unix:/nowhere"); }
+
+    void aMachineWithoutSoundRaisesItsAlarmAndGoesOn()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        QVERIFY(!room.find(C::SoundFailed));
+        service.start();
+        QTRY_VERIFY(room.find(C::SoundFailed));
+        QVERIFY2(room.find(C::SoundFailed)->text.contains(QStringLiteral("no sound output")), qPrintable(room.find(C::SoundFailed)->text));
+        QVERIFY(!room.find(C::RecorderStopped));
+    }
+
+    void aWatchdogThatIsNotThereRaisesItsAlarm()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings(QStringLiteral("/no/such/watchdog")));
+        service.start();
+        QTRY_VERIFY(room.find(C::WatchdogGone));
+        QVERIFY(room.find(C::WatchdogGone)->text.contains(QStringLiteral("/no/such/watchdog")));
+    }
+
+    void aLogThatCannotBeWrittenRaisesItsAlarm()
+    {
+        Room room;
+        QFile plain(room.folder.filePath(QStringLiteral("log")));
+        QVERIFY(plain.open(QIODevice::WriteOnly));
+        const AlarmService service(room.cockpit.models, room.watch, room.settings());
+        QVERIFY(room.find(C::RecorderStopped));
+        QCOMPARE(room.find(C::RecorderStopped)->priority, AlarmPriority::Low);
+    }
+
+    void whatHappensIsOnTheDiskBeforeTheEnd()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        room.cockpit.models.alarms.update(
+            {{C::ForceStop, 0, AlarmPriority::High, true, QStringLiteral("FORCE"), QStringLiteral("Stop."), 0}}, room.cockpit.now, 1000);
+        service.acknowledge(room.cockpit.models.alarms.highest()->id, QStringLiteral("Dr Wu"));
+        QTRY_VERIFY(room.logged().contains("acknowledged by Dr Wu: FORCE"));
+        QVERIFY(room.logged().contains("raised: FORCE"));
+    }
+
+    void theNextStartHasTheLogOfTheLast()
+    {
+        QTemporaryDir folder;
+        for (int run = 1; run <= 2; ++run) {
+            InventedCockpit cockpit;
+            AlarmWatch watch{cockpit.models, robotId};
+            AlarmService service(cockpit.models, watch, {folder.path(), QStringLiteral("alarms"), {}});
+            QCOMPARE(cockpit.models.alarms.log().size(), std::size_t(run)); // one "console started" a run
+            QVERIFY(cockpit.models.alarms.log().back().text.startsWith(QStringLiteral("console started")));
+        }
+    }
+
+    void theSelfTestIsLoggedWithWhoConfirmedIt()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        auto& test = room.cockpit.models.selfTest;
+        auto now = Instant{} + 1h;
+        test.begin(now);
+        for (int i = 0; i < 70; ++i)
+            test.update(false, now += 100ms);
+        service.answerSelfTest(true, QStringLiteral("Dr Wu"));
+        QVERIFY(test.passed());
+        QCOMPARE(room.cockpit.models.alarms.log().back().text, QStringLiteral("alarm self-test confirmed by Dr Wu"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAlarmService)
+#include "test_alarm_service.moc"

@@ -1,0 +1,245 @@
+// Every alarm condition by its cause: the models change as the link room changes them, and the watch raises the alarm.
+#include "app/alarm_watch.hpp"
+#include "invented_cockpit.hpp"
+
+#include <QTest>
+
+#include <functional>
+
+using namespace console;
+using namespace console::test;
+using namespace std::chrono_literals;
+using C = AlarmCondition;
+
+namespace {
+
+/// A cockpit with everything open, watched ten times a second.
+struct Watched {
+    InventedCockpit cockpit;
+    AlarmWatch watch{cockpit.models, robotId};
+    Instant now = cockpit.now;
+    quint64 delivered = cockpit.models.picture.paintedCount();
+
+    Watched()
+    {
+        cockpit.openAll();
+        look();
+    }
+
+    ConsoleModels& models() { return cockpit.models; }
+    void look() { watch.update(now, delivered); }
+
+    std::optional<AlarmPriority> priorityOf(AlarmCondition condition)
+    {
+        look();
+        for (const auto& alarm : models().alarms.alarms())
+            if (alarm.condition == condition && alarm.present)
+                return alarm.priority;
+        return std::nullopt;
+    }
+
+    RobotStatus robot() const { return cockpit.models.instrument.robot().value; }
+    void receive(const RobotStatus& status) { models().instrument.receiveRobot(status, now); }
+
+    template <typename Change>
+    void figuresOf(quint32 peer, Change change)
+    {
+        auto figures = models().sessions.linkTo(peer)->figures;
+        change(figures);
+        models().sessions.setLinkFigures(peer, figures, now);
+    }
+};
+
+struct Case {
+    const char* name;
+    std::function<void(Watched&)> cause;
+    AlarmCondition condition;
+};
+
+void passTime(Watched& w, Duration time, int delivered, int painted)
+{
+    for (int tenth = 0; tenth < time / 100ms; ++tenth) {
+        w.now += 100ms;
+        w.delivered += quint64(delivered);
+        for (int i = 0; i < painted; ++i) {
+            PictureStamp stamp = *w.models().picture.newest();
+            ++stamp.frame;
+            stamp.painted = w.now;
+            w.models().picture.notePainted(stamp);
+        }
+        w.look();
+    }
+}
+
+void receiveKerma(Watched& w, double milligrays)
+{
+    auto status = w.models().xray.status().value;
+    status.airKerma = milligrays;
+    w.models().xray.receive(status, w.now);
+}
+
+const std::vector<Case>& linkCases()
+{
+    static const std::vector<Case> all{
+        {"1 robot link lost", [](Watched& w) { w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.now); }, C::LinkLost},
+        {"3 picture frozen",
+         [](Watched& w) {
+             w.now += 2s;
+             w.receive(w.robot());
+         },
+         C::PictureStale},
+        {"4 picture link lost", [](Watched& w) { w.models().sessions.setLinkState(xrayId, LinkState::StandBy, w.now); }, C::ImageLost},
+        {"8 round trip", [](Watched& w) { w.figuresOf(robotId, [](auto& f) { f.roundTrip = 260ms; }); }, C::CommandRoundTrip},
+        {"9 unsteady",
+         [](Watched& w) {
+             for (int i = 0; i < 3; ++i) {
+                 w.models().sessions.setLinkState(robotId, LinkState::Suspect, w.now);
+                 w.models().sessions.setLinkState(robotId, LinkState::Open, w.now);
+             }
+         },
+         C::LinkUnsteady},
+        {"16 clock", [](Watched& w) { w.figuresOf(robotId, [](auto& f) { f.clockUncertainty = 26ms; }); }, C::ClockUncertain},
+        {"17 painting", [](Watched& w) { passTime(w, 3s, 2, 1); }, C::PaintingBehind},
+        {"19 another system", [](Watched& w) { w.models().sessions.noteOpenFailed(armId, QStringLiteral("the topologies differ"), true); },
+         C::SystemDiffers},
+        {"overdue", [](Watched& w) { w.watch.noteDeadlineMissed(robotId, QStringLiteral("TipPose"), w.now); }, C::DeadlineMissed},
+    };
+    return all;
+}
+
+const std::vector<Case>& deviceCases()
+{
+    const auto robot = [](auto change) {
+        return [change](Watched& w) {
+            auto status = w.robot();
+            change(status);
+            w.receive(status);
+        };
+    };
+    static const std::vector<Case> all{
+        {"5 force", robot([](auto& s) { s.guidewireForce = 2.1; }), C::ForceStop},
+        {"6 drive", robot([](auto& s) { s.faultCode = 2; }), C::DriveFault},
+        {"7 emergency stop", robot([](auto& s) { s.emergencyStopToken = 4; }), C::EmergencyStop},
+        {"11 tracker invalid",
+         [](Watched& w) {
+             TipPose blind;
+             w.models().instrument.receiveTip(blind, w.now);
+         },
+         C::TrackerStale},
+        {"13 contrast low", robot([](auto& s) { s.contrastRemaining = 4.5; }), C::ContrastLow},
+        {"13 contrast empty",
+         [robot](Watched& w) {
+             w.models().instrument.receiveInjection({9, 2, InjectionProgress::Running, {}});
+             robot([](auto& s) { s.contrastRemaining = 0; })(w);
+         },
+         C::ContrastEmpty},
+        {"14 air kerma", [](Watched& w) { receiveKerma(w, 3100); }, C::AirKerma},
+        {"18 alarm log", [](Watched& w) { w.watch.setLogTrouble(QStringLiteral("disk full")); }, C::RecorderStopped},
+        {"18 audit", [](Watched& w) { w.watch.setAuditTrouble(QStringLiteral("disk full")); }, C::RecorderStopped},
+        {"20 sound", [](Watched& w) { w.watch.setSoundTrouble(QStringLiteral("no output")); }, C::SoundFailed},
+        {"watchdog", [](Watched& w) { w.watch.setWatchdogTrouble(QStringLiteral("ended")); }, C::WatchdogGone},
+    };
+    return all;
+}
+
+std::vector<Case> cases()
+{
+    auto all = linkCases();
+    all.insert(all.end(), deviceCases().begin(), deviceCases().end());
+    return all;
+}
+
+} // namespace
+
+class TestAlarmWatch : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aCalmCockpitHasNoAlarm()
+    {
+        Watched w;
+        QVERIFY2(w.models().alarms.alarms().empty(),
+                 qPrintable(w.models().alarms.alarms().empty() ? QString() : w.models().alarms.highest()->text));
+        passTime(w, 3s, 2, 2);
+        QVERIFY(!w.priorityOf(C::PaintingBehind));
+    }
+
+    void eachConditionIsRaisedByItsCause_data()
+    {
+        QTest::addColumn<int>("number");
+        for (int number = 0; number < int(cases().size()); ++number)
+            QTest::newRow(cases().at(std::size_t(number)).name) << number;
+    }
+
+    void eachConditionIsRaisedByItsCause()
+    {
+        QFETCH(int, number);
+        const auto one = cases().at(std::size_t(number));
+        Watched w;
+        QVERIFY(!w.priorityOf(one.condition));
+        one.cause(w);
+        QVERIFY(w.priorityOf(one.condition));
+    }
+
+    void whatHoldsIsNotConfirmedAfterTheStop()
+    {
+        Watched w;
+        w.cockpit.arm();
+        w.cockpit.engage();
+        w.now = std::chrono::steady_clock::now();
+        PermitEvent panic;
+        panic.kind = PermitEventKind::PanicHold;
+        w.models().permit.apply(panic, w.now);
+        w.now = std::chrono::steady_clock::now() + 201ms;
+        QCOMPARE(w.priorityOf(C::HoldNotConfirmed), AlarmPriority::High);
+        auto held = w.robot();
+        held.holdConfirmed = true;
+        w.receive(held);
+        QVERIFY(!w.priorityOf(C::HoldNotConfirmed));
+    }
+
+    void limitsAreToldWhileArmed()
+    {
+        Watched w;
+        auto status = w.robot();
+        status.limitSwitches = GuidewireSoftHigh;
+        w.receive(status);
+        QVERIFY(!w.priorityOf(C::SoftLimit));
+        w.cockpit.arm();
+        status.state = RobotState::Armed;
+        w.receive(status);
+        QCOMPARE(w.priorityOf(C::SoftLimit), AlarmPriority::Low);
+        status.limitSwitches = GuidewireHardHigh;
+        w.receive(status);
+        QCOMPARE(w.priorityOf(C::HardLimit), AlarmPriority::Medium);
+    }
+
+    void aTrackerOfAClosedLinkIsNoAlarm()
+    {
+        Watched w;
+        w.now += 1s;
+        QVERIFY(w.priorityOf(C::TrackerStale));
+        w.models().sessions.setLinkState(robotId, LinkState::Closed, w.now);
+        QVERIFY(!w.priorityOf(C::TrackerStale));
+    }
+
+    void aPictureLinkIsNotAlsoALostLink()
+    {
+        Watched w;
+        w.models().sessions.setLinkState(xrayId, LinkState::StandBy, w.now);
+        QVERIFY(w.priorityOf(C::ImageLost));
+        QVERIFY(!w.priorityOf(C::LinkLost));
+    }
+
+    void doseStaysAnAlarmWhenTheXraySystemIsSilent()
+    {
+        Watched w;
+        receiveKerma(w, 5100);
+        QCOMPARE(w.priorityOf(C::AirKerma), AlarmPriority::Medium);
+        w.now += 1h;
+        QVERIFY(w.priorityOf(C::AirKerma));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestAlarmWatch)
+#include "test_alarm_watch.moc"

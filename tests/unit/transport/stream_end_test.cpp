@@ -1,0 +1,147 @@
+// What a peer whose certificate is good can do to the reading end of a TLS connection.
+#include "support/test_authority.hpp"
+#include "support/tls_link.hpp"
+#include "transport/stream_end.hpp"
+
+#include "security/tls_identity.hpp"
+
+#include <QTest>
+
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <array>
+
+using namespace liena;
+using namespace liena::test;
+using namespace liena::transport;
+
+namespace {
+
+constexpr DeviceId nearId(0x40018208U);
+constexpr DeviceId farId(0x20010208U);
+
+std::uint16_t portOf(int descriptor)
+{
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    ::getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size);
+    return ntohs(address.sin_port);
+}
+
+int unread(int descriptor)
+{
+    int bytes = 0;
+    return ::ioctl(descriptor, FIONREAD, &bytes) == 0 ? bytes : -1;
+}
+
+std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+std::string textOf(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+/// Both ends of one connection over loopback, after the handshake.
+struct Connection {
+    TestAuthority authority;
+    Descriptor nearSocket;
+    Descriptor farSocket;
+    std::optional<StreamEnd> near;
+    std::optional<StreamEnd> far;
+    std::array<std::byte, 65536> buffer{};
+
+    Connection()
+    {
+        const auto listening = listenAt(0);
+        nearSocket = tcpTo(portOf(listening.number()));
+        if (!waitFor(listening.number(), POLLIN, std::chrono::seconds(10)))
+            throw std::runtime_error("no connection over loopback");
+        farSocket = Descriptor(::accept4(listening.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
+        near.emplace(nearSocket.number());
+        far.emplace(farSocket.number());
+        if (!near->secure(identity(nearId, "near")->clientContext(), false) || !far->secure(identity(farId, "far")->serverContext(), true))
+            throw std::runtime_error("no memory");
+    }
+
+    std::shared_ptr<security::TlsIdentity> identity(DeviceId device, const std::string& name)
+    {
+        const auto files = authority.identityOf(device, name);
+        return security::TlsIdentity::load(files.certificate, files.key, files.authority, device).value();
+    }
+
+    bool shakeHands()
+    {
+        for (int turn = 0; turn < 100; ++turn) {
+            const auto one = near->shakeHands();
+            const auto other = far->shakeHands();
+            if (one.failure || other.failure)
+                return false;
+            if (one.need == StreamEnd::Need::Nothing && other.need == StreamEnd::Need::Nothing)
+                return true;
+            waitFor(farSocket.number(), POLLIN, std::chrono::milliseconds(20));
+        }
+        return false;
+    }
+
+    bool say(std::string_view text)
+    {
+        const std::array parts{bytesOf(text)};
+        return near->write(parts, 0, 65536).bytes == text.size();
+    }
+
+    StreamEnd::Step read() { return far->read(buffer, buffer.size()); }
+};
+
+} // namespace
+
+class StreamEndTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void peerThatRenewsItsKeysForEverHoldsNobody()
+    {
+        Connection connection;
+        QVERIFY(connection.shakeHands());
+        constexpr int updates = 4000;
+        constexpr int leastSize = 22; // of one such record: header, message, type, tag
+        for (int i = 0; i < updates; ++i) {
+            QCOMPARE(SSL_key_update(connection.near->tls(), SSL_KEY_UPDATE_NOT_REQUESTED), 1);
+            QCOMPARE(SSL_do_handshake(connection.near->tls()), 1);
+        }
+        QVERIFY(connection.say("command"));
+        QTRY_VERIFY(unread(connection.farSocket.number()) >= updates * leastSize);
+        const auto first = connection.read();
+        QVERIFY(!first.failure);
+        QCOMPARE(first.bytes, std::size_t{0});
+        QVERIFY(first.need == StreamEnd::Need::Readable);
+        QVERIFY2(unread(connection.farSocket.number()) > updates * leastSize / 2, "one call reads all of them");
+        auto step = first;
+        for (int turn = 0; turn < updates && step.bytes == 0; ++turn) {
+            step = connection.read();
+            QVERIFY(!step.failure);
+        }
+        QCOMPARE(textOf(std::span(connection.buffer).first(step.bytes)), std::string("command"));
+    }
+
+    void forgedRecordBehindAGoodOneIsNamed()
+    {
+        Connection connection;
+        QVERIFY(connection.shakeHands());
+        QVERIFY(connection.say("command"));
+        std::array<std::uint8_t, 37> forged{23, 3, 3, 0, 32}; // application data, TLS, 32 bytes that no key has sealed
+        QCOMPARE(::send(connection.nearSocket.number(), forged.data(), forged.size(), MSG_NOSIGNAL), ssize_t{37});
+        QTRY_VERIFY(unread(connection.farSocket.number()) >= 29 + 37);
+        const auto good = connection.read();
+        QVERIFY(!good.failure);
+        QCOMPARE(textOf(std::span(connection.buffer).first(good.bytes)), std::string("command"));
+        for (int i = 0; i < 2; ++i) { // and for good
+            const auto bad = connection.read();
+            QCOMPARE(bad.bytes, std::size_t{0});
+            QVERIFY(bad.failure);
+            QVERIFY2(bad.failure->tls, bad.failure->detail.c_str());
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(StreamEndTest)
+#include "stream_end_test.moc"
