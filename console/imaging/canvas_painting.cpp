@@ -70,11 +70,11 @@ QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
     TextPlates plates(overlayFont());
     const QPoint place(view.target().center().x(), view.target().top() + view.target().height() * 3 / 4);
     const QString result = m_measurement.text();
-    plates.add(
-        result.isEmpty()
-            ? tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.mode() == MeasureMode::Angle ? 3 : 2)
-            : result,
-        place, Qt::AlignHCenter | Qt::AlignTop);
+    const QString request = tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.wanted());
+    const QRect first = plates.add(result.isEmpty() ? request : result, place, Qt::AlignHCenter | Qt::AlignTop);
+    if (m_measurement.pixels() && m_measurement.calibration().kind != CalibrationKind::Catheter)
+        plates.add(tr("Right button or B: it is the width of a catheter of 4 F, 5 F, \u2026"), {place.x(), first.bottom() + 1},
+                   Qt::AlignHCenter | Qt::AlignTop);
     plates.paint(painter);
     painter.restore();
     return region + plates.region();

@@ -48,6 +48,7 @@ public:
     void add(QPointF point);
     void clear() { m_points.clear(); }
     const std::vector<QPointF>& points() const { return m_points; }
+    std::size_t wanted() const { return m_mode == MeasureMode::Angle ? 3 : 2; }
     bool isComplete() const;
 
     /// The pixels between the two points of a complete distance.
@@ -66,8 +67,6 @@ public:
     void follow(const XrayFrame& frame);
 
 private:
-    std::size_t wanted() const { return m_mode == MeasureMode::Angle ? 3 : 2; }
-
     MeasureMode m_mode = MeasureMode::Off;
     std::vector<QPointF> m_points;
     std::optional<XrayFrame> m_frame; ///< without its pixels

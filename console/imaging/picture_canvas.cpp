@@ -117,6 +117,9 @@ void PictureCanvas::mousePressEvent(QMouseEvent* event)
     m_dragStart = m_dragLast = event->position();
     if (event->button() == Qt::MiddleButton || (left && event->modifiers().testFlag(Qt::ShiftModifier))) {
         m_drag = Drag::Pan;
+    } else if (event->button() == Qt::RightButton) {
+        if (m_measurement.mode() == MeasureMode::Distance)
+            nextCatheter();
     } else if (left && m_measurement.mode() != MeasureMode::Off) {
         if (viewport().target().contains(event->position().toPoint()))
             addPoint(viewport().toPicture(event->position()));

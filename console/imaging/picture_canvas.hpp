@@ -14,9 +14,10 @@
 namespace console {
 
 /// Left button: window (sideways its width, up and down its centre), or a point while measuring; middle button, or Shift with the left:
-/// pan; wheel: zoom. Keys while the pane has the focus, none of them one of the hand's: + − zoom, 8 2 4 6 pan, Home whole picture, A
-/// automatic window, P next window, V next function, Q W narrower and wider, S X lower and higher centre, N invert, T Shift+T noise
-/// reduction, E Shift+E edges, H shutter, M measure, 5 point, B catheter, Delete clear. All other keys are left to the window.
+/// pan; right button while measuring: the distance is a catheter's width; wheel: zoom. Keys while the pane has the focus, none of them one
+/// of the hand's: + − zoom, 8 2 4 6 pan, Home whole picture, A automatic window, P next window, V next function, Q W narrower and wider, S
+/// X lower and higher centre, N invert, T Shift+T noise reduction, E Shift+E edges, H shutter, M measure, 5 point, B catheter, Delete
+/// clear. All other keys are left to the window.
 class PictureCanvas : public QWidget {
     Q_OBJECT
 public:

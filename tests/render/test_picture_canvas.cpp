@@ -282,6 +282,10 @@ void TestPictureCanvas::measuresDistanceByMouse()
     pane.view->zoomBy(2);
     QTest::mouseClick(pane.view, Qt::LeftButton, {}, pane.view->viewport().toPane({300, 250}).toPoint());
     QVERIFY(std::abs(*pane.view->measurement().pixels() - 250) < 1);
+    QTest::mouseClick(pane.view, Qt::RightButton, {}, pane.middle());
+    QVERIFY(pane.view->measurement().text().endsWith(QStringLiteral("mm (4 F catheter)")));
+    QTest::keyClick(pane.view, Qt::Key_B);
+    QVERIFY(pane.view->measurement().text().endsWith(QStringLiteral("mm (5 F catheter)")));
 }
 
 void TestPictureCanvas::measuresAngleByKeys()
