@@ -152,7 +152,7 @@ void AlarmJournal::run()
                 trouble = wrong;
         if (lost > 0)
             trouble = tr("%1 entries were lost, the disk is too slow").arg(lost);
-        if (trouble.isEmpty() && ::fdatasync(m_descriptor) != 0)
+        if (m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0 && trouble.isEmpty())
             trouble = because(tr("%1 is not kept: %2"), m_file);
         report(trouble);
         lock.lock();

@@ -13,11 +13,15 @@ AlarmSounder::AlarmSounder(ConsoleModels& models, AlarmVoice& voice, QObject* pa
 
 void AlarmSounder::testSound()
 {
-    if (const auto signal = m_models.selfTest.signal())
+    const auto signal = m_models.selfTest.signal();
+    if (signal)
         m_voice.play(*signal);
-    else
+    else if (m_testSounds) // an alarm that sounds meanwhile goes on
         m_voice.silence();
-    m_sounding = m_models.selfTest.signal().has_value();
+    else
+        return;
+    m_testSounds = signal.has_value();
+    m_sounding = m_testSounds;
 }
 
 void AlarmSounder::update(Instant now)
@@ -30,6 +34,7 @@ void AlarmSounder::update(Instant now)
     if (const auto burst = m_schedule.next(alarms, paused, now)) {
         m_voice.play(*burst);
         m_sounding = true;
+        m_testSounds = false;
     } else if (m_sounding && (paused || !SoundSchedule::demandsSound(alarms))) {
         m_voice.silence();
         m_sounding = false;

@@ -25,6 +25,7 @@ private:
     AlarmVoice& m_voice;
     SoundSchedule m_schedule;
     bool m_sounding = false;
+    bool m_testSounds = false; ///< what was played last is the self-test's
 };
 
 } // namespace console

@@ -31,9 +31,12 @@ void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
     if (stopped) {
         m_stopAt = std::chrono::steady_clock::now();
         m_troubleWhileArmed = true;
+        m_troubleWhileEngaged = from == PermitPhase::Engaged;
     }
-    if (to == PermitPhase::Ready || isArmed(to))
+    if (to == PermitPhase::Ready || isArmed(to)) {
         m_troubleWhileArmed = false;
+        m_troubleWhileEngaged = false;
+    }
 }
 
 /// By the robot's own report after the stop, or by what it told others for an incident.
@@ -80,7 +83,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     AlarmReadings all;
     const auto phase = m_models.permit.phase();
     all.armed = isArmed(phase) || m_troubleWhileArmed;
-    all.engaged = phase == PermitPhase::Engaged;
+    all.engaged = phase == PermitPhase::Engaged || m_troubleWhileEngaged;
     for (const auto& link : m_models.sessions.links())
         if (link.own)
             all.links.push_back(linkReading(link, now));
@@ -99,7 +102,9 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.emergencyStop = robot.known() && robot.value.emergencyStopToken != 0;
     readInstruments(all, now);
     all.painting = painting();
-    all.recorderTrouble = !m_logTrouble.isEmpty() ? m_logTrouble : m_auditTrouble;
+    for (const auto& trouble : {m_logTrouble, m_auditTrouble})
+        if (!trouble.isEmpty())
+            all.recorderTroubles << trouble;
     all.soundTrouble = m_soundTrouble;
     all.watchdogTrouble = m_watchdogTrouble;
     return all;

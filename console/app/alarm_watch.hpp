@@ -53,6 +53,7 @@ private:
     std::optional<quint32> m_robot;
     std::optional<Instant> m_stopAt; ///< motion ended and the robot has not yet said that it holds
     bool m_troubleWhileArmed = false;
+    bool m_troubleWhileEngaged = false; ///< motion has ended by the time that its cause is looked at
     std::map<quint32, Overdue> m_overdue;
     std::deque<Counted> m_counted; ///< of the last two seconds
     QString m_auditTrouble;

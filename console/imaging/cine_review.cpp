@@ -21,6 +21,7 @@ int pauseBetween(const XrayFrame& before, const XrayFrame& next)
 CineReview::CineReview(const CineRing& ring, QObject* parent) : QObject(parent), m_ring(ring), m_pipeline(nullptr, PictureRole::Review)
 {
     m_timer.setSingleShot(true);
+    m_pipeline.setFilterRoom(std::chrono::hours(1)); // what is reviewed is late anyhow
     connect(&m_timer, &QTimer::timeout, this, &CineReview::playOn);
     connect(&m_pipeline, &FramePipeline::pictureReady, this, [this](const DisplayPicture& picture) {
         if (isOpen()) // one may still be on its way when the review is closed

@@ -12,6 +12,8 @@ void ImageHold::take(const DisplayPicture& picture)
     if (m_last && m_last->about.acquisition != picture.about.acquisition && m_heldRun != m_last->about.acquisition)
         endRun();
     m_last = picture;
+    if (m_heldRun == picture.about.acquisition) // it was still on its way when the run ended
+        endRun();
 }
 
 void ImageHold::endRun()

@@ -4,10 +4,26 @@
 #include "imaging/picture_export.hpp"
 
 #include <QDir>
+#include <QFile>
 
 #include <utility>
 
 namespace console {
+
+namespace {
+
+/// A picture that was saved already, perhaps without a measurement on it, stays.
+QString freePath(const QString& wanted)
+{
+    constexpr int most = 1000;
+    QString path = wanted;
+    for (int copy = 2; copy < most && (QFile::exists(path + QStringLiteral(".dcm")) || QFile::exists(path + QStringLiteral(".png")));
+         ++copy)
+        path = wanted + QStringLiteral("_%1").arg(copy);
+    return path;
+}
+
+} // namespace
 
 PictureSaver::PictureSaver(QString folder, QObject* parent) : QObject(parent), m_folder(std::move(folder)) {}
 
@@ -27,14 +43,18 @@ void PictureSaver::save(const DisplayPicture& picture, const QImage& pane)
         m_thread.join();
     m_busy = true;
     m_thread = std::thread([this, picture, pane] {
-        const QString path = QDir(m_folder).filePath(exportName(picture));
+        const QString path = freePath(QDir(m_folder).filePath(exportName(picture)));
         QString reason;
         if (!QDir().mkpath(m_folder))
             reason = tr("The folder %1 cannot be made. Name another one with --pictures.").arg(m_folder);
+        const QString dicom = path + QStringLiteral(".dcm");
         if (reason.isEmpty())
+            reason = saveSecondaryCapture(picture, dicom);
+        if (reason.isEmpty()) {
             reason = savePng(withBanner(pane, picture), path + QStringLiteral(".png"));
-        if (reason.isEmpty())
-            reason = saveSecondaryCapture(picture, path + QStringLiteral(".dcm"));
+            if (!reason.isEmpty())
+                QFile::remove(dicom); // both or none
+        }
         QMetaObject::invokeMethod(
             this, [this, path, reason] { finish(path, reason); }, Qt::QueuedConnection);
     });

@@ -68,7 +68,8 @@ void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
     put(dataset, DCM_SecondaryCaptureDeviceManufacturer, QStringLiteral("LiENa"));
     put(dataset, DCM_SeriesDescription, text("LiENa console, research system, not a medical device"));
     put(dataset, DCM_ImageComments, exportWords(picture));
-    put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture));
+    const QString values = picture.isCalibrated ? text("  values are driving levels of a calibrated display, not P-values") : QString();
+    put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
     put(dataset, DCM_QualityControlImage, about.source == PictureSource::Live ? QStringLiteral("NO") : QStringLiteral("YES"));
     if (about.imagerPixelSpacing > 0) {

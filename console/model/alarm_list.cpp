@@ -58,17 +58,22 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
     const auto known = std::find_if(m_alarms.begin(), m_alarms.end(), [&report](const Alarm& alarm) {
         return report.condition == alarm.condition && report.subject == alarm.subject;
     });
-    const bool stands = known != m_alarms.end() && known->present && report.priority <= known->priority && report.step <= known->step;
+    const bool stands = known != m_alarms.end() && known->present && report.priority <= known->priority && report.step <= known->step &&
+                        (report.causes & ~known->causes) == 0;
     if (stands) {
-        const bool textChanged = known->text != report.text;
+        const auto lessUrgent = known->acknowledged && report.priority < known->priority; // if it rises again, it is raised anew
+        const bool differs = lessUrgent || known->text != report.text;
+        if (lessUrgent)
+            known->priority = report.priority;
         known->text = report.text;
-        return textChanged;
+        known->causes = report.causes;
+        return differs;
     }
     // One that ended latched, or that rose, demands attention anew.
     if (known != m_alarms.end())
         m_alarms.erase(known);
     m_alarms.push_back({m_nextId++, report.condition, report.subject, report.priority, report.text, report.remedy, now, wallMs, true,
-                        report.latching, false, report.step});
+                        report.latching, false, report.step, report.causes});
     ++m_raised;
     if (report.priority == AlarmPriority::High)
         m_audioPausedUntil.reset();

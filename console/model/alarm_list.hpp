@@ -57,6 +57,7 @@ struct Alarm {
     bool latching = false;
     bool acknowledged = false;
     int step = 0;
+    quint64 causes = 0;
 
     /// It flashes.
     bool demandsAttention() const { return !acknowledged; }
@@ -79,7 +80,8 @@ struct AlarmReport {
     bool latching = false;
     QString text;
     QString remedy;
-    int step = 0; ///< of a condition that grows in steps of one priority: a higher one demands attention anew
+    int step = 0;       ///< of a condition that grows in steps of one priority: a higher one demands attention anew
+    quint64 causes = 0; ///< one bit for each of several causes of one condition: one that joins demands attention anew
 };
 
 /// GUI thread only.

@@ -39,8 +39,11 @@ private:
     void add(AlarmCondition condition, Priority priority, bool latching, const QString& text, const QString& remedy, quint32 subject = 0,
              int step = 0)
     {
-        m_reports.push_back({condition, subject, priority, latching, text, remedy, step});
+        m_reports.push_back({condition, subject, priority, latching, text, remedy, step, 0});
     }
+
+    /// Of the last one.
+    void addCauses(quint64 causes) { m_reports.back().causes = causes; }
 
     void addLink(const AlarmLinkReading& link);
     void addHold();
@@ -141,20 +144,26 @@ void Rules::addDrives()
 {
     const bool fault = m_readings.faultCode == 2 || m_readings.faultCode == 3;
     const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy && m_readings.armed;
-    if (m_readings.robotFresh && (fault || unhealthy))
-        add(AlarmCondition::DriveFault, whenArmed(Priority::High, Priority::Medium), true,
-            fault ? Text::tr("Robot: %1").arg(faultText(m_readings.faultCode)) : Text::tr("Robot: drives are not healthy"),
-            Text::tr("Do not arm; have the drives looked at."));
+    if (!m_readings.robotFresh || (!fault && !unhealthy))
+        return;
+    add(AlarmCondition::DriveFault, whenArmed(Priority::High, Priority::Medium), true,
+        fault ? Text::tr("Robot: %1").arg(faultText(m_readings.faultCode)) : Text::tr("Robot: drives are not healthy"),
+        Text::tr("Do not arm; have the drives looked at."));
+    addCauses(fault ? quint64{1} << m_readings.faultCode : 1);
 }
 
 void Rules::addLimits()
 {
     if (!m_readings.robotFresh || !m_readings.armed)
         return;
-    if ((m_readings.limitSwitches & hardLimits) != 0)
-        add(AlarmCondition::HardLimit, Priority::Medium, false, Text::tr("Hard limit reached"), Text::tr("Move the other way."));
-    else if ((m_readings.limitSwitches & softLimits) != 0)
-        add(AlarmCondition::SoftLimit, Priority::Low, false, Text::tr("Soft limit reached"), Text::tr("Move the other way."));
+    const auto addLimit = [this](AlarmCondition condition, Priority priority, unsigned switches, const QString& text) {
+        add(condition, priority, false, text, Text::tr("Move the other way."));
+        addCauses(switches);
+    };
+    if (const unsigned hard = m_readings.limitSwitches & hardLimits; hard != 0)
+        addLimit(AlarmCondition::HardLimit, Priority::Medium, hard, Text::tr("Hard limit reached"));
+    else if (const unsigned soft = m_readings.limitSwitches & softLimits; soft != 0)
+        addLimit(AlarmCondition::SoftLimit, Priority::Low, soft, Text::tr("Soft limit reached"));
 }
 
 void Rules::addInstruments()
@@ -194,9 +203,12 @@ void Rules::addPainting()
 
 void Rules::addConsole()
 {
-    if (!m_readings.recorderTrouble.isEmpty())
-        add(AlarmCondition::RecorderStopped, Priority::Low, true, Text::tr("Recording: %1").arg(m_readings.recorderTrouble),
+    if (!m_readings.recorderTroubles.isEmpty()) {
+        add(AlarmCondition::RecorderStopped, Priority::Low, true,
+            Text::tr("Recording: %1").arg(m_readings.recorderTroubles.join(QStringLiteral("; "))),
             Text::tr("Make room on the disk, or have the computer looked at."));
+        addCauses((quint64{1} << m_readings.recorderTroubles.size()) - 1);
+    }
     if (!m_readings.soundTrouble.isEmpty())
         add(AlarmCondition::SoundFailed, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("No alarm sound: %1").arg(m_readings.soundTrouble), Text::tr("Keep this band in view; connect a loudspeaker."));

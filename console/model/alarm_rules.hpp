@@ -55,8 +55,8 @@ struct AlarmReadings {
     bool injecting = false;
     std::optional<double> airKerma; ///< mGy, as last repeated from the X-ray system
     std::optional<PaintingReading> painting;
-    QString recorderTrouble; ///< what is not recorded, and why; empty when all is
-    QString soundTrouble;    ///< why nothing would be heard; empty when it would
+    QStringList recorderTroubles; ///< what is not recorded, and why; empty when all is
+    QString soundTrouble;         ///< why nothing would be heard; empty when it would
     QString watchdogTrouble;
 };
 

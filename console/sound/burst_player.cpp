@@ -31,10 +31,19 @@ void BurstPlayer::tell(const QString& trouble)
 
 void BurstPlayer::open()
 {
+    openOutput();
+    ++m_served;
+}
+
+void BurstPlayer::openOutput()
+{
     if (!m_devices) {
         m_devices = std::make_unique<QMediaDevices>();
-        connect(m_devices.get(), &QMediaDevices::audioOutputsChanged, this, &BurstPlayer::open);
+        connect(m_devices.get(), &QMediaDevices::audioOutputsChanged, this, &BurstPlayer::openOutput);
     }
+    const bool cutShort = m_sink && m_sink->state() == QAudio::ActiveState;
+    if (m_sink)
+        disconnect(m_sink.get(), nullptr, this, nullptr);
     m_sink.reset();
     const auto device = QMediaDevices::defaultAudioOutput();
     // What the sound server shows where there is no hardware: it takes everything, and nobody hears it.
@@ -49,13 +58,26 @@ void BurstPlayer::open()
     m_sink = std::make_unique<QAudioSink>(device, format);
     connect(m_sink.get(), &QAudioSink::stateChanged, this, &BurstPlayer::readSink);
     tell({});
+    int nothingNewer = followed;
+    if (cutShort)
+        m_wish.compare_exchange_strong(nothingNewer, m_played);
+    playWish();
 }
 
 void BurstPlayer::followWish()
 {
+    playWish();
+    ++m_served;
+}
+
+void BurstPlayer::playWish()
+{
+    if (!m_sink)
+        return; // the wish waits for an output
     const int wish = m_wish.exchange(followed);
-    if (wish == followed || !m_sink)
+    if (wish == followed)
         return;
+    m_played = wish;
     m_sink->stop();
     m_samples.close();
     if (wish == silent)

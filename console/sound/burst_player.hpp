@@ -24,6 +24,9 @@ public:
     /// Any thread: what should sound; nothing: silence.
     void setWish(std::optional<AlarmPriority> wish);
 
+    /// Any thread: how many calls of open() and followWish() have come back.
+    quint64 served() const { return m_served; }
+
     // On the thread of this object.
     void open();
     void followWish();
@@ -32,12 +35,16 @@ Q_SIGNALS:
     void troubleChanged(const QString& trouble);
 
 private:
+    void openOutput();
+    void playWish();
     void tell(const QString& trouble);
     void readSink();
 
     static constexpr int silent = -1;
     static constexpr int followed = -2;
     std::atomic<int> m_wish{followed};
+    std::atomic<quint64> m_served{0};
+    int m_played = silent; ///< last
     std::unique_ptr<QMediaDevices> m_devices;
     std::unique_ptr<QAudioSink> m_sink;
     QBuffer m_samples;

@@ -10,6 +10,9 @@ namespace console {
 namespace {
 
 constexpr unsigned long endMs = 500;
+constexpr std::chrono::milliseconds lookEvery{500};
+
+Instant present() { return std::chrono::steady_clock::now(); }
 
 } // namespace
 
@@ -18,7 +21,9 @@ Loudspeaker::Loudspeaker(QObject* parent) : AlarmVoice(parent), m_thread(std::ma
     m_thread->setObjectName(QStringLiteral("alarm sound"));
     m_player->moveToThread(m_thread.get());
     connect(m_thread.get(), &QThread::finished, m_player, &QObject::deleteLater);
-    connect(m_player, &BurstPlayer::troubleChanged, this, &AlarmVoice::troubleChanged);
+    connect(m_player, &BurstPlayer::troubleChanged, this, &Loudspeaker::noteTrouble);
+    m_look.setInterval(lookEvery);
+    connect(&m_look, &QTimer::timeout, this, &Loudspeaker::look);
 }
 
 Loudspeaker::~Loudspeaker()
@@ -36,6 +41,8 @@ Loudspeaker::~Loudspeaker()
 void Loudspeaker::start()
 {
     m_thread->start();
+    m_look.start();
+    m_watch.ask(present());
     QMetaObject::invokeMethod(m_player, &BurstPlayer::open);
 }
 
@@ -43,13 +50,33 @@ void Loudspeaker::start()
 void Loudspeaker::play(AlarmPriority priority)
 {
     m_player->setWish(priority);
+    m_watch.ask(present());
     QMetaObject::invokeMethod(m_player, &BurstPlayer::followWish);
 }
 
 void Loudspeaker::silence()
 {
     m_player->setWish(std::nullopt);
+    m_watch.ask(present());
     QMetaObject::invokeMethod(m_player, &BurstPlayer::followWish);
+}
+
+void Loudspeaker::noteTrouble(const QString& trouble)
+{
+    m_trouble = trouble;
+    if (!m_late)
+        Q_EMIT troubleChanged(trouble);
+}
+
+/// A sound server that hangs says nothing of itself.
+void Loudspeaker::look()
+{
+    const auto now = present();
+    m_watch.noteAnswered(m_player->served(), now);
+    if (m_watch.isLate(now) == m_late)
+        return;
+    m_late = !m_late;
+    Q_EMIT troubleChanged(m_late ? tr("the sound output does not answer") : m_trouble);
 }
 
 } // namespace console

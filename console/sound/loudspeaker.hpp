@@ -2,6 +2,9 @@
 #pragma once
 
 #include "sound/alarm_voice.hpp"
+#include "sound/answer_watch.hpp"
+
+#include <QTimer>
 
 #include <memory>
 
@@ -26,8 +29,15 @@ public:
     void silence() override;
 
 private:
+    void look();
+    void noteTrouble(const QString& trouble);
+
     std::unique_ptr<QThread> m_thread;
     BurstPlayer* m_player; ///< lives on the thread, and ends with it
+    AnswerWatch m_watch;
+    QTimer m_look;
+    bool m_late = false;
+    QString m_trouble; ///< as the player told it last
 };
 
 } // namespace console

@@ -74,8 +74,13 @@ AlarmBand::AlarmBand(QWidget* parent)
     connect(m_pause, &QPushButton::clicked, this, &AlarmBand::audioPauseRequested);
     connect(m_test, &SelfTestBlock::beginRequested, this, &AlarmBand::selfTestRequested);
     connect(m_test, &SelfTestBlock::answered, this, &AlarmBand::selfTestAnswered);
+    // What was shown when the button went down: an alarm that comes meanwhile was not seen.
+    connect(m_acknowledge, &QPushButton::pressed, this, [this] {
+        const Alarm* alarm = firstUnacknowledged();
+        m_acknowledging = alarm != nullptr ? alarm->id : 0;
+    });
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
-        if (const Alarm* alarm = firstUnacknowledged())
+        if (const Alarm* alarm = firstUnacknowledged(); alarm != nullptr && alarm->id == m_acknowledging)
             Q_EMIT acknowledgeRequested(alarm->id);
     });
     connect(m_clock, &FlashClock::ticked, this, [this] {
@@ -97,8 +102,12 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
                                        [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; }));
     const Alarm* next = firstUnacknowledged();
     m_acknowledge->setVisible(next != nullptr);
-    if (next)
+    if (next) {
+        constexpr qsizetype mostCharacters = 24;
+        const bool shown = next == &m_alarms.front();
+        m_acknowledge->setText(shown ? tr("Acknowledge") : tr("Acknowledge: %1").arg(next->text.left(mostCharacters)));
         m_acknowledge->setAccessibleDescription(next->text);
+    }
     QStringList lines;
     for (const Alarm& alarm : m_alarms)
         lines << word(alarm.priority) + QStringLiteral(": ") + alarm.text + QStringLiteral(" ") + alarm.remedy;

@@ -64,6 +64,7 @@ private:
     const Alarm* firstUnacknowledged() const;
 
     std::vector<Alarm> m_alarms;
+    quint64 m_acknowledging = 0; ///< the alarm that the button went down for
     AlarmSelfTest::Step m_testStep = AlarmSelfTest::Step::NotDone;
     std::optional<AlarmPriority> m_testSignal;
     FlashClock* m_clock;

@@ -150,8 +150,13 @@ StreamEnd::Step StreamEnd::write(Parts parts, std::size_t done, std::size_t most
             std::size_t count = 0;
             ERR_clear_error();
             const int result = SSL_write_ex(m_tls.get(), rest.data(), rest.size(), &count);
-            if (result != 1)
-                return explain(result, step);
+            if (result != 1) {
+                step = explain(result, step);
+                if (step.failure && !step.failure->tls)
+                    if (auto said = lastWords())
+                        step.failure = std::move(said);
+                return step;
+            }
             step.bytes += count;
             rest = rest.subspan(count);
             if (step.bytes >= most)
@@ -159,6 +164,25 @@ StreamEnd::Step StreamEnd::write(Parts parts, std::size_t done, std::size_t most
         }
     }
     return step;
+}
+
+/// A peer that refuses us says why and then resets the connection: whoever writes may meet the reset first, with the reason still unread.
+std::optional<StreamEnd::Failure> StreamEnd::lastWords()
+{
+    constexpr int mostRecords = 8; // before them
+    std::array<std::byte, 1024> unread;
+    if (m_ended)
+        return m_ended->tls ? m_ended : std::nullopt;
+    for (int i = 0; i < mostRecords; ++i) {
+        std::size_t count = 0;
+        ERR_clear_error();
+        const int result = SSL_read_ex(m_tls.get(), unread.data(), unread.size(), &count);
+        if (result == 1)
+            continue;
+        auto end = explain(result, {}).failure;
+        return end && end->tls ? end : std::nullopt;
+    }
+    return std::nullopt;
 }
 
 StreamEnd::Step StreamEnd::readClear(std::span<std::byte> buffer)

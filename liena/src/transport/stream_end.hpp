@@ -69,6 +69,7 @@ private:
     Step readClear(std::span<std::byte> buffer);
     Step writeClear(Parts parts, std::size_t done);
     Step explain(int result, Step step);
+    std::optional<Failure> lastWords();
 
     Wire m_wire;
     std::size_t m_burst = 0;

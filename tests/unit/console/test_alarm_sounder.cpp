@@ -83,6 +83,22 @@ private Q_SLOTS:
         QCOMPARE(voice.heard, QStringList{QStringLiteral("medium")});
     }
 
+    void aHighAlarmBeforeTheAnswerIsNotCutShort()
+    {
+        ConsoleModels models;
+        InventedVoice voice;
+        const AlarmSounder sounder(models, voice);
+        auto now = Instant{} + 1h;
+        models.selfTest.begin(now);
+        for (int i = 0; i < 70; ++i)
+            models.selfTest.update(false, now += 100ms);
+        voice.heard.clear();
+        models.alarms.update({report(AlarmCondition::ForceStop, AlarmPriority::High)}, now, 0);
+        models.selfTest.update(models.alarms.unacknowledgedHigh(), now += 50ms);
+        QCOMPARE(models.selfTest.step(), AlarmSelfTest::Step::NotDone);
+        QCOMPARE(voice.heard, QStringList{QStringLiteral("high")});
+    }
+
     void aHighAlarmDuringTheSelfTestSounds()
     {
         ConsoleModels models;

@@ -155,6 +155,20 @@ class TestAlarmWatch : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aPictureThatFrozeWhileEngagedIsUrgentThoughMotionHasEnded()
+    {
+        Watched w;
+        w.cockpit.arm();
+        w.cockpit.engage();
+        w.now += 2s;
+        w.receive(w.robot());
+        PermitEvent guards; // none of them is kept
+        guards.kind = PermitEventKind::GuardsChecked;
+        w.models().permit.apply(guards, w.now);
+        QCOMPARE(w.models().permit.phase(), PermitPhase::Hold);
+        QCOMPARE(w.priorityOf(C::PictureStale), std::optional(AlarmPriority::High));
+    }
+
     void aCalmCockpitHasNoAlarm()
     {
         Watched w;

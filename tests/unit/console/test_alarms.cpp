@@ -89,7 +89,7 @@ const std::vector<Case>& cases()
          },
          C::PaintingBehind, Medium, Low, false},
         {"another system", [](auto& r) { r.links[0].systemDiffers = true; }, C::SystemDiffers, Medium, Medium, true},
-        {"recorder", [](auto& r) { r.recorderTrouble = QStringLiteral("disk full"); }, C::RecorderStopped, Low, Low, true},
+        {"recorder", [](auto& r) { r.recorderTroubles << QStringLiteral("disk full"); }, C::RecorderStopped, Low, Low, true},
         {"sound", [](auto& r) { r.soundTrouble = QStringLiteral("no output"); }, C::SoundFailed, Medium, Low, false},
         {"watchdog", [](auto& r) { r.watchdogTrouble = QStringLiteral("ended"); }, C::WatchdogGone, Medium, Low, false},
     };
@@ -107,6 +107,41 @@ class TestAlarms : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void anAcknowledgedAlarmThatFallsAndRisesDemandsAttentionAnew()
+    {
+        AlarmList list;
+        const auto urgent = report(AlarmCondition::CommandRoundTrip, AlarmPriority::Medium, false);
+        const auto cautious = report(AlarmCondition::CommandRoundTrip, AlarmPriority::Low, false);
+        list.update({urgent}, start, 0);
+        list.acknowledge(list.highest()->id, 0);
+        list.update({cautious}, start, 0);
+        QCOMPARE(list.highest()->priority, AlarmPriority::Low);
+        QVERIFY(list.highest()->acknowledged);
+        list.update({urgent}, start, 0);
+        QCOMPARE(list.highest()->priority, AlarmPriority::Medium);
+        QVERIFY(!list.highest()->acknowledged);
+    }
+
+    void aSecondCauseDemandsAttentionAnew()
+    {
+        auto readings = calm();
+        readings.armed = true;
+        AlarmList list;
+        const auto at = [&](quint16 switches) {
+            readings.limitSwitches = switches;
+            list.update(presentAlarms(readings), start, 0);
+            return list.highest();
+        };
+        const auto* first = at(GuidewireSoftHigh);
+        QVERIFY(first != nullptr);
+        const auto condition = first->condition;
+        list.acknowledge(first->id, 0);
+        QVERIFY(at(GuidewireSoftHigh)->acknowledged);
+        const auto* second = at(GuidewireSoftHigh | CatheterSoftLow);
+        QCOMPARE(second->condition, condition);
+        QVERIFY(!second->acknowledged);
+    }
+
     void calmRaisesNothing()
     {
         QVERIFY(presentAlarms(calm()).empty());

@@ -123,6 +123,24 @@ private Q_SLOTS:
         QCOMPARE(textOf(std::span(connection.buffer).first(step.bytes)), std::string("command"));
     }
 
+    void whoWritesIntoARefusalHearsItsReason()
+    {
+        Connection connection;
+        QVERIFY(connection.shakeHands());
+        std::array<std::uint8_t, 37> forged{23, 3, 3, 0, 32};
+        QCOMPARE(::send(connection.nearSocket.number(), forged.data(), forged.size(), MSG_NOSIGNAL), ssize_t{37});
+        QTRY_VERIFY(unread(connection.farSocket.number()) >= 37);
+        QVERIFY(connection.read().failure); // and the far end says so
+        QVERIFY(connection.say("never read"));
+        QTRY_VERIFY(unread(connection.farSocket.number()) > 0);
+        connection.far.reset();
+        connection.farSocket = Descriptor(); // with bytes that nobody read: a reset
+        std::optional<StreamEnd::Failure> failure;
+        const std::array parts{bytesOf("more")};
+        QTRY_VERIFY(failure || (failure = connection.near->write(parts, 0, 65536).failure));
+        QVERIFY2(failure->tls, failure->detail.c_str());
+    }
+
     void forgedRecordBehindAGoodOneIsNamed()
     {
         Connection connection;
