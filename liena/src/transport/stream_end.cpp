@@ -171,18 +171,16 @@ std::optional<StreamEnd::Failure> StreamEnd::lastWords()
 {
     constexpr int mostRecords = 8; // before them
     std::array<std::byte, 1024> unread;
-    if (m_ended)
-        return m_ended->tls ? m_ended : std::nullopt;
-    for (int i = 0; i < mostRecords; ++i) {
+    for (int i = 0; i < mostRecords && !m_ended; ++i) {
         std::size_t count = 0;
         ERR_clear_error();
         const int result = SSL_read_ex(m_tls.get(), unread.data(), unread.size(), &count);
         if (result == 1)
             continue;
-        auto end = explain(result, {}).failure;
-        return end && end->tls ? end : std::nullopt;
+        m_ended = explain(result, {}).failure; // for whoever reads, too
+        break;
     }
-    return std::nullopt;
+    return m_ended && m_ended->tls ? m_ended : std::nullopt;
 }
 
 StreamEnd::Step StreamEnd::readClear(std::span<std::byte> buffer)

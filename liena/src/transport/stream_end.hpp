@@ -74,7 +74,7 @@ private:
     Wire m_wire;
     std::size_t m_burst = 0;
     security::SslPtr m_tls;
-    std::optional<Failure> m_ended; ///< met behind bytes that were read, and not told yet
+    std::optional<Failure> m_ended; ///< met behind bytes that were read, or by a write
 };
 
 } // namespace liena::transport

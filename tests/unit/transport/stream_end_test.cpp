@@ -139,6 +139,8 @@ private Q_SLOTS:
         const std::array parts{bytesOf("more")};
         QTRY_VERIFY(failure || (failure = connection.near->write(parts, 0, 65536).failure));
         QVERIFY2(failure->tls, failure->detail.c_str());
+        const auto told = connection.near->read(connection.buffer, connection.buffer.size());
+        QVERIFY(told.failure && told.failure->tls); // whoever is asked first
     }
 
     void forgedRecordBehindAGoodOneIsNamed()
