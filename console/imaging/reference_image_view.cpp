@@ -77,7 +77,9 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
 
 void ReferenceImageView::paintNothingYet(QPainter& painter)
 {
-    painter.setFont(overlayFont());
+    QFont large = overlayFont(); // nothing else needs the room
+    large.setPixelSize(large.pixelSize() * 2);
+    painter.setFont(large);
     painter.setPen(pane_colours::secondary);
     painter.drawText(rect().adjusted(30, 30, -30, -30), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("No reference picture yet. The last image of a run is held here, and the last minute can be reviewed."));
