@@ -161,6 +161,11 @@ void TestReferenceImage::holdsLastPictureOfRun()
     hold.take(pictureWith(PictureRole::Live, 4, 3)); // the pedal came down again at once
     QCOMPARE(held.size(), std::size_t(2));
     QCOMPARE(held.back().about.frame, 3U);
+    hold.endRun();
+    QCOMPARE(held.back().about.frame, 4U);
+    hold.take(pictureWith(PictureRole::Live, 5, 3)); // was still being decoded when the run ended
+    QCOMPARE(held.size(), std::size_t(4));
+    QCOMPARE(held.back().about.frame, 5U);
 }
 
 void TestReferenceImage::reviewsRing()
