@@ -16,7 +16,8 @@ namespace console {
 struct AlarmSettings {
     QString logFolder; ///< empty: alarms are not kept, and an alarm says so
     QString logName;
-    QString watchdog; ///< program; empty: nobody watches, and an alarm says so
+    QString watchdog;            ///< program; empty: nobody watches, and an alarm says so
+    AlarmVoice* voice = nullptr; ///< sounds in place of the loudspeaker, for measurements; outlives the service
 };
 
 /// GUI thread only. What of it fails is itself an alarm, and stops nothing.
@@ -39,7 +40,8 @@ private:
 
     ConsoleModels& m_models;
     AlarmWatch& m_watch;
-    Loudspeaker m_voice;
+    std::unique_ptr<Loudspeaker> m_loudspeaker; ///< none when another voice was given
+    AlarmVoice& m_voice;
     AlarmSounder m_sounder;
     std::unique_ptr<AlarmJournal> m_journal;
     std::unique_ptr<WatchdogProcess> m_watchdog;

@@ -9,7 +9,7 @@ class QPushButton;
 
 namespace console {
 
-/// Nothing is shown once the test has passed.
+/// Nothing is shown while a passed test counts.
 class SelfTestBlock : public QWidget {
     Q_OBJECT
 public:

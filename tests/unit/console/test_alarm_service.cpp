@@ -101,6 +101,27 @@ private Q_SLOTS:
         }
     }
 
+    void anArmingUsesTheSelfTestUp()
+    {
+        Room room;
+        const AlarmService service(room.cockpit.models, room.watch, room.settings());
+        auto& test = room.cockpit.models.selfTest;
+        room.cockpit.openAll();
+        auto now = Instant{} + 1h;
+        test.begin(now);
+        for (int i = 0; i < 70; ++i)
+            test.update(false, now += 100ms);
+        test.confirm();
+        QVERIFY(test.passed());
+        room.cockpit.arm();
+        QCOMPARE(room.cockpit.models.permit.phase(), PermitPhase::Armed);
+        QVERIFY(!test.passed());
+        PermitEvent panic;
+        panic.kind = PermitEventKind::PanicHold;
+        room.cockpit.models.permit.apply(panic, room.cockpit.now);
+        QCOMPARE(test.step(), AlarmSelfTest::Step::NotDone);
+    }
+
     void theSelfTestIsLoggedWithWhoConfirmedIt()
     {
         Room room;
