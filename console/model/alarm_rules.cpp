@@ -52,6 +52,7 @@ private:
     void addDrives();
     void addLimits();
     void addRoundTrip(const AlarmLinkReading& link);
+    void addUnsteady(const AlarmLinkReading& link);
     void addInstruments();
     void addKerma(double milligrays);
     void addPainting();
@@ -78,14 +79,33 @@ void Rules::addLink(const AlarmLinkReading& link)
         add(AlarmCondition::DeadlineMissed, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: %2 is overdue").arg(link.title, link.deadlineMissed),
             Text::tr("Look at that device; what is shown of it is old."), link.peer);
-    if (link.suspectsInMinute >= 3)
-        add(AlarmCondition::LinkUnsteady, Priority::Low, false,
-            Text::tr("%1: link unsteady, %2 times in a minute").arg(link.title).arg(link.suspectsInMinute),
-            Text::tr("Check the line before you arm."), link.peer);
+    addUnsteady(link);
     if (link.clockUncertain)
         add(AlarmCondition::ClockUncertain, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: clock uncertain, ages unknown").arg(link.title),
             Text::tr("Wait; arming is refused until the clocks are compared."), link.peer);
+}
+
+/// The limits and not the figures, which change all the time: those are on the link's card.
+void Rules::addUnsteady(const AlarmLinkReading& link)
+{
+    QStringList what;
+    quint64 causes = 0;
+    const auto addCause = [&](bool present, quint64 bit, const QString& text) {
+        if (!present)
+            return;
+        what << text;
+        causes |= bit;
+    };
+    addCause(link.suspectsInMinute >= 3, 1, Text::tr("%1 times in a minute").arg(link.suspectsInMinute));
+    addCause(link.jittery, 2, Text::tr("jitter above %1 ms").arg(m_readings.line.jitterMs, 0, 'f', 0));
+    addCause(link.lossy, 4, Text::tr("more than %1 % lost").arg(m_readings.line.lossPercent, 0, 'f', 0));
+    if (what.isEmpty())
+        return;
+    add(AlarmCondition::LinkUnsteady, Priority::Low, false,
+        Text::tr("%1: link unsteady, %2").arg(link.title, what.join(QStringLiteral(", "))), Text::tr("Check the line before you arm."),
+        link.peer);
+    addCauses(causes);
 }
 
 void Rules::addRoundTrip(const AlarmLinkReading& link)
