@@ -115,6 +115,7 @@ void AlarmList::restoreLog(const std::vector<AlarmLogEntry>& entries)
     m_log.insert(m_log.begin(), entries.begin(), entries.end());
     while (m_log.size() > logLimit)
         m_log.pop_front();
+    Q_EMIT logRestored();
 }
 
 std::optional<Duration> AlarmList::audioPauseLeft(Instant now) const
