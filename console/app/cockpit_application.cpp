@@ -5,6 +5,7 @@
 #include "editor/topology_view.hpp"
 #include "imaging/scene_view.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/log_view.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -73,8 +74,8 @@ void CockpitApplication::buildAlarms()
 {
     const auto* self = m_models.sessions.self();
     const auto name = QStringLiteral("alarms-") + (self != nullptr ? self->idText() : QStringLiteral("unknown"));
-    m_alarms =
-        std::make_unique<AlarmService>(m_models, m_control->alarmWatch(), AlarmSettings{m_options.alarmLog, name, m_options.watchdog});
+    m_alarms = std::make_unique<AlarmService>(m_models, m_control->alarmWatch(),
+                                              AlarmSettings{m_options.alarmLog, name, m_options.watchdog, m_voice});
 }
 
 void CockpitApplication::buildWindow()
@@ -84,6 +85,7 @@ void CockpitApplication::buildWindow()
     m_pictures.build(*m_window);
     m_window->setSceneView(m_scene);
     buildTopology();
+    buildLog();
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
@@ -109,6 +111,22 @@ void CockpitApplication::buildTopology()
     connect(view, &TopologyView::openAllRequested, link, &SystemLink::openAll);
 }
 
+void CockpitApplication::buildLog()
+{
+    auto* view = new LogView(m_models.log, m_models.alarmLog);
+    view->setPathSuggestion(suggestedLogPath);
+    m_window->setLogView(view);
+    connect(view, &LogView::saveRequested, &m_logSaver, &LogSaver::save);
+    connect(&m_logSaver, &LogSaver::saved, view, [this, view](const QString& path) {
+        m_models.log.append(LogKind::Note, tr("log saved: %1").arg(path), QDateTime::currentMSecsSinceEpoch());
+        view->showSaved(path);
+    });
+    connect(&m_logSaver, &LogSaver::failed, view, [this, view](const QString& reason) {
+        m_models.log.append(LogKind::Trouble, reason, QDateTime::currentMSecsSinceEpoch());
+        view->showFailure(reason);
+    });
+}
+
 void CockpitApplication::connectIntents()
 {
     auto* window = m_window.get();
@@ -121,6 +139,8 @@ void CockpitApplication::connectIntents()
     connect(window, &CockpitWindow::probeRequested, link, &SystemLink::probe);
     connect(window, &CockpitWindow::dismissRequested, link,
             [link](quint64 incident) { link->dismiss(incident, tr("given up by the operator")); });
+    connect(window, &CockpitWindow::interruptionReadRequested, m_control.get(),
+            [this] { m_control->interruptionWatch().acknowledge(m_options.user, std::chrono::steady_clock::now()); });
     connect(window, &CockpitWindow::emergencyStopRequested, link, &SystemLink::emergencyStop);
     connect(window, &CockpitWindow::emergencyStopResetRequested, link, &SystemLink::resetEmergencyStop);
 }

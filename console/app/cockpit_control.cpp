@@ -2,6 +2,7 @@
 #include "app/cockpit_control.hpp"
 
 #include "input/hand_scale.hpp"
+#include "model/present_readings.hpp"
 
 #include <QDateTime>
 
@@ -29,6 +30,7 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, Keyboard
       m_keyboard(keyboard),
       m_recording(recording),
       m_alarms(models, link.robot()),
+      m_interruptions(models, [&link] { return link.framesReceived(); }),
       m_press(static_cast<quint32>(QDateTime::currentSecsSinceEpoch()))
 {
     m_timer.setTimerType(Qt::PreciseTimer);
@@ -39,6 +41,9 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, Keyboard
             tellSession();
     });
     connect(&models.sessions, &SessionModel::standByChanged, this, &CockpitControl::tellSession);
+    connect(&models.incidents, &IncidentModel::incidentRaised, this, [this] {
+        m_alarms.update(presentTime(), m_link.framesReceived()); // a loss is not kept for the next turn
+    });
     connect(&models.incidents, &IncidentModel::incidentRaised, this, &CockpitControl::tellSession);
     connect(&models.incidents, &IncidentModel::incidentEnded, this, &CockpitControl::tellSession);
     connect(&models.instrument, &InstrumentState::robotChanged, this, &CockpitControl::tellRobot);
@@ -81,7 +86,7 @@ void CockpitControl::run()
     readHand(now);
     expectPictures(now);
     if (m_runs % guardRuns == 0)
-        carryOut(m_models.permit.check(guardReadings(now), now), now);
+        carryOut(m_models.permit.check(readGuards(now), now), now);
     else
         checkGuards(now);
     apply(PermitEventKind::Tick);
@@ -89,7 +94,8 @@ void CockpitControl::run()
         publishStatus(now);
     if (m_runs % alarmRuns == 0) {
         m_alarms.update(now, m_link.framesReceived());
-        noteTrends(now);
+        m_interruptions.update(now);
+        m_models.trends.note(trendReading(m_models, m_link.robot(), now), now);
     }
     ++m_runs;
 }
@@ -100,7 +106,7 @@ void CockpitControl::checkGuards(Instant now)
     PermitEvent event;
     event.kind = PermitEventKind::GuardsChecked;
     event.armable = m_models.permit.state().armable;
-    event.kept = checkKept(guardReadings(now));
+    event.kept = checkKept(readGuards(now));
     apply(event, now);
 }
 
@@ -182,60 +188,7 @@ void CockpitControl::expectPictures(Instant now)
     m_link.setPedal({xray.pedalDown(), m_press, xray.requestedRate(), now});
 }
 
-GuardReadings CockpitControl::guardReadings(Instant now) const
-{
-    GuardReadings r;
-    const auto* link = m_link.robot() ? m_models.sessions.linkTo(*m_link.robot()) : nullptr;
-    if (link != nullptr) {
-        r.robotLink = link->state;
-        r.inLinkState = now - link->since;
-        // A session opens only between devices whose topology, message sets and certificates agree.
-        r.identityEqual = carriesMessages(link->state);
-        r.heartbeatsOnTime = link->figures.heartbeatsOnTime;
-        if (link->figures.clockOffset)
-            r.clockUncertainty = link->figures.clockUncertainty;
-        r.queuedMessages = link->figures.queuedMessages;
-    }
-    const auto& robot = m_models.instrument.robot().value;
-    r.picture = m_models.picture.reading(now);
-    r.pictureLimit = m_models.picture.limit();
-    r.robotFresh = m_models.instrument.robotFresh(now);
-    r.robotState = robot.state;
-    r.robotHoldConfirmed = robot.holdConfirmed;
-    r.robotPermit = robot.permit;
-    r.spentPermit = m_models.permit.state().spentPermit;
-    r.drivesHealthy = m_models.instrument.drivesHealthy(now);
-    r.force = robot.guidewireForce;
-    r.forceStop = m_models.instrument.limits().forceStop;
-    r.incident = m_models.sessions.inStandBy() || !m_models.incidents.empty();
-    r.highAlarm = m_models.alarms.unacknowledgedHigh();
-    r.handAlive = m_models.hand.reading().alive;
-    r.windowActive = m_keyboard.listening();
-    r.deadMan = m_models.hand.reading().deadMan;
-    r.alarmsTested = m_models.selfTest.passed();
-    return r;
-}
-
-/// Of what is fresh only: a course must end where the knowledge ends.
-void CockpitControl::noteTrends(Instant now)
-{
-    TrendReading reading;
-    const auto* link = m_link.robot() ? m_models.sessions.linkTo(*m_link.robot()) : nullptr;
-    if (link != nullptr && carriesMessages(link->state)) {
-        if (link->figures.roundTrip)
-            reading.roundTripMs = milliseconds(*link->figures.roundTrip);
-        if (link->figures.jitter)
-            reading.jitterMs = milliseconds(*link->figures.jitter);
-        reading.heartbeatsReceived = link->figures.heartbeatsReceived;
-        reading.heartbeatsMissed = link->figures.heartbeatsMissed;
-    }
-    if (m_models.instrument.robotFresh(now))
-        reading.force = m_models.instrument.robot().value.guidewireForce;
-    const auto picture = m_models.picture.reading(now);
-    if (picture.age && picture.condition != PictureCondition::Held)
-        reading.pictureAgeMs = milliseconds(*picture.age);
-    m_models.trends.note(reading, now);
-}
+GuardReadings CockpitControl::readGuards(Instant now) const { return guardReadings(m_models, m_link.robot(), m_keyboard.listening(), now); }
 
 void CockpitControl::publishMotion(Instant now)
 {

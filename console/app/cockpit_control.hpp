@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/alarm_watch.hpp"
+#include "app/interruption_watch.hpp"
 #include "input/keyboard_master.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
@@ -24,6 +25,7 @@ public:
     void start();
 
     AlarmWatch& alarmWatch() { return m_alarms; }
+    InterruptionWatch& interruptionWatch() { return m_interruptions; }
 
     /// Pedal up and Hold: what is asked of the robot and the X-ray system ends before their sessions do.
     void stop();
@@ -49,8 +51,7 @@ private:
     void publishMotion(Instant now);
     void publishStatus(Instant now);
     void stepScale(int steps);
-    GuardReadings guardReadings(Instant now) const;
-    void noteTrends(Instant now);
+    GuardReadings readGuards(Instant now) const;
     void notePhase(PermitPhase from, PermitPhase to);
     bool pedalDown() const { return m_models.xray.pedalDown(); }
 
@@ -59,6 +60,7 @@ private:
     KeyboardMaster& m_keyboard;
     MasterDevice* m_recording;
     AlarmWatch m_alarms;
+    InterruptionWatch m_interruptions;
     QTimer m_timer;
     std::optional<Instant> m_lastRun;
     quint64 m_runs = 0;

@@ -222,6 +222,21 @@ private Q_SLOTS:
         QVERIFY(stage.window.handHasKeys());
     }
 
+    void selfTestIsBegunByItsKeyAndNotOfferedWhileArmed()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto& test = stage.cockpit.models.selfTest;
+        QSignalSpy asked(&stage.window, &CockpitWindow::alarmTestRequested);
+        QTest::keyClick(&stage.window, Qt::Key_F8);
+        QCOMPARE(asked.count(), 1);
+        QVERIFY(stage.window.findChild<SelfTestBlock*>()->isVisible());
+        test.follow(PermitPhase::Armed, stage.cockpit.now);
+        QVERIFY(!stage.window.findChild<SelfTestBlock*>()->isVisible());
+        test.follow(PermitPhase::Hold, stage.cockpit.now);
+        QVERIFY(stage.window.findChild<SelfTestBlock*>()->isVisible());
+    }
+
     void nobodyIsMadeToSayThatTheyHeardNothing()
     {
         Band room(AlarmPriority::Low);

@@ -315,6 +315,7 @@ private:
         r.windowActive = m_world.focus;
         r.deadMan = m_keyboard.read(m_world.now).deadMan;
         r.alarmsTested = true;
+        r.interruptionRead = true;
         return r;
     }
 
