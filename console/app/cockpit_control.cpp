@@ -36,14 +36,13 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, Keyboard
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(period);
     connect(&m_timer, &QTimer::timeout, this, &CockpitControl::run);
-    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer) {
+    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer, LinkState, LinkState to) {
         if (m_link.robot() == peer)
             tellSession();
+        if (to == LinkState::Reconnecting || to == LinkState::StandBy)
+            m_alarms.update(presentTime(), m_link.framesReceived()); // not kept for the next turn
     });
     connect(&models.sessions, &SessionModel::standByChanged, this, &CockpitControl::tellSession);
-    connect(&models.incidents, &IncidentModel::incidentRaised, this, [this] {
-        m_alarms.update(presentTime(), m_link.framesReceived()); // a loss is not kept for the next turn
-    });
     connect(&models.incidents, &IncidentModel::incidentRaised, this, &CockpitControl::tellSession);
     connect(&models.incidents, &IncidentModel::incidentEnded, this, &CockpitControl::tellSession);
     connect(&models.instrument, &InstrumentState::robotChanged, this, &CockpitControl::tellRobot);

@@ -66,6 +66,7 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
         if (lessUrgent)
             known->priority = report.priority;
         known->text = report.text;
+        known->remedy = report.remedy;
         known->causes = report.causes;
         return differs;
     }

@@ -46,6 +46,7 @@ private:
     void addCauses(quint64 causes) { m_reports.back().causes = causes; }
 
     void addLink(const AlarmLinkReading& link);
+    void addLoss(const AlarmLinkReading& link);
     void addHold();
     void addPicture();
     void addForce();
@@ -66,10 +67,7 @@ private:
 
 void Rules::addLink(const AlarmLinkReading& link)
 {
-    if (link.state == LinkState::StandBy)
-        add(link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost, whenArmed(Priority::High, Priority::Medium), true,
-            link.images ? Text::tr("%1: picture link lost, stand-by").arg(link.title) : Text::tr("%1: link lost, stand-by").arg(link.title),
-            Text::tr("Read the prompt, then re-open the channel."), link.peer);
+    addLoss(link);
     if (link.systemDiffers)
         add(AlarmCondition::SystemDiffers, Priority::Medium, true,
             Text::tr("%1: its topology or message sets are others than ours").arg(link.title),
@@ -84,6 +82,20 @@ void Rules::addLink(const AlarmLinkReading& link)
         add(AlarmCondition::ClockUncertain, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: clock uncertain, ages unknown").arg(link.title),
             Text::tr("Wait; arming is refused until the clocks are compared."), link.peer);
+}
+
+/// What is armed does not wait for the decision that a link will not heal: its motion has ended already.
+void Rules::addLoss(const AlarmLinkReading& link)
+{
+    const auto condition = link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost;
+    if (link.state == LinkState::StandBy)
+        add(condition, whenArmed(Priority::High, Priority::Medium), true,
+            link.images ? Text::tr("%1: picture link lost, stand-by").arg(link.title) : Text::tr("%1: link lost, stand-by").arg(link.title),
+            Text::tr("Read the prompt, then re-open the channel."), link.peer);
+    else if (link.state == LinkState::Reconnecting && m_readings.armed)
+        add(condition, Priority::High, true,
+            link.images ? Text::tr("%1: picture link interrupted").arg(link.title) : Text::tr("%1: link interrupted").arg(link.title),
+            Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."), link.peer);
 }
 
 /// The limits and not the figures, which change all the time: those are on the link's card.
