@@ -93,6 +93,12 @@ void AlarmService::toggleAudioPause(const QString& who)
         m_models.alarms.pauseAudio(now, wallTime(), who);
 }
 
+void AlarmService::beginSelfTest()
+{
+    if (!m_models.alarms.unacknowledgedHigh())
+        m_models.selfTest.begin(std::chrono::steady_clock::now());
+}
+
 void AlarmService::answerSelfTest(bool seenAndHeard, const QString& who)
 {
     if (seenAndHeard)

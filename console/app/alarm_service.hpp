@@ -31,6 +31,7 @@ public:
     // A person's wishes; `who` is for the log.
     void acknowledge(quint64 alarm, const QString& who);
     void toggleAudioPause(const QString& who);
+    void beginSelfTest(); ///< nothing while a high alarm stands: its sound is not to be taken for the test's, nor cut short
     void answerSelfTest(bool seenAndHeard, const QString& who);
 
 private:

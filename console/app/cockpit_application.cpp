@@ -151,7 +151,7 @@ void CockpitApplication::connectAlarms()
     auto* alarms = m_alarms.get();
     connect(window, &CockpitWindow::acknowledgeRequested, alarms, [this](quint64 alarm) { m_alarms->acknowledge(alarm, m_options.user); });
     connect(window, &CockpitWindow::audioPauseRequested, alarms, [this] { m_alarms->toggleAudioPause(m_options.user); });
-    connect(window, &CockpitWindow::alarmTestRequested, alarms, [this] { m_models.selfTest.begin(std::chrono::steady_clock::now()); });
+    connect(window, &CockpitWindow::alarmTestRequested, alarms, &AlarmService::beginSelfTest);
     connect(window, &CockpitWindow::alarmTestAnswered, alarms, [this](bool seenAndHeard) {
         m_alarms->answerSelfTest(seenAndHeard, m_options.unattended ? tr("the unattended run, no person") : m_options.user);
     });

@@ -101,7 +101,8 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
     m_alarms = alarms;
     m_test->setSoundWorks(std::none_of(alarms.begin(), alarms.end(),
                                        [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; }));
-    const Alarm* next = firstUnacknowledged();
+    const Alarm* next = firstUnacknowledged(); // of the highest priority
+    m_test->setMayBegin(next == nullptr || next->priority != AlarmPriority::High);
     m_acknowledge->setVisible(next != nullptr);
     if (next) {
         constexpr qsizetype mostCharacters = 24;

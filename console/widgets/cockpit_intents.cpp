@@ -29,7 +29,7 @@ void CockpitWindow::connectIntents()
     connect(m_band, &AlarmBand::sheetRequested, m_deck, &SheetDeck::open);
     connect(m_deck, &SheetDeck::chipsChanged, m_band, &AlarmBand::setFoldedSheets);
     connect(m_deck, &SheetDeck::closed, this, [this] { setFocus(); });
-    connect(m_deck, &SheetDeck::opened, this, [this] { refresh(std::chrono::steady_clock::now()); });
+    connect(m_deck, &SheetDeck::opened, this, [this] { refreshDeck(std::chrono::steady_clock::now()); });
     const DiagnosisSheet* sheet = m_deck->sheet();
     connect(sheet, &DiagnosisSheet::reopenRequested, this, &CockpitWindow::reopenRequested);
     connect(sheet, &DiagnosisSheet::reopenAllRequested, this, &CockpitWindow::reopenAllRequested);
@@ -56,11 +56,12 @@ void CockpitWindow::connectModels()
     connect(&m_models.selfTest, &AlarmSelfTest::changed, this, test);
     test();
     connect(&m_models.permit, &PermitModel::phaseChanged, this, now);
-    connect(&m_models.sessions, &SessionModel::linkStateChanged, this, now);
-    connect(&m_models.sessions, &SessionModel::topologyChanged, this, now);
-    connect(&m_models.interruption, &InterruptionAccount::changed, this, now);
-    connect(&m_models.incidents, &IncidentModel::incidentChanged, this, now);
-    connect(&m_models.incidents, &IncidentModel::incidentEnded, this, now);
+    // One loss is told by many signals; it is shown once, in the same turn of the event loop.
+    connect(&m_models.sessions, &SessionModel::linkStateChanged, this, &CockpitWindow::refreshSoon);
+    connect(&m_models.sessions, &SessionModel::topologyChanged, this, &CockpitWindow::refreshSoon);
+    connect(&m_models.interruption, &InterruptionAccount::changed, this, &CockpitWindow::refreshSoon);
+    connect(&m_models.incidents, &IncidentModel::incidentChanged, this, &CockpitWindow::refreshSoon);
+    connect(&m_models.incidents, &IncidentModel::incidentEnded, this, &CockpitWindow::refreshSoon);
 }
 
 } // namespace console

@@ -205,7 +205,23 @@ void CockpitWindow::refreshSlow(Instant now)
     m_dose->refresh(now);
     m_trends->refresh({m_models.instrument.limits().forceWarn, milliseconds(m_models.picture.limit())}, now);
     m_away->refresh(now);
-    m_deck->refresh(m_models.sessions, promptSurroundings(m_models, now), now);
+    refreshDeck(now);
+}
+
+void CockpitWindow::refreshDeck(Instant now) { m_deck->refresh(m_models.sessions, promptSurroundings(m_models, now), now); }
+
+void CockpitWindow::refreshSoon()
+{
+    if (m_refreshDue)
+        return;
+    m_refreshDue = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_refreshDue = false;
+            refresh(std::chrono::steady_clock::now());
+        },
+        Qt::QueuedConnection);
 }
 
 void CockpitWindow::updateHandKeys()

@@ -103,6 +103,8 @@ private:
     void tick();
     void refreshStrip(Instant now);
     void refreshSlow(Instant now);
+    void refreshDeck(Instant now);
+    void refreshSoon();
     void refreshSound(Instant now);
 
     ConsoleModels& m_models;
@@ -122,6 +124,7 @@ private:
     ViewStack m_views;
     QTimer m_clock;
     int m_ticks = 0;
+    bool m_refreshDue = false;
     bool m_handHasKeys = false;
     QString m_operator;
     std::optional<Instant> m_procedureSince;

@@ -28,6 +28,8 @@ SelfTestBlock::SelfTestBlock(QWidget* parent)
 
 void SelfTestBlock::setSoundWorks(bool works) { m_right->setText(works ? tr("Test seen and heard") : tr("Test seen; no sound here")); }
 
+void SelfTestBlock::setMayBegin(bool may) { m_begin->setEnabled(may); }
+
 QPushButton* SelfTestBlock::add(const QString& text, const QString& accessibleName)
 {
     auto* button = new QPushButton(text, this);

@@ -16,6 +16,9 @@ public:
     explicit SelfTestBlock(QWidget* parent = nullptr);
     void setStep(AlarmSelfTest::Step step);
 
+    /// Not beside a high alarm that nobody has acknowledged.
+    void setMayBegin(bool may);
+
     /// Nobody is made to say that they heard what could not sound.
     void setSoundWorks(bool works);
 

@@ -237,6 +237,17 @@ private Q_SLOTS:
         QVERIFY(stage.window.findChild<SelfTestBlock*>()->isVisible());
     }
 
+    void noSelfTestIsOfferedBesideAHighAlarm()
+    {
+        Band room(AlarmPriority::Low);
+        room.band.setSelfTest(AlarmSelfTest::Step::NotDone, std::nullopt);
+        const auto* begin = room.band.findChild<SelfTestBlock*>()->findChild<QPushButton*>();
+        room.band.setAlarms({alarm(AlarmPriority::High, false)});
+        QVERIFY(!begin->isEnabled());
+        room.band.setAlarms({alarm(AlarmPriority::High, true), alarm(AlarmPriority::Medium, false)});
+        QVERIFY(begin->isEnabled());
+    }
+
     void nobodyIsMadeToSayThatTheyHeardNothing()
     {
         Band room(AlarmPriority::Low);

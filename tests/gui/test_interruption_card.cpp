@@ -1,6 +1,7 @@
 // "While you were away": when it comes, where it lies, and what acknowledges it.
 #include "cockpit_stage.hpp"
 #include "widgets/diagnosis_sheet.hpp"
+#include "widgets/hold_button.hpp"
 #include "widgets/interruption_card.hpp"
 #include "widgets/sheet_button.hpp"
 
@@ -62,7 +63,13 @@ private Q_SLOTS:
         stage.cockpit.reopenAll();
         QVERIFY2(stage.cockpit.models.permit.unmetText(9).contains(QStringLiteral("\"While you were away\" is unread")),
                  qPrintable(stage.cockpit.models.permit.unmetText(9)));
-        QVERIFY(stage.cockpit.models.permit.phase() == PermitPhase::Verifying);
+        QCOMPARE(stage.cockpit.models.permit.phase(), PermitPhase::Verifying);
+        stage.refresh();
+        QSignalSpy held(&stage.window, &CockpitWindow::armHoldChanged);
+        auto* arm = stage.named<HoldButton>(QStringLiteral("Arm: hold for one and a half seconds"));
+        QVERIFY(arm != nullptr && !arm->isEnabled());
+        QTest::mousePress(arm, Qt::LeftButton);
+        QCOMPARE(held.count(), 0);
     }
 
     void clickThatReopenedDoesNotRead()
