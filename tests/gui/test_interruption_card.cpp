@@ -52,7 +52,7 @@ private Q_SLOTS:
             QVERIFY2(said.contains(QString::fromUtf8(words)), qPrintable(said));
         QTest::mouseClick(stage.button(), Qt::LeftButton);
         QVERIFY(stage.account().settled());
-        QVERIFY(!stage.card()->isVisible());
+        QTRY_VERIFY(!stage.card()->isVisible());
         QVERIFY(stage.window.handHasKeys());
     }
 
