@@ -252,6 +252,8 @@ void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
     auto line = tr("%1 -> %2").arg(word(from), word(to));
     if (to == PermitPhase::Hold)
         line += tr(": %1").arg(word(m_models.permit.state().cause));
+    else if (from == PermitPhase::Arming && to == PermitPhase::Standby && m_models.permit.unmetCount() > 0)
+        line += tr(": %1").arg(m_models.permit.unmetText());
     m_models.log.append(LogKind::Permit, line, QDateTime::currentMSecsSinceEpoch());
 }
 
