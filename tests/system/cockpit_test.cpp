@@ -149,13 +149,17 @@ public:
                 QTest::mouseClick(acknowledge, Qt::LeftButton);
     }
 
-    /// What the console noted, for a failing test's output.
+    /// What the console shows and noted last, for a failing test's output.
     QString story() const
     {
-        QString text = word(phase()) + QLatin1Char('\n');
-        for (const auto& entry : models().log.lines())
-            text += entry.text + QLatin1Char('\n');
-        return text + models().permit.unmetText(9);
+        constexpr std::size_t most = 20; // a failure's text is cut at about a thousand letters
+        QString text = word(phase()) + QStringLiteral(": ") + models().permit.unmetText(9) + QLatin1Char('\n');
+        for (const auto& alarm : models().alarms.alarms())
+            text += word(alarm.priority) + QStringLiteral(": ") + alarm.text + QLatin1Char('\n');
+        const auto& lines = models().log.lines();
+        for (std::size_t i = lines.size() - std::min(most, lines.size()); i < lines.size(); ++i)
+            text += lines[i].text + QLatin1Char('\n');
+        return text;
     }
 
     bool stands(AlarmCondition condition) const
