@@ -113,7 +113,7 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         line(Guard::DeadManReleased, !r.deadMan, Text::tr("Dead-man released"), Text::tr("Let go of the dead-man")),
         line(Guard::AlarmsTested, r.alarmsTested, Text::tr("Alarms were tested"), Text::tr("Alarm self-test is due (F8)")),
         line(Guard::InterruptionRead, r.interruptionRead, Text::tr("No interruption is unread"),
-             Text::tr("\"While you were away\" is unread")),
+             r.incident ? Text::tr("The interruption is not over") : Text::tr("Read \"While you were away\"")),
     };
 }
 

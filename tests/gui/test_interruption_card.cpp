@@ -61,7 +61,7 @@ private Q_SLOTS:
         Returned stage;
         QVERIFY(stage.ready());
         stage.cockpit.reopenAll();
-        QVERIFY2(stage.cockpit.models.permit.unmetText(9).contains(QStringLiteral("\"While you were away\" is unread")),
+        QVERIFY2(stage.cockpit.models.permit.unmetText(9).contains(QStringLiteral("Read \"While you were away\"")),
                  qPrintable(stage.cockpit.models.permit.unmetText(9)));
         QCOMPARE(stage.cockpit.models.permit.phase(), PermitPhase::Verifying);
         stage.refresh();
