@@ -31,12 +31,12 @@ constexpr double aim = 200; // ms
 
 Instant present() { return std::chrono::steady_clock::now(); }
 
-/// Notes when something was first played since it was armed.
+/// Notes the first high burst: a report that is overdue sounds earlier, and lower.
 class NotingVoice : public AlarmVoice {
 public:
-    void play(AlarmPriority) override
+    void play(AlarmPriority priority) override
     {
-        if (!played)
+        if (!played && priority == AlarmPriority::High)
             played = present();
     }
     void silence() override {}
@@ -270,7 +270,7 @@ void print(const char* how, const Times& times)
 {
     std::printf("%s\n", how);
     printPercentiles("gone -> this console holds: the link is interrupted", times.noticed);
-    printPercentiles("gone -> burst handed to the sound output (a stand-in)", times.sound);
+    printPercentiles("gone -> high burst handed to the sound output (a stand-in)", times.sound);
     printPercentiles("gone -> alarm band painted red", times.red);
     printPercentiles("gone -> decided that the link will not heal", times.decided);
     printPercentiles("gone -> prompt begins to be painted", times.first);
