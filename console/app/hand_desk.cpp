@@ -1,7 +1,10 @@
 // From the masters to the model.
 #include "app/hand_desk.hpp"
 
+#include "input/game_pad_master.hpp"
 #include "input/hand_scale.hpp"
+#include "input/recorded_master.hpp"
+#include "input/sdl_pads.hpp"
 
 #include <QDateTime>
 
@@ -42,16 +45,22 @@ void HandDesk::connectRack()
 
 bool HandDesk::prepare(QString* error)
 {
+    add(std::make_unique<GamePadMaster>(std::make_unique<SdlPads>()));
     if (!m_options.recording.isEmpty()) {
         auto samples = RecordedMaster::load(m_options.recording, error);
         if (samples.empty())
             return false;
-        m_recording = std::make_unique<RecordedMaster>(std::move(samples));
-        m_rack.add(*m_recording);
+        add(std::make_unique<RecordedMaster>(std::move(samples)));
     }
     m_rack.begin(m_options.master);
     read(presentTime());
     return true;
+}
+
+void HandDesk::add(std::unique_ptr<MasterDevice> device)
+{
+    m_rack.add(*device);
+    m_devices.push_back(std::move(device));
 }
 
 void HandDesk::poll(Instant now)

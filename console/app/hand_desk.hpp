@@ -4,12 +4,12 @@
 #include "app/command_line.hpp"
 #include "input/keyboard_master.hpp"
 #include "input/master_rack.hpp"
-#include "input/recorded_master.hpp"
 #include "model/console_models.hpp"
 
 #include <QObject>
 
 #include <memory>
+#include <vector>
 
 namespace console {
 
@@ -20,7 +20,7 @@ public:
     HandDesk(const Options& options, ConsoleModels& models, QObject* parent = nullptr);
     ~HandDesk() override;
 
-    /// Reads the recording; false with one sentence in `error` when it cannot.
+    /// Makes the masters besides the keyboard and reads the recording; false with one sentence in `error` when it cannot.
     bool prepare(QString* error);
 
     KeyboardMaster& keyboard() { return m_keyboard; }
@@ -50,6 +50,7 @@ Q_SIGNALS:
     void holdRequested();
 
 private:
+    void add(std::unique_ptr<MasterDevice> device);
     void connectRack();
     void read(Instant now);
     void stepScale(int steps);
@@ -58,7 +59,7 @@ private:
     const Options& m_options;
     ConsoleModels& m_models;
     KeyboardMaster m_keyboard;
-    std::unique_ptr<RecordedMaster> m_recording;
+    std::vector<std::unique_ptr<MasterDevice>> m_devices; ///< all but the keyboard
     MasterRack m_rack{m_keyboard};
     double m_scale = 1;
     QString m_noted; ///< what the log last says of the master in use

@@ -23,6 +23,7 @@ void ConnectedMaster::poll(Instant now)
         shut();
     m_polled = now;
     take(now);
+    renew();
 }
 
 MasterReading ConnectedMaster::read(Instant now)

@@ -19,9 +19,8 @@ class ConnectedMaster : public MasterDevice {
 public:
     using MasterDevice::MasterDevice;
 
-    /// Polled later than this, nobody knows whether the hand let go in between. Less than the 100 ms after which the whole console counts
-    /// as having stood still.
-    static constexpr std::chrono::milliseconds lateLimit{75};
+    /// Polled later than this, nobody knows whether the hand let go in between; as long as the whole console may stand still.
+    static constexpr std::chrono::milliseconds lateLimit{100};
 
     MasterLife life(Instant now) const override;
     void poll(Instant now) final;
