@@ -5,6 +5,7 @@
 #include "input/hand_scale.hpp"
 #include "input/recorded_master.hpp"
 #include "input/sdl_pads.hpp"
+#include "input/space_mouse_master.hpp"
 
 #include <QDateTime>
 
@@ -45,6 +46,7 @@ void HandDesk::connectRack()
 
 bool HandDesk::prepare(QString* error)
 {
+    add(std::make_unique<SpaceMouseMaster>());
     add(std::make_unique<GamePadMaster>(std::make_unique<SdlPads>()));
     if (!m_options.recording.isEmpty()) {
         auto samples = RecordedMaster::load(m_options.recording, error);

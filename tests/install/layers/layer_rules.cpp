@@ -59,6 +59,7 @@ const std::vector<Library>& libraries()
         {"Qt", "(Qt?[A-Z]|qt|qobject)", {"console/"}},
         {"Qt Multimedia", "(QtMultimedia|QAudio|QMedia|QSound)", {"console/sound/"}},
         {"SDL", "SDL", {"console/input/"}},
+        {"libspnav", "spnav\\.h", {"console/input/"}},
         {"VTK", "vtk", {"console/imaging/"}},
         {"OpenCV", "opencv", {"console/imaging/"}},
         {"OpenGL", "(GL|EGL|KHR)/", {"console/imaging/"}},
