@@ -5,6 +5,7 @@
 #include "input/hand_scale.hpp"
 #include "input/recorded_master.hpp"
 #include "input/sdl_pads.hpp"
+#include "input/simulated_haptic_master.hpp"
 #include "input/space_mouse_master.hpp"
 
 #include <QDateTime>
@@ -48,6 +49,8 @@ bool HandDesk::prepare(QString* error)
 {
     add(std::make_unique<SpaceMouseMaster>());
     add(std::make_unique<GamePadMaster>(std::make_unique<SdlPads>()));
+    if (m_options.master == MasterKind::HapticSimulated)
+        add(std::make_unique<SimulatedHapticMaster>(m_keyboard));
     if (!m_options.recording.isEmpty()) {
         auto samples = RecordedMaster::load(m_options.recording, error);
         if (samples.empty())
@@ -68,6 +71,7 @@ void HandDesk::add(std::unique_ptr<MasterDevice> device)
 void HandDesk::poll(Instant now)
 {
     m_rack.poll(now);
+    m_rack.feel(robotForce(now), now);
     read(now);
     note();
 }
@@ -81,8 +85,19 @@ void HandDesk::read(Instant now)
     reading.clutch = hand.clutch;
     reading.scale = m_scale;
     reading.motion = askedMotion(hand.motion, m_scale, hand.alive && hand.deadMan, hand.clutch);
+    reading.forceToHand = m_rack.inUse().forceToHand();
     m_models.hand.set(reading);
     m_models.hand.setMasters(m_rack.statuses(now));
+}
+
+/// Felt only while the hand moves the robot, both ends say so, and what is felt is recent.
+RobotForce HandDesk::robotForce(Instant now) const
+{
+    const auto& robot = m_models.instrument.robot().value;
+    const auto peer = m_models.sessions.firstPeer(DeviceKind::Hand);
+    const bool open = peer && m_models.sessions.state(*peer) == LinkState::Open;
+    const bool engaged = m_models.permit.phase() == PermitPhase::Engaged && robot.engaged && robot.state == RobotState::Engaged;
+    return {robot.guidewireForce, open && engaged && m_models.instrument.robotFresh(now)};
 }
 
 void HandDesk::rezero(Instant now)

@@ -53,6 +53,7 @@ private:
     void add(std::unique_ptr<MasterDevice> device);
     void connectRack();
     void read(Instant now);
+    RobotForce robotForce(Instant now) const;
     void stepScale(int steps);
     void note();
 

@@ -110,6 +110,12 @@ void MasterRack::rezero(Instant now)
         m_use->rezero(now);
 }
 
+void MasterRack::feel(const RobotForce& force, Instant now)
+{
+    for (const auto& place : m_places)
+        place.device->feel(place.device == m_use ? force : RobotForce{}, now);
+}
+
 std::vector<MasterStatus> MasterRack::statuses(Instant now)
 {
     std::vector<MasterStatus> result;

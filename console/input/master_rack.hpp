@@ -36,7 +36,9 @@ public:
     void poll(Instant now);
     MasterReading read(Instant now);
     void rezero(Instant now);
-    void feel(const RobotForce& force, Instant now) { m_use->feel(force, now); }
+
+    /// For the one in use; the others feel nothing.
+    void feel(const RobotForce& force, Instant now);
 
     /// The one in use first, then those that are there.
     std::vector<MasterStatus> statuses(Instant now);

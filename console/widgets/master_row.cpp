@@ -52,9 +52,9 @@ QString MasterChip::name() const
 
 QSize MasterChip::sizeHint() const
 {
-    const QFontMetrics strong(theme::font(TextRole::Caption, theme::scaleOf(this)));
-    const int height = strong.height() + theme::px(this, 6);
-    return {height + strong.horizontalAdvance(name()) + strong.horizontalAdvance(m_words) + theme::px(this, 26), height};
+    const QFontMetrics metrics(font());
+    const int height = metrics.height() + theme::px(this, 6);
+    return {height + metrics.horizontalAdvance(name()) + int(figuresWidth(font(), m_words)) + theme::px(this, 28), height};
 }
 
 void MasterChip::paintMark(QPainter& painter, const QRectF& where) const
@@ -88,7 +88,7 @@ void MasterChip::paintEvent(QPaintEvent*)
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name());
     text.setLeft(text.left() + metrics.horizontalAdvance(name()) + theme::px(this, 6));
     painter.setPen(m_status.inUse && m_status.life != MasterLife::Alive ? colour::bright : colour::secondary);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, m_words);
+    drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, m_words);
 }
 
 MasterRow::MasterRow(QWidget* parent) : QWidget(parent), m_row(new QHBoxLayout(this))

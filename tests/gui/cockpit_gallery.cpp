@@ -104,6 +104,7 @@ std::vector<State> states()
         {"engaged", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(); }},
         {"frozen", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.freezePicture(); }},
         {"standby", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.loseXray(), c.loseRobot(); }},
+        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.feelForce(); }},
         {"masters", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.losePad(); }},
         {"topology",
          [](InventedCockpit& c, CockpitWindow& w) {

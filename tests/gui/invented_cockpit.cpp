@@ -233,6 +233,15 @@ void InventedCockpit::engage()
     models.permit.check(readings, now);
 }
 
+void InventedCockpit::feelForce()
+{
+    auto hand = models.hand.reading();
+    hand.forceToHand = 0.46;
+    models.hand.set(hand);
+    models.hand.setMasters({{MasterKind::HapticSimulated, word(MasterKind::HapticSimulated), MasterLife::Alive, now, true, {}},
+                            {MasterKind::Keyboard, word(MasterKind::Keyboard), MasterLife::Alive, now, false, {}}});
+}
+
 void InventedCockpit::losePad()
 {
     models.hand.set({false, false, false, 0.5, {}});

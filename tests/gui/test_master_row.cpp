@@ -134,6 +134,25 @@ private Q_SLOTS:
         QCOMPARE(chosen.count(), 0);
     }
 
+    void theForceToTheHandIsShownOnlyWhereThereIsOne()
+    {
+        MasterStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.arm();
+        stage.cockpit.engage();
+        stage.refresh();
+        const auto* hand = stage.named<QWidget>(QStringLiteral("Hand"));
+        QVERIFY(!hand->accessibleDescription().contains(QStringLiteral("force to hand")));
+        const int narrow = hand->sizeHint().width();
+        stage.cockpit.feelForce();
+        stage.refresh();
+        QVERIFY2(hand->accessibleDescription().contains(QStringLiteral("force to hand resistance 0.46")),
+                 qPrintable(hand->accessibleDescription()));
+        QVERIFY(hand->sizeHint().width() >= narrow);
+        QTRY_VERIFY(hand->width() >= hand->sizeHint().width());
+    }
+
     void nothingIsCut_data()
     {
         QTest::addColumn<QSize>("size");
@@ -149,9 +168,8 @@ private Q_SLOTS:
         stage.cockpit.openAll();
         stage.cockpit.losePad();
         stage.refresh();
-        QTest::qWait(0);
         for (const auto* chip : stage.chips()) {
-            QVERIFY(chip->width() >= chip->sizeHint().width() && chip->height() >= chip->sizeHint().height());
+            QTRY_VERIFY(chip->width() >= chip->sizeHint().width() && chip->height() >= chip->sizeHint().height());
             QVERIFY(stage.window.rect().contains(stage.seen(chip)));
         }
     }

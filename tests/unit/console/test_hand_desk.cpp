@@ -1,5 +1,6 @@
 // A master that is lost ends motion: masters, model and permit together.
 #include "app/hand_desk.hpp"
+#include "input/simulated_haptic_master.hpp"
 #include "invented_cockpit.hpp"
 #include "plugged_master.hpp"
 
@@ -76,6 +77,38 @@ struct Stage {
         pad.controls.axesAtRest = false;
         turn();
         QVERIFY(!hand().motion.isZero());
+    }
+};
+
+/// Engaged by the simulated haptic master on the keyboard.
+struct HapticStage {
+    InventedCockpit cockpit;
+    Options options;
+    HandDesk desk{options, cockpit.models};
+    SimulatedHapticMaster master{desk.keyboard()};
+    Instant now = cockpit.now;
+
+    HapticStage()
+    {
+        desk.rack().add(master);
+        desk.rack().begin(MasterKind::HapticSimulated);
+        desk.setListening(true);
+        cockpit.openAll();
+        cockpit.arm();
+        cockpit.engage();
+        desk.keyboard().press(Qt::Key_D);
+    }
+
+    /// The force that the hand is offered when the robot reported `status` a moment ago, and goes on doing so.
+    double after(Duration time, const std::optional<RobotStatus>& status)
+    {
+        for (const Instant end = now + time; now < end;) {
+            now += 10ms;
+            if (status)
+                cockpit.models.instrument.receiveRobot(*status, now);
+            desk.poll(now);
+        }
+        return cockpit.models.hand.reading().forceToHand.value_or(-99);
     }
 };
 
@@ -182,6 +215,59 @@ private Q_SLOTS:
         stage.pad.controls = pushed;
         stage.turn();
         QVERIFY(!stage.hand().motion.isZero());
+    }
+
+    void onlyAMasterWithForceOffersOne()
+    {
+        Stage stage;
+        QVERIFY(!stage.hand().forceToHand);
+    }
+
+    void theHandFeelsTheRobotWhileItMovesIt()
+    {
+        HapticStage stage;
+        auto status = stage.cockpit.status(RobotState::Engaged);
+        status.guidewireForce = 0.8;
+        QCOMPARE(stage.after(1s, status), 0.8);
+        QCOMPARE(stage.after(InstrumentState::statusLimit, std::nullopt), 0.8); // not yet stale
+    }
+
+    void theHandFeelsNothingOtherwise_data()
+    {
+        QTest::addColumn<QString>("how");
+        for (const auto* how : {"stale", "robot not engaged", "robot holds", "dead-man let go", "hold", "link suspect", "link lost"})
+            QTest::newRow(how) << QString::fromLatin1(how);
+    }
+
+    void theHandFeelsNothingOtherwise()
+    {
+        QFETCH(QString, how);
+        HapticStage stage;
+        auto status = stage.cockpit.status(RobotState::Engaged);
+        status.guidewireForce = 2.9;
+        QCOMPARE(stage.after(1s, status), 2.9);
+        std::optional<RobotStatus> then = status;
+        auto& models = stage.cockpit.models;
+        PermitEvent event;
+        if (how == QLatin1String("stale")) {
+            then.reset();
+            stage.after(InstrumentState::statusLimit, then);
+        } else if (how == QLatin1String("robot not engaged")) {
+            then->engaged = false;
+        } else if (how == QLatin1String("robot holds")) {
+            then->state = RobotState::Hold;
+        } else if (how == QLatin1String("dead-man let go")) {
+            event.kind = PermitEventKind::DeadManReleased;
+            models.permit.apply(event, stage.now);
+        } else if (how == QLatin1String("hold")) {
+            event.kind = PermitEventKind::PanicHold;
+            models.permit.apply(event, stage.now);
+        } else if (how == QLatin1String("link suspect")) {
+            models.sessions.setLinkState(robotId, LinkState::Suspect, stage.now);
+        } else {
+            models.sessions.setLinkState(robotId, LinkState::StandBy, stage.now);
+        }
+        QCOMPARE(stage.after(100ms, then), 0.0);
     }
 
     void theLogSaysWhatBecameOfTheMaster()
