@@ -36,14 +36,10 @@ MasterReading ConnectedMaster::read(Instant now)
 void ConnectedMaster::rezero(Instant)
 {
     m_gate.stillMotion();
-    renew();
+    m_counted.motion = {}; // until the next poll
 }
 
-void ConnectedMaster::listeningChanged()
-{
-    shut();
-    renew();
-}
+void ConnectedMaster::listeningChanged() { shut(); }
 
 void ConnectedMaster::setConnected(bool connected)
 {

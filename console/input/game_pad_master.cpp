@@ -14,9 +14,7 @@ QString GamePadMaster::name() const
 
 QString GamePadMaster::legend() const
 {
-    return tr(
-        "left trigger dead-man · left stick guidewire · right stick catheter · right shoulder clutch · Start arm · cross up/down scale "
-        "· B hold · F X-ray");
+    return tr("left trigger dead-man · sticks guidewire, catheter · right shoulder clutch · Start arm · cross scale · B hold · F X-ray");
 }
 
 QString GamePadMaster::note() const

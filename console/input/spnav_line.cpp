@@ -1,16 +1,21 @@
 // Opening beside the GUI thread, and reading without ever waiting.
 #include "input/spnav_line.hpp"
 
+#include <QFile>
 #include <QPromise>
 #include <QSocketNotifier>
+#include <QStringList>
 
 #include <spnav.h>
 
 #include <sys/select.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <fcntl.h>
 #include <mutex>
 #include <thread>
@@ -46,6 +51,43 @@ bool descriptorsAreSmall()
         ::close(next);
     constexpr int spare = 8; // others may open some in between
     return next >= 0 && next + spare < FD_SETSIZE;
+}
+
+/// Where the library looks for the daemon, in its order.
+QStringList daemonSockets()
+{
+    QStringList paths;
+    if (qEnvironmentVariableIsSet("SPNAV_SOCKET"))
+        paths << qEnvironmentVariable("SPNAV_SOCKET");
+    QFile settings(QStringLiteral("/etc/spnavrc"));
+    constexpr qint64 longest = 65536;
+    if (settings.open(QIODevice::ReadOnly))
+        for (const auto& line : QString::fromLocal8Bit(settings.read(longest)).split(QLatin1Char('\n')))
+            if (line.trimmed().startsWith(QLatin1String("socket")) && line.contains(QLatin1Char('=')))
+                paths << line.section(QLatin1Char('='), 1).trimmed();
+    return paths << QStringLiteral("/var/run/spnav.sock");
+}
+
+bool answers(const QString& path)
+{
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const auto name = QFile::encodeName(path);
+    if (name.isEmpty() || name.size() >= qsizetype(sizeof address.sun_path))
+        return false;
+    std::memcpy(address.sun_path, name.constData(), std::size_t(name.size()));
+    const int probe = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    const bool there = probe >= 0 && ::connect(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    if (probe >= 0)
+        ::close(probe);
+    return there;
+}
+
+/// The library keeps a little memory for ever at each try that fails: it is asked only when somebody answers.
+bool daemonAnswers()
+{
+    const auto paths = daemonSockets();
+    return std::any_of(paths.begin(), paths.end(), answers);
 }
 
 /// The library writes without asking whether the other end is there.
@@ -90,7 +132,7 @@ void SpnavLine::start()
 /// On the thread that opens. An older daemon does not say when a mouse is unplugged: its last button would count as held for ever.
 SpnavLine::Opened SpnavLine::openNow()
 {
-    if (!descriptorsAreSmall() || spnav_open() == -1)
+    if (!descriptorsAreSmall() || !daemonAnswers() || spnav_open() == -1)
         return Opened::NoDaemon;
     if (spnav_protocol() < 1)
         return Opened::TooOld;

@@ -80,7 +80,11 @@ void MotionBar::connectButtons()
     });
 }
 
-void MotionBar::setKeyLegend(const QString& legend) { m_legend->setText(legend); }
+void MotionBar::setKeyLegend(const QString& legend)
+{
+    m_legend->setText(legend);
+    m_legend->setToolTip(legend); // beside several masters there may be no room for all of it
+}
 
 void MotionBar::setPedalShown(bool held) { m_pedal->setProgress(held ? 1.0 : 0.0); }
 

@@ -3,6 +3,7 @@
 
 #include <QLocalServer>
 #include <QLocalSocket>
+#include <QPointer>
 #include <QTemporaryDir>
 
 #include <array>
@@ -32,12 +33,12 @@ public:
     void end()
     {
         m_server.close();
-        if (m_client != nullptr)
+        if (m_client)
             m_client->abort();
-        m_client = nullptr;
+        m_client.clear();
     }
 
-    bool hasClient() const { return m_client != nullptr && m_client->state() == QLocalSocket::ConnectedState; }
+    bool hasClient() const { return m_client && m_client->state() == QLocalSocket::ConnectedState; }
     int connections() const { return m_connections; }
 
     void send(const Packet& packet) { sendBytes(QByteArray(reinterpret_cast<const char*>(packet.data()), sizeof packet)); }
@@ -62,10 +63,17 @@ public:
 private:
     void accept()
     {
-        m_client = m_server.nextPendingConnection();
-        ++m_connections;
-        m_shaken = false;
-        QObject::connect(m_client, &QLocalSocket::readyRead, m_client, [this] { answer(); });
+        // One that only looks whether somebody is there says nothing and leaves.
+        auto* caller = m_server.nextPendingConnection();
+        QObject::connect(caller, &QLocalSocket::disconnected, caller, &QObject::deleteLater);
+        QObject::connect(caller, &QLocalSocket::readyRead, caller, [this, caller] {
+            if (m_client != caller) {
+                m_client = caller;
+                ++m_connections;
+                m_shaken = false;
+            }
+            answer();
+        });
     }
 
     void answer()
@@ -89,7 +97,7 @@ private:
 
     QTemporaryDir m_folder;
     QLocalServer m_server;
-    QLocalSocket* m_client = nullptr;
+    QPointer<QLocalSocket> m_client;
     int m_protocol;
     int m_connections = 0;
     bool m_shaken = false;

@@ -7,6 +7,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <random>
+
 using namespace console;
 using namespace console::test;
 using namespace std::chrono_literals;
@@ -52,6 +54,23 @@ struct Rack {
         pad.controls.axesAtRest = false;
         turn();
         QVERIFY(read().deadMan && !read().motion.isZero());
+    }
+};
+
+/// What a pad must have done for its dead-man to count, kept beside the rack and not read from it.
+struct PadsWay {
+    bool plugged = false;
+    bool seenLetGo = false;  ///< since it came, was chosen, was heard again, or was late
+    bool seenAtRest = false; ///< since then, or since the last engage
+
+    void anew() { seenLetGo = seenAtRest = false; }
+
+    void polled(const HandControls& controls, bool listening)
+    {
+        if (!plugged || !listening)
+            return;
+        seenAtRest = seenAtRest || controls.axesAtRest;
+        seenLetGo = seenLetGo || controls.letGo();
     }
 };
 
@@ -264,6 +283,66 @@ private Q_SLOTS:
         QCOMPARE(rack.read(start + 300ms).motion.guidewireVelocity, 10.0);
         rack.read(start + 2s);
         QVERIFY(rack.read(start + 2s).motion.isZero()); // the recorded hand lets go
+    }
+
+    /// Pads that are plugged in and out, held, stuck, late and chosen at random: what counts was seen let go before.
+    void nothingCountsThatWasNotLetGo()
+    {
+        std::mt19937 random(3);
+        const auto one = [&random](unsigned in) { return random() % in == 0; };
+        Rack stage;
+        PadsWay way;
+        auto& pad = stage.pad;
+        const auto plug = [&](bool in) {
+            if (in != way.plugged)
+                way.anew();
+            way.plugged = in;
+            pad.plug(in);
+        };
+        int counted = 0;
+        int moved = 0;
+        for (int i = 0; i < 300'000; ++i) {
+            if (one(40))
+                plug(!one(3));
+            if (one(8))
+                pad.controls.deadMan = one(2);
+            if (one(40))
+                pad.controls.arm = !pad.controls.arm;
+            if (one(8)) {
+                pad.controls.axesAtRest = one(2);
+                pad.controls.motion.guidewireVelocity = pad.controls.axesAtRest ? 0 : 10;
+            }
+            const bool heard = stage.rack.listening();
+            if (one(50)) {
+                stage.rack.setListening(!heard);
+                way.anew();
+            }
+            if (one(30)) {
+                const auto kind = one(4) ? MasterKind::Keyboard : MasterKind::GamePad;
+                if (stage.rack.inUse().kind() != kind && stage.rack.choose(kind, PermitPhase::Hold, stage.now))
+                    way.anew();
+            }
+            if (one(30)) {
+                stage.rack.rezero(stage.now);
+                if (stage.rack.inUse().kind() == MasterKind::GamePad)
+                    way.seenAtRest = false;
+            }
+            const auto time = one(60) ? 2 * ConnectedMaster::lateLimit : 10ms;
+            if (time > ConnectedMaster::lateLimit)
+                way.anew();
+            stage.turn(time);
+            way.polled(pad.controls, stage.rack.listening());
+            const auto reading = stage.read();
+            const bool used = stage.rack.inUse().kind() == MasterKind::GamePad;
+            const bool may = used && way.plugged && stage.rack.listening() && way.seenLetGo;
+            if (used)
+                QCOMPARE(reading.alive, may);
+            QVERIFY(!reading.deadMan || (may && pad.controls.deadMan));
+            QVERIFY(reading.motion.isZero() || (may && way.seenAtRest && !pad.controls.axesAtRest));
+            counted += reading.deadMan ? 1 : 0;
+            moved += reading.deadMan && !reading.motion.isZero() ? 1 : 0;
+        }
+        QVERIFY2(counted > 1000 && moved > 300, qPrintable(QStringLiteral("%1, %2").arg(counted).arg(moved)));
     }
 
     void showsTheOneInUseFirstAndOnlyThoseThatAreThere()
