@@ -54,6 +54,7 @@ SdlPads::SdlPads()
     // The kernel's drivers know the pads; SDL's own write to the devices and can take their time.
     SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");
     SDL_SetHint(SDL_HINT_ACCELEROMETER_AS_JOYSTICK, "0");
+    SDL_SetHint(SDL_HINT_GAMECONTROLLER_USE_BUTTON_LABELS, "0"); // by place, whatever is printed on it
     if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER | SDL_INIT_JOYSTICK) != 0)
         m_trouble = Text::tr("game pads cannot be heard: %1").arg(QString::fromUtf8(SDL_GetError()));
 }
