@@ -51,7 +51,8 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
 void CockpitControl::connectHand()
 {
     const auto* hand = &m_hand;
-    connect(hand, &HandDesk::lifeChanged, this, [this] { checkGuards(presentTime()); });
+    // All guards at once: a master that is back before the next full look would otherwise not even end an ARM that is being held.
+    connect(hand, &HandDesk::lifeChanged, this, [this] { checkAllGuards(presentTime()); });
     connect(hand, &HandDesk::deadManChanged, this,
             [this](bool pressed) { apply(pressed ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased); });
     connect(hand, &HandDesk::armHeldChanged, this, &CockpitControl::setArmHeld);
@@ -81,7 +82,7 @@ void CockpitControl::run()
     m_hand.poll(now);
     expectPictures(now);
     if (m_runs % guardRuns == 0)
-        carryOut(m_models.permit.check(guardReadings(now), now), now);
+        checkAllGuards(now);
     else
         checkGuards(now);
     apply(PermitEventKind::Tick);
@@ -93,6 +94,8 @@ void CockpitControl::run()
     }
     ++m_runs;
 }
+
+void CockpitControl::checkAllGuards(Instant now) { carryOut(m_models.permit.check(guardReadings(now), now), now); }
 
 /// Between two full checks only what ends motion is looked at.
 void CockpitControl::checkGuards(Instant now)

@@ -38,6 +38,7 @@ public:
 private:
     void connectHand();
     void run();
+    void checkAllGuards(Instant now);
     void checkGuards(Instant now);
     void apply(PermitEventKind kind);
     void apply(const PermitEvent& event, Instant now);
