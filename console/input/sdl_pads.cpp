@@ -79,10 +79,10 @@ std::vector<PadStep> SdlPads::poll()
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0)
         take(event, steps);
-    if (m_pad == nullptr)
-        openFirst(steps);
-    else
+    if (m_pad != nullptr)
         change(read(), steps); // whatever no event told
+    if (m_listChanged && m_pad == nullptr)
+        openFirst(steps);
     if (m_listChanged)
         nameOthers();
     return steps;
@@ -144,7 +144,6 @@ void SdlPads::openFirst(std::vector<PadStep>& steps)
         return;
     m_id = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(m_pad));
     m_name = shownName(SDL_GameControllerName(m_pad));
-    m_listChanged = true;
     // What is held as it comes is known only after this.
     SDL_GameControllerUpdate();
     m_state = read();

@@ -268,7 +268,18 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->life, MasterLife::Unreleased, patience);
         QVERIFY(theatre.phase() != PermitPhase::Armed && theatre.phase() != PermitPhase::Engaged);
         QCOMPARE(theatre.robotStatus().appliedCommands, applied);
+
+        // Another master is a person's choice.
         theatre.releaseAll();
+        QAbstractButton* keyboard = nullptr;
+        for (auto* button : theatre.window().findChildren<QAbstractButton*>())
+            if (button->accessibleName().startsWith(QStringLiteral("Use Keyboard")))
+                keyboard = button;
+        QVERIFY(keyboard != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(keyboard->isEnabled(), patience);
+        QTest::mouseClick(keyboard, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->kind, MasterKind::Keyboard, patience);
+        QVERIFY(theatre.models().hand.reading().alive);
     }
 
     void aLostXraySystemIsAnAlarmOfItsOwnAndIsKept()

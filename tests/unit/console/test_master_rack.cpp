@@ -57,21 +57,66 @@ struct Rack {
     }
 };
 
-/// What a pad must have done for its dead-man to count, kept beside the rack and not read from it.
-struct PadsWay {
+/// A pad at random, and beside it what it must have done for its dead-man to count, which is not read from the rack.
+struct RandomPad {
+    Rack stage;
+    std::mt19937 random{3};
     bool plugged = false;
     bool seenLetGo = false;  ///< since it came, was chosen, was heard again, or was late
     bool seenAtRest = false; ///< since then, or since the last engage
 
+    bool one(unsigned in) { return random() % in == 0; }
+    bool used() const { return stage.rack.inUse().kind() == MasterKind::GamePad; }
     void anew() { seenLetGo = seenAtRest = false; }
 
-    void polled(const HandControls& controls, bool listening)
+    void hand()
     {
-        if (!plugged || !listening)
-            return;
-        seenAtRest = seenAtRest || controls.axesAtRest;
-        seenLetGo = seenLetGo || controls.letGo();
+        auto& controls = stage.pad.controls;
+        if (one(8))
+            controls.deadMan = one(2);
+        if (one(40))
+            controls.arm = !controls.arm;
+        if (one(8)) {
+            controls.axesAtRest = one(2);
+            controls.motion.guidewireVelocity = controls.axesAtRest ? 0 : 10;
+        }
     }
+
+    void world()
+    {
+        if (one(40)) {
+            const bool in = !one(3);
+            if (in != plugged)
+                anew();
+            plugged = in;
+            stage.pad.plug(in);
+        }
+        if (one(50)) {
+            stage.rack.setListening(!stage.rack.listening());
+            anew();
+        }
+        const auto kind = one(4) ? MasterKind::Keyboard : MasterKind::GamePad;
+        if (one(30) && stage.rack.inUse().kind() != kind && stage.rack.choose(kind, PermitPhase::Hold, stage.now))
+            anew();
+        if (one(30)) {
+            stage.rack.rezero(stage.now);
+            seenAtRest = seenAtRest && !used();
+        }
+    }
+
+    void time()
+    {
+        const bool late = one(60);
+        if (late)
+            anew();
+        stage.turn(late ? 2 * ConnectedMaster::lateLimit : 10ms);
+        if (!plugged || !stage.rack.listening())
+            return;
+        seenAtRest = seenAtRest || stage.pad.controls.axesAtRest;
+        seenLetGo = seenLetGo || stage.pad.controls.letGo();
+    }
+
+    bool mayCount() const { return used() && plugged && stage.rack.listening() && seenLetGo; }
 };
 
 } // namespace
@@ -288,57 +333,19 @@ private Q_SLOTS:
     /// Pads that are plugged in and out, held, stuck, late and chosen at random: what counts was seen let go before.
     void nothingCountsThatWasNotLetGo()
     {
-        std::mt19937 random(3);
-        const auto one = [&random](unsigned in) { return random() % in == 0; };
-        Rack stage;
-        PadsWay way;
-        auto& pad = stage.pad;
-        const auto plug = [&](bool in) {
-            if (in != way.plugged)
-                way.anew();
-            way.plugged = in;
-            pad.plug(in);
-        };
+        RandomPad pad;
         int counted = 0;
         int moved = 0;
         for (int i = 0; i < 300'000; ++i) {
-            if (one(40))
-                plug(!one(3));
-            if (one(8))
-                pad.controls.deadMan = one(2);
-            if (one(40))
-                pad.controls.arm = !pad.controls.arm;
-            if (one(8)) {
-                pad.controls.axesAtRest = one(2);
-                pad.controls.motion.guidewireVelocity = pad.controls.axesAtRest ? 0 : 10;
-            }
-            const bool heard = stage.rack.listening();
-            if (one(50)) {
-                stage.rack.setListening(!heard);
-                way.anew();
-            }
-            if (one(30)) {
-                const auto kind = one(4) ? MasterKind::Keyboard : MasterKind::GamePad;
-                if (stage.rack.inUse().kind() != kind && stage.rack.choose(kind, PermitPhase::Hold, stage.now))
-                    way.anew();
-            }
-            if (one(30)) {
-                stage.rack.rezero(stage.now);
-                if (stage.rack.inUse().kind() == MasterKind::GamePad)
-                    way.seenAtRest = false;
-            }
-            const auto time = one(60) ? 2 * ConnectedMaster::lateLimit : 10ms;
-            if (time > ConnectedMaster::lateLimit)
-                way.anew();
-            stage.turn(time);
-            way.polled(pad.controls, stage.rack.listening());
-            const auto reading = stage.read();
-            const bool used = stage.rack.inUse().kind() == MasterKind::GamePad;
-            const bool may = used && way.plugged && stage.rack.listening() && way.seenLetGo;
-            if (used)
-                QCOMPARE(reading.alive, may);
-            QVERIFY(!reading.deadMan || (may && pad.controls.deadMan));
-            QVERIFY(reading.motion.isZero() || (may && way.seenAtRest && !pad.controls.axesAtRest));
+            pad.world();
+            pad.hand();
+            pad.time();
+            const auto reading = pad.stage.read();
+            const auto& controls = pad.stage.pad.controls;
+            if (pad.used())
+                QCOMPARE(reading.alive, pad.mayCount());
+            QVERIFY(!reading.deadMan || (pad.mayCount() && controls.deadMan));
+            QVERIFY(reading.motion.isZero() || (pad.mayCount() && pad.seenAtRest && !controls.axesAtRest));
             counted += reading.deadMan ? 1 : 0;
             moved += reading.deadMan && !reading.motion.isZero() ? 1 : 0;
         }
