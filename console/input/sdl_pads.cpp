@@ -49,12 +49,14 @@ QString shownName(const char* name) { return QString::fromUtf8(name != nullptr ?
 
 SdlPads::SdlPads()
 {
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
-    SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+    // Whatever the environment says.
+    const auto insist = [](const char* name, const char* value) { SDL_SetHintWithPriority(name, value, SDL_HINT_OVERRIDE); };
+    insist(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
+    insist(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
     // The kernel's drivers know the pads; SDL's own write to the devices and can take their time.
-    SDL_SetHint(SDL_HINT_JOYSTICK_HIDAPI, "0");
-    SDL_SetHint(SDL_HINT_ACCELEROMETER_AS_JOYSTICK, "0");
-    SDL_SetHint(SDL_HINT_GAMECONTROLLER_USE_BUTTON_LABELS, "0"); // by place, whatever is printed on it
+    insist(SDL_HINT_JOYSTICK_HIDAPI, "0");
+    insist(SDL_HINT_ACCELEROMETER_AS_JOYSTICK, "0");
+    insist(SDL_HINT_GAMECONTROLLER_USE_BUTTON_LABELS, "0"); // by place, whatever is printed on it
     if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER | SDL_INIT_JOYSTICK) != 0)
         m_trouble = Text::tr("game pads cannot be heard: %1").arg(QString::fromUtf8(SDL_GetError()));
 }

@@ -36,12 +36,14 @@ void MasterChip::setStatus(const MasterStatus& status, const QString& words)
 {
     if (m_status == status && m_words == words)
         return;
+    const auto before = sizeHint();
     m_status = status;
     m_words = words;
     setAccessibleName(status.inUse ? tr("Master in use: %1, %2").arg(status.name, words) : tr("Use %1, %2").arg(status.name, words));
     setAccessibleDescription(status.note);
     setToolTip(status.note);
-    updateGeometry();
+    if (sizeHint() != before)
+        updateGeometry();
     update();
 }
 
