@@ -218,6 +218,16 @@ private Q_SLOTS:
         QCOMPARE(mouse.life(), MasterLife::Gone);
     }
 
+    void aLineThatEndsWhileItOpensLeavesNothingBehind()
+    {
+        Mouse first(0);
+        QTRY_VERIFY_WITH_TIMEOUT(first.daemon.hasClient(), patience);
+        first.master.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(!first.daemon.hasClient(), patience);
+        Mouse second;
+        QVERIFY(second.becomes(MasterLife::Alive));
+    }
+
     void openingDoesNotHoldUpThisThread()
     {
         Mouse mouse(0); // the library waits for an answer that does not come
