@@ -4,10 +4,9 @@
 #include "app/alarm_service.hpp"
 #include "app/cockpit_control.hpp"
 #include "app/command_line.hpp"
+#include "app/hand_desk.hpp"
 #include "app/picture_desk.hpp"
 #include "app/unattended_run.hpp"
-#include "input/keyboard_master.hpp"
-#include "input/recorded_master.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -40,7 +39,6 @@ public:
     const ConsoleModels& models() const { return m_models; }
 
 private:
-    bool loadRecording(QString* error);
     void buildAlarms();
     void buildWindow();
     void buildTopology();
@@ -55,8 +53,7 @@ private:
     Options m_options;
     ConsoleModels m_models;
     PictureDesk m_pictures;
-    KeyboardMaster m_keyboard;
-    std::unique_ptr<RecordedMaster> m_recording;
+    HandDesk m_hand;
     std::unique_ptr<SystemLink> m_link;
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/alarm_watch.hpp"
-#include "input/keyboard_master.hpp"
+#include "app/hand_desk.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -18,8 +18,7 @@ namespace console {
 class CockpitControl : public QObject {
     Q_OBJECT
 public:
-    /// `recording` may be null: then the keyboard moves. With one, motion is the recording's; the dead-man stays the keyboard's.
-    CockpitControl(ConsoleModels& models, SystemLink& link, KeyboardMaster& keyboard, MasterDevice* recording, QObject* parent = nullptr);
+    CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk& hand, QObject* parent = nullptr);
 
     void start();
 
@@ -37,18 +36,18 @@ public:
     void setHandHasKeys(bool has);
 
 private:
+    void connectHand();
     void run();
+    void checkAllGuards(Instant now);
     void checkGuards(Instant now);
     void apply(PermitEventKind kind);
     void apply(const PermitEvent& event, Instant now);
     void carryOut(const PermitActions& actions, Instant now);
     void tellSession();
     void tellRobot();
-    void readHand(Instant now);
     void expectPictures(Instant now);
     void publishMotion(Instant now);
     void publishStatus(Instant now);
-    void stepScale(int steps);
     GuardReadings guardReadings(Instant now) const;
     void noteTrends(Instant now);
     void notePhase(PermitPhase from, PermitPhase to);
@@ -56,14 +55,12 @@ private:
 
     ConsoleModels& m_models;
     SystemLink& m_link;
-    KeyboardMaster& m_keyboard;
-    MasterDevice* m_recording;
+    HandDesk& m_hand;
     AlarmWatch m_alarms;
     QTimer m_timer;
     std::optional<Instant> m_lastRun;
     quint64 m_runs = 0;
     quint32 m_press;
-    double m_scale = 1;
     std::optional<bool> m_confirmed; ///< what was last told of holding
 };
 

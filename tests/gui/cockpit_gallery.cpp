@@ -104,6 +104,14 @@ std::vector<State> states()
         {"engaged", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(); }},
         {"frozen", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.freezePicture(); }},
         {"standby", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.loseXray(), c.loseRobot(); }},
+        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.feelForce(); }},
+        {"masters",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), c.losePad();
+             w.setKeyLegend(
+                 QStringLiteral("left trigger dead-man \u00B7 sticks guidewire, catheter \u00B7 right shoulder clutch \u00B7 Start arm "
+                                "\u00B7 cross scale \u00B7 B hold \u00B7 F X-ray"));
+         }},
         {"topology",
          [](InventedCockpit& c, CockpitWindow& w) {
              c.openAll(), c.loseXray();
