@@ -21,7 +21,8 @@ constexpr std::chrono::milliseconds scenePeriod{50};
 
 } // namespace
 
-CockpitApplication::CockpitApplication(const Options& options) : m_options(options), m_pictures(options, m_models)
+CockpitApplication::CockpitApplication(const Options& options)
+    : m_options(options), m_pictures(options, m_models), m_hand(m_options, m_models)
 {
     m_models.picture.setProfile(options.profile);
     m_models.picture.setRehearsal(options.rehearsal);
@@ -44,27 +45,18 @@ CockpitApplication::~CockpitApplication()
         m_link->stop();
 }
 
-bool CockpitApplication::loadRecording(QString* error)
-{
-    if (m_options.recording.isEmpty())
-        return !m_options.unattended || (*error = tr("the recording that comes with LiENa is missing; name one with --recording"), false);
-    auto samples = RecordedMaster::load(m_options.recording, error);
-    if (samples.empty())
-        return false;
-    m_recording = std::make_unique<RecordedMaster>(std::move(samples));
-    return true;
-}
-
 bool CockpitApplication::prepare(QString* error)
 {
-    if (!loadRecording(error) || !m_pictures.prepare(error))
+    if (m_options.unattended && m_options.recording.isEmpty())
+        return *error = tr("the recording that comes with LiENa is missing; name one with --recording"), false;
+    if (!m_hand.prepare(error) || !m_pictures.prepare(error))
         return false;
     LinkSettings settings{m_options.topology,    m_options.device, m_options.registry,  m_options.store,
                           m_options.certificate, m_options.key,    m_options.authority, m_options.measureOnRequest};
     m_link = SystemLink::create(settings, m_models, m_pictures.pipeline(), error);
     if (!m_link)
         return false;
-    m_control = std::make_unique<CockpitControl>(m_models, *m_link, m_keyboard, m_recording.get());
+    m_control = std::make_unique<CockpitControl>(m_models, *m_link, m_hand);
     buildAlarms();
     buildWindow();
     return true;
@@ -90,7 +82,6 @@ void CockpitApplication::buildWindow()
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
     m_window->setRehearsal(m_options.rehearsal);
-    m_window->setKeyLegend(KeyboardMaster::legend());
     connectIntents();
     connectAlarms();
     connectHand();
@@ -165,8 +156,13 @@ void CockpitApplication::connectHand()
     connect(window, &CockpitWindow::pedalChanged, control, &CockpitControl::setPedal);
     connect(window, &CockpitWindow::panicHoldRequested, control, &CockpitControl::panicHold);
     connect(window, &CockpitWindow::handFocusChanged, control, &CockpitControl::setHandHasKeys);
-    connect(window, &CockpitWindow::handKeyPressed, &m_keyboard, [this](int key) { m_keyboard.press(key); });
-    connect(window, &CockpitWindow::handKeyReleased, &m_keyboard, [this](int key) { m_keyboard.release(key); });
+    auto* keyboard = &m_hand.keyboard();
+    connect(window, &CockpitWindow::handKeyPressed, keyboard, [keyboard](int key) { keyboard->press(key); });
+    connect(window, &CockpitWindow::handKeyReleased, keyboard, [keyboard](int key) { keyboard->release(key); });
+    connect(window, &CockpitWindow::masterChosen, &m_hand, &HandDesk::choose);
+    const auto legend = [this] { m_window->setKeyLegend(m_hand.legend()); };
+    connect(&m_hand, &HandDesk::inUseChanged, window, legend);
+    legend();
     control->setHandHasKeys(window->handHasKeys());
 }
 

@@ -4,11 +4,10 @@
 #include "app/alarm_service.hpp"
 #include "app/cockpit_control.hpp"
 #include "app/command_line.hpp"
+#include "app/hand_desk.hpp"
 #include "app/log_saver.hpp"
 #include "app/picture_desk.hpp"
 #include "app/unattended_run.hpp"
-#include "input/keyboard_master.hpp"
-#include "input/recorded_master.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -44,7 +43,6 @@ public:
     const ConsoleModels& models() const { return m_models; }
 
 private:
-    bool loadRecording(QString* error);
     void buildAlarms();
     void buildWindow();
     void buildTopology();
@@ -61,8 +59,7 @@ private:
     AlarmVoice* m_voice = nullptr;
     ConsoleModels m_models;
     PictureDesk m_pictures;
-    KeyboardMaster m_keyboard;
-    std::unique_ptr<RecordedMaster> m_recording;
+    HandDesk m_hand;
     std::unique_ptr<SystemLink> m_link;
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;

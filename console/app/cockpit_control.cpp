@@ -1,7 +1,6 @@
 // The loop between hand, permit and link.
 #include "app/cockpit_control.hpp"
 
-#include "input/hand_scale.hpp"
 #include "model/present_readings.hpp"
 
 #include <QDateTime>
@@ -16,19 +15,17 @@ constexpr std::chrono::milliseconds period{10};
 constexpr std::chrono::milliseconds stallLimit{100};
 constexpr int guardRuns = 5;  ///< 20 Hz
 constexpr int alarmRuns = 10; ///< 10 Hz
-constexpr double scaleStep = 0.1;
 
 Instant presentTime() { return std::chrono::steady_clock::now(); }
 
 } // namespace
 
 // A press has a number that this console did not use before it was started: a system that remembers the last one would refuse it.
-CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, KeyboardMaster& keyboard, MasterDevice* recording, QObject* parent)
+CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk& hand, QObject* parent)
     : QObject(parent),
       m_models(models),
       m_link(link),
-      m_keyboard(keyboard),
-      m_recording(recording),
+      m_hand(hand),
       m_alarms(models, link.robot()),
       m_interruptions(models, [&link] { return link.framesReceived(); }),
       m_press(static_cast<quint32>(QDateTime::currentSecsSinceEpoch()))
@@ -53,14 +50,19 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, Keyboard
     connect(&link.sessionEvents(), &SessionIntake::auditLost, this,
             [this](const QString& reason) { m_alarms.setAuditTrouble(tr("the audit file is not written: %1").arg(reason)); });
     connect(&link.sessionEvents(), &SessionIntake::auditRestored, this, [this] { m_alarms.setAuditTrouble({}); });
-    connect(&keyboard, &KeyboardMaster::deadManChanged, this, [this](bool pressed) {
-        readHand(presentTime());
-        apply(pressed ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased);
-    });
-    connect(&keyboard, &KeyboardMaster::armHeldChanged, this, &CockpitControl::setArmHeld);
-    connect(&keyboard, &KeyboardMaster::pedalChanged, this, &CockpitControl::setPedal);
-    connect(&keyboard, &KeyboardMaster::scaleStepRequested, this, &CockpitControl::stepScale);
-    m_models.hand.setDeviceName(recording ? recording->name() : keyboard.name());
+    connectHand();
+}
+
+void CockpitControl::connectHand()
+{
+    const auto* hand = &m_hand;
+    // All guards at once: a master that is back before the next full look would otherwise not even end an ARM that is being held.
+    connect(hand, &HandDesk::lifeChanged, this, [this] { checkAllGuards(presentTime()); });
+    connect(hand, &HandDesk::deadManChanged, this,
+            [this](bool pressed) { apply(pressed ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased); });
+    connect(hand, &HandDesk::armHeldChanged, this, &CockpitControl::setArmHeld);
+    connect(hand, &HandDesk::pedalChanged, this, &CockpitControl::setPedal);
+    connect(hand, &HandDesk::holdRequested, this, &CockpitControl::panicHold);
 }
 
 void CockpitControl::start()
@@ -82,10 +84,10 @@ void CockpitControl::run()
     if (m_lastRun && now - *m_lastRun > stallLimit)
         apply(PermitEventKind::Stalled);
     m_lastRun = now;
-    readHand(now);
+    m_hand.poll(now);
     expectPictures(now);
     if (m_runs % guardRuns == 0)
-        carryOut(m_models.permit.check(readGuards(now), now), now);
+        checkAllGuards(now);
     else
         checkGuards(now);
     apply(PermitEventKind::Tick);
@@ -98,6 +100,8 @@ void CockpitControl::run()
     }
     ++m_runs;
 }
+
+void CockpitControl::checkAllGuards(Instant now) { carryOut(m_models.permit.check(readGuards(now), now), now); }
 
 /// Between two full checks only what ends motion is looked at.
 void CockpitControl::checkGuards(Instant now)
@@ -123,12 +127,8 @@ void CockpitControl::apply(const PermitEvent& event, Instant now) { carryOut(m_m
 /// Motion is published first: what is no longer permitted must not wait behind a request.
 void CockpitControl::carryOut(const PermitActions& actions, Instant now)
 {
-    if (actions.rezero) {
-        m_keyboard.rezero(now);
-        if (m_recording)
-            m_recording->rezero(now);
-        readHand(now);
-    }
+    if (actions.rezero)
+        m_hand.rezero(now);
     publishMotion(now);
     if (actions.release)
         m_link.releasePermit(actions.permit);
@@ -163,19 +163,6 @@ void CockpitControl::tellRobot()
     apply(event, presentTime());
 }
 
-void CockpitControl::readHand(Instant now)
-{
-    const auto keys = m_keyboard.read(now);
-    const auto moved = m_recording ? m_recording->read(now) : keys;
-    HandReading reading;
-    reading.alive = keys.alive && moved.alive;
-    reading.deadMan = keys.deadMan;
-    reading.clutch = keys.clutch || moved.clutch;
-    reading.scale = m_scale;
-    reading.motion = askedMotion(moved.motion, m_scale, keys.deadMan && moved.deadMan, reading.clutch);
-    m_models.hand.set(reading);
-}
-
 void CockpitControl::expectPictures(Instant now)
 {
     const auto& xray = m_models.xray;
@@ -187,7 +174,12 @@ void CockpitControl::expectPictures(Instant now)
     m_link.setPedal({xray.pedalDown(), m_press, xray.requestedRate(), now});
 }
 
-GuardReadings CockpitControl::readGuards(Instant now) const { return guardReadings(m_models, m_link.robot(), m_keyboard.listening(), now); }
+GuardReadings CockpitControl::readGuards(Instant now) const
+{
+    auto readings = guardReadings(m_models, m_link.robot(), m_hand.listening(), now);
+    readings.handMissing = m_hand.missing();
+    return readings;
+}
 
 void CockpitControl::publishMotion(Instant now)
 {
@@ -237,14 +229,9 @@ void CockpitControl::panicHold() { apply(PermitEventKind::PanicHold); }
 
 void CockpitControl::setHandHasKeys(bool has)
 {
-    m_keyboard.setListening(has);
     if (!has)
         apply(PermitEventKind::PanicHold);
-}
-
-void CockpitControl::stepScale(int steps)
-{
-    m_scale = nextScale(m_scale, m_scale + steps * scaleStep, m_models.permit.phase() == PermitPhase::Engaged);
+    m_hand.setListening(has);
 }
 
 void CockpitControl::notePhase(PermitPhase from, PermitPhase to)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/alarm_watch.hpp"
+#include "app/hand_desk.hpp"
 #include "app/interruption_watch.hpp"
-#include "input/keyboard_master.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -19,8 +19,7 @@ namespace console {
 class CockpitControl : public QObject {
     Q_OBJECT
 public:
-    /// `recording` may be null: then the keyboard moves. With one, motion is the recording's; the dead-man stays the keyboard's.
-    CockpitControl(ConsoleModels& models, SystemLink& link, KeyboardMaster& keyboard, MasterDevice* recording, QObject* parent = nullptr);
+    CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk& hand, QObject* parent = nullptr);
 
     void start();
 
@@ -39,33 +38,31 @@ public:
     void setHandHasKeys(bool has);
 
 private:
+    void connectHand();
     void run();
+    void checkAllGuards(Instant now);
     void checkGuards(Instant now);
     void apply(PermitEventKind kind);
     void apply(const PermitEvent& event, Instant now);
     void carryOut(const PermitActions& actions, Instant now);
     void tellSession();
     void tellRobot();
-    void readHand(Instant now);
     void expectPictures(Instant now);
     void publishMotion(Instant now);
     void publishStatus(Instant now);
-    void stepScale(int steps);
     GuardReadings readGuards(Instant now) const;
     void notePhase(PermitPhase from, PermitPhase to);
     bool pedalDown() const { return m_models.xray.pedalDown(); }
 
     ConsoleModels& m_models;
     SystemLink& m_link;
-    KeyboardMaster& m_keyboard;
-    MasterDevice* m_recording;
+    HandDesk& m_hand;
     AlarmWatch m_alarms;
     InterruptionWatch m_interruptions;
     QTimer m_timer;
     std::optional<Instant> m_lastRun;
     quint64 m_runs = 0;
     quint32 m_press;
-    double m_scale = 1;
     std::optional<bool> m_confirmed; ///< what was last told of holding
 };
 

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QMap>
 #include <QStandardPaths>
 
 #include <cmath>
@@ -54,9 +55,16 @@ struct Declared {
         QStringLiteral("NAME"), QStringLiteral("neuro")};
     QCommandLineOption user{QStringLiteral("operator"), QStringLiteral("Name of the person, for the screen and the log."),
                             QStringLiteral("NAME")};
-    QCommandLineOption recording{QStringLiteral("recording"),
-                                 QStringLiteral("Recorded hand (time,x,y,z,buttons) to move by while the dead-man is held."),
-                                 QStringLiteral("FILE")};
+    QCommandLineOption master{
+        QStringLiteral("master"),
+        QStringLiteral("What the hand moves by at the start: keyboard (default), spacemouse, gamepad, haptic-simulated, or recorded, "
+                       "which needs --recording. Others that are there can be chosen in the window while nothing is armed."),
+        QStringLiteral("NAME"), QStringLiteral("keyboard")};
+    QCommandLineOption recording{
+        QStringLiteral("recording"),
+        QStringLiteral(
+            "Recorded hand (time,x,y,z,buttons) to move by while the dead-man is held; is --master recorded, if no other is named."),
+        QStringLiteral("FILE")};
     QCommandLineOption vessels{QStringLiteral("vessels"), QStringLiteral("Vessel tree for the 3-D scene, SWC."), QStringLiteral("FILE")};
     QCommandLineOption alarmLog{
         QStringLiteral("alarm-log"),
@@ -93,9 +101,9 @@ struct Declared {
     Declared()
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
-        parser.addOptions({topology, device,     certificate, key,        authority, registry, store,     profile,
-                           user,     recording,  vessels,     alarmLog,   pictures,  display,  rehearsal, measureOnRequest,
-                           size,     unattended, report,      screenshot, help,      version});
+        parser.addOptions({topology, device,     certificate, key,        authority, registry, store,           profile,
+                           user,     master,     recording,   vessels,    alarmLog,  pictures, display,         rehearsal,
+                           size,     unattended, report,      screenshot, help,      version,  measureOnRequest});
     }
 };
 
@@ -111,6 +119,26 @@ std::optional<QSize> sizeFrom(const QString& text)
     const QSize size(parts[0].toInt(&wide), parts[1].toInt(&high));
     const bool possible = size.width() >= 800 && size.height() >= 450 && size.width() <= 16384 && size.height() <= 16384;
     return wide && high && possible ? std::optional<QSize>(size) : std::nullopt;
+}
+
+QString readMaster(const Declared& declared, Options& options)
+{
+    static const QMap<QString, MasterKind> names{{QStringLiteral("keyboard"), MasterKind::Keyboard},
+                                                 {QStringLiteral("spacemouse"), MasterKind::SpaceMouse},
+                                                 {QStringLiteral("gamepad"), MasterKind::GamePad},
+                                                 {QStringLiteral("haptic-simulated"), MasterKind::HapticSimulated},
+                                                 {QStringLiteral("recorded"), MasterKind::Recorded}};
+    const auto name = declared.parser.value(declared.master);
+    if (!names.contains(name))
+        return QStringLiteral("--master '%1': choose keyboard, spacemouse, gamepad, haptic-simulated or recorded").arg(name);
+    const bool byItself = declared.parser.isSet(declared.unattended);
+    const bool recorded = byItself || !options.recording.isEmpty();
+    options.master = declared.parser.isSet(declared.master) ? names.value(name) : recorded ? MasterKind::Recorded : MasterKind::Keyboard;
+    if (options.master == MasterKind::Recorded && !recorded)
+        return QStringLiteral("--master recorded: name the recording with --recording FILE");
+    if (options.master != MasterKind::Recorded && byItself)
+        return QStringLiteral("--master %1: with --unattended only a recorded hand moves").arg(name);
+    return {};
 }
 
 QString readUnattended(const Declared& declared, Options& options)
@@ -164,6 +192,8 @@ QString readOptions(const Declared& declared, Options& options)
         if (!options.size)
             return QStringLiteral("--size '%1': write WIDTHxHEIGHT, at least 800x450").arg(parser.value(declared.size));
     }
+    if (const auto wrong = readMaster(declared, options); !wrong.isEmpty())
+        return wrong;
     return readUnattended(declared, options);
 }
 

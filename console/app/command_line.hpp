@@ -1,6 +1,7 @@
 // What liena-console is told on its command line.
 #pragma once
 
+#include "model/master_status.hpp"
 #include "model/picture_state.hpp"
 
 #include <QSize>
@@ -26,6 +27,7 @@ struct Options {
     QString key;
     QString authority;
     QString recording;
+    MasterKind master = MasterKind::Keyboard;
     QString vessels;
     QString pictures; ///< folder for saved pictures; empty: the person's own
     QString display;  ///< measurement of the display; empty: not calibrated

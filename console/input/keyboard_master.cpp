@@ -29,14 +29,14 @@ int scaleStep(int key)
 
 KeyboardMaster::KeyboardMaster(QObject* parent) : MasterDevice(parent) {}
 
-QString KeyboardMaster::name() const { return tr("Keyboard"); }
+QString KeyboardMaster::name() const { return word(kind()); }
 
-void KeyboardMaster::setListening(bool listening)
+MasterLife KeyboardMaster::life(Instant) const { return listening() ? MasterLife::Alive : MasterLife::Unheard; }
+
+void KeyboardMaster::listeningChanged()
 {
-    if (m_listening == listening)
-        return;
-    m_listening = listening;
-    if (!listening)
+    Q_EMIT lifeChanged();
+    if (!listening())
         releaseAll();
 }
 
@@ -52,7 +52,7 @@ void KeyboardMaster::tell(int key, bool pressed)
 
 bool KeyboardMaster::press(int key, bool autoRepeat)
 {
-    if (!m_listening || (!isHandKey(key) && scaleStep(key) == 0))
+    if (!listening() || (!isHandKey(key) && scaleStep(key) == 0))
         return false;
     if (autoRepeat || isDown(key))
         return true;
@@ -68,7 +68,7 @@ bool KeyboardMaster::press(int key, bool autoRepeat)
 bool KeyboardMaster::release(int key, bool autoRepeat)
 {
     if (autoRepeat)
-        return m_listening && isHandKey(key);
+        return listening() && isHandKey(key);
     if (!m_down.remove(key))
         return false;
     tell(key, false);
@@ -92,7 +92,7 @@ double KeyboardMaster::direction(int positive, int negative) const
 MasterReading KeyboardMaster::read(Instant)
 {
     MasterReading reading;
-    reading.alive = m_listening;
+    reading.alive = listening();
     reading.deadMan = isDown(deadManKey);
     reading.clutch = isDown(clutchKey);
     reading.motion = {direction(Qt::Key_Up, Qt::Key_Down) * m_speeds.guidewireVelocity,
@@ -121,7 +121,7 @@ QList<QPair<QString, QString>> KeyboardMaster::bindings()
             {tr("Page Up / Page Down"), tr("larger / smaller scale; never larger while engaged")}};
 }
 
-QString KeyboardMaster::legend()
+QString KeyboardMaster::legend() const
 {
     return tr("D dead-man · F X-ray · R arm · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale");
 }

@@ -1,6 +1,7 @@
 // The keyboard as a master: always there, one key held to permit motion, others to move.
 #pragma once
 
+#include "input/hand_mapping.hpp"
 #include "input/master_device.hpp"
 
 #include <QList>
@@ -18,22 +19,15 @@ namespace console {
 class KeyboardMaster : public MasterDevice {
     Q_OBJECT
 public:
-    struct Speeds {
-        double guidewireVelocity = 10;  ///< mm/s at scale 1
-        double guidewireRotation = 180; ///< deg/s
-        double catheterVelocity = 5;
-        double catheterRotation = 90;
-    };
-
     explicit KeyboardMaster(QObject* parent = nullptr);
 
+    MasterKind kind() const override { return MasterKind::Keyboard; }
     QString name() const override;
+    QString legend() const override;
+    MasterLife life(Instant now) const override;
     MasterReading read(Instant now) override;
     void rezero(Instant now) override;
-
-    /// False while something else has the keyboard: a dialogue, a text field, the prompt, another window.
-    void setListening(bool listening);
-    bool listening() const { return m_listening; }
+    void requireRelease() override { releaseAll(); }
 
     /// Qt's key codes. True when the key belongs to the hand.
     bool press(int key, bool autoRepeat = false);
@@ -43,11 +37,11 @@ public:
     /// The keys with what they do: `D, held` `dead-man`.
     static QList<QPair<QString, QString>> bindings();
 
-    /// The same in one short line, for the motion bar.
-    static QString legend();
-
 Q_SIGNALS:
     void pedalChanged(bool down);
+
+protected:
+    void listeningChanged() override;
 
 private:
     bool isDown(int key) const { return m_down.contains(key); }
@@ -55,8 +49,7 @@ private:
     void tell(int key, bool pressed);
 
     QSet<int> m_down;
-    Speeds m_speeds;
-    bool m_listening = false;
+    HandSpeeds m_speeds;
 };
 
 } // namespace console

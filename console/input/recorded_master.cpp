@@ -99,7 +99,11 @@ std::vector<HandSample> RecordedMaster::load(const QString& path, QString* error
 
 RecordedMaster::RecordedMaster(std::vector<HandSample> samples, QObject* parent) : MasterDevice(parent), m_samples(std::move(samples)) {}
 
-QString RecordedMaster::name() const { return tr("Recording"); }
+QString RecordedMaster::name() const { return word(kind()); }
+
+QString RecordedMaster::legend() const { return tr("moves as it was recorded while D is held"); }
+
+MasterLife RecordedMaster::life(Instant) const { return m_samples.empty() ? MasterLife::Gone : MasterLife::Alive; }
 
 Duration RecordedMaster::length() const { return m_samples.empty() ? Duration::zero() : fromMilliseconds(m_samples.back().time * 1000); }
 

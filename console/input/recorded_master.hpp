@@ -22,7 +22,7 @@ std::optional<std::vector<HandSample>> readRecording(const QString& text, const 
 
 /// x turns the guidewire (10 degrees per millimetre), y moves the catheter, z moves the guidewire, advance positive.
 ///
-/// Its dead-man is what was recorded and no person's: whoever uses a recording asks a person's dead-man as well.
+/// Its dead-man is what was recorded and no person's: it borrows the keyboard's.
 class RecordedMaster : public MasterDevice {
     Q_OBJECT
 public:
@@ -30,13 +30,21 @@ public:
 
     static std::vector<HandSample> load(const QString& path, QString* error); ///< empty on failure
 
+    MasterKind kind() const override { return MasterKind::Recorded; }
     QString name() const override;
+    QString legend() const override;
+    MasterLife life(Instant now) const override;
+    bool borrowsDeadMan() const override { return true; }
     MasterReading read(Instant now) override;
 
     /// Plays from the beginning.
     void rezero(Instant now) override;
+    void requireRelease() override {}
 
     Duration length() const;
+
+protected:
+    void listeningChanged() override {}
 
 private:
     HandSample at(double time) const;

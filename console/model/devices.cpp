@@ -103,11 +103,17 @@ void HandState::set(const HandReading& reading)
     Q_EMIT changed();
 }
 
-void HandState::setDeviceName(const QString& name)
+const MasterStatus* HandState::masterInUse() const
 {
-    if (m_deviceName == name)
+    const auto found = std::find_if(m_masters.begin(), m_masters.end(), [](const MasterStatus& master) { return master.inUse; });
+    return found != m_masters.end() ? &*found : nullptr;
+}
+
+void HandState::setMasters(std::vector<MasterStatus> masters)
+{
+    if (m_masters == masters)
         return;
-    m_deviceName = name;
+    m_masters = std::move(masters);
     Q_EMIT changed();
 }
 

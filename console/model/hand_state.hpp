@@ -1,8 +1,12 @@
 // The surgeon's hand as the console takes it: dead-man, clutch, scale, and the motion asked for.
 #pragma once
 
+#include "model/master_status.hpp"
+
 #include <QObject>
-#include <QString>
+
+#include <optional>
+#include <vector>
 
 namespace console {
 
@@ -24,6 +28,9 @@ struct HandReading {
     double scale = 1.0;  ///< hand to robot; cannot be raised while engaged
     HandMotion motion;   ///< scaled, before the soft start
 
+    /// N along the guidewire, against advance positive; nothing: the master in use gives none.
+    std::optional<double> forceToHand = {};
+
     bool operator==(const HandReading&) const = default;
 };
 
@@ -34,11 +41,12 @@ public:
     explicit HandState(QObject* parent = nullptr);
 
     const HandReading& reading() const { return m_reading; }
-    const QString& deviceName() const { return m_deviceName; } ///< `Keyboard`
-    quint64 commandsSent() const { return m_commandsSent; }    ///< motion commands accepted for sending
+    const std::vector<MasterStatus>& masters() const { return m_masters; } ///< the one in use, and all others that are there
+    const MasterStatus* masterInUse() const;
+    quint64 commandsSent() const { return m_commandsSent; } ///< motion commands accepted for sending
 
     void set(const HandReading& reading);
-    void setDeviceName(const QString& name);
+    void setMasters(std::vector<MasterStatus> masters);
     void setCommandsSent(quint64 count);
 
 Q_SIGNALS:
@@ -46,7 +54,7 @@ Q_SIGNALS:
 
 private:
     HandReading m_reading;
-    QString m_deviceName;
+    std::vector<MasterStatus> m_masters;
     quint64 m_commandsSent = 0;
 };
 

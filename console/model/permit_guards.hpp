@@ -72,6 +72,7 @@ struct GuardReadings {
     bool incident = false;
     bool highAlarm = false; ///< an unacknowledged one
     bool handAlive = false;
+    QString handMissing; ///< which master it is, and what it lacks; empty: not known
     bool windowActive = false;
     bool deadMan = false;
     bool alarmsTested = false;     ///< for this arming

@@ -43,6 +43,7 @@ void CockpitWindow::connectIntents()
     connect(m_motion, &MotionBar::emergencyStopResetRequested, this, &CockpitWindow::emergencyStopResetRequested);
     connect(m_motion, &MotionBar::armHoldChanged, this, &CockpitWindow::armHoldChanged);
     connect(m_motion, &MotionBar::pedalChanged, this, &CockpitWindow::pedalChanged);
+    connect(m_motion, &MotionBar::masterChosen, this, &CockpitWindow::masterChosen);
 }
 
 void CockpitWindow::connectModels()

@@ -70,6 +70,7 @@ Q_SIGNALS:
     void emergencyStopResetRequested();
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
+    void masterChosen(console::MasterKind kind);
     void acknowledgeRequested(quint64 alarm);
     void audioPauseRequested();
     void alarmTestRequested();

@@ -46,8 +46,10 @@ double HandBlock::askedWidth() const
 {
     const double scale = theme::scaleOf(this);
     const QFontMetricsF caption(theme::font(TextRole::Caption, scale));
-    return caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(theme::font(TextRole::Strong, scale), tr("advance 00.0 mm/s")) +
-           theme::px(this, 14);
+    const QFont strong = theme::font(TextRole::Strong, scale);
+    const double motion = caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(strong, tr("advance 00.0 mm/s"));
+    const double force = caption.horizontalAdvance(tr("FORCE TO HAND")) + figuresWidth(strong, tr("resistance 0.00 N"));
+    return (m_hand.forceToHand ? std::max(motion, force) : motion) + theme::px(this, 14);
 }
 
 void HandBlock::setState(const HandState& hand, const InstrumentState& instrument, Instant now)
@@ -55,14 +57,18 @@ void HandBlock::setState(const HandState& hand, const InstrumentState& instrumen
     const Lamp received = !instrument.robotFresh(now) ? Lamp::Unknown : instrument.robot().value.engaged ? Lamp::On : Lamp::Off;
     if (m_hand == hand.reading() && m_received == received)
         return;
+    const bool other = m_hand.forceToHand.has_value() != hand.reading().forceToHand.has_value();
     m_hand = hand.reading();
     m_received = received;
+    if (other)
+        updateGeometry();
     setAccessibleDescription(tr("Dead-man sent %1, at the robot %2, clutch %3")
                                  .arg(m_hand.deadMan ? tr("pressed") : tr("released"),
                                       m_received == Lamp::Unknown ? tr("unknown")
                                       : m_received == Lamp::On    ? tr("pressed")
                                                                   : tr("released"),
-                                      m_hand.clutch ? tr("pressed") : tr("released")));
+                                      m_hand.clutch ? tr("pressed") : tr("released")) +
+                             (m_hand.forceToHand ? tr(", force to hand %1").arg(forceText()) : QString()));
     update();
 }
 
@@ -111,28 +117,43 @@ void HandBlock::paintLamps(QPainter& painter, const QRectF& where) const
     painter.drawText(QRectF(second.right() + cell, second.top(), cell, row), Qt::AlignLeft | Qt::AlignVCenter, tr("acts here"));
 }
 
+QString HandBlock::forceText() const
+{
+    const double force = m_hand.forceToHand.value_or(0);
+    const auto way = std::abs(force) < 0.02 ? tr("none") : force > 0 ? tr("resistance") : tr("pull");
+    return tr("%1 %2").arg(way, figure(std::abs(force), 2, tr("N")));
+}
+
+std::vector<HandBlock::Row> HandBlock::rows() const
+{
+    const auto& motion = m_hand.motion;
+    std::vector<Row> rows{
+        {tr("Scale"), tr("%1 : 1").arg(m_hand.scale, 0, 'f', 2)},
+        {tr("Guidewire"),
+         tr("%1 %2").arg(advanceWord(motion.guidewireVelocity), figure(std::abs(motion.guidewireVelocity), 1, tr("mm/s")))},
+        {tr("Catheter"), tr("%1 %2").arg(advanceWord(motion.catheterVelocity), figure(std::abs(motion.catheterVelocity), 1, tr("mm/s")))}};
+    if (m_hand.forceToHand)
+        rows.push_back({tr("FORCE TO HAND"), forceText()});
+    return rows;
+}
+
 void HandBlock::paintAsked(QPainter& painter, const QRectF& where) const
 {
-    const struct {
-        QString name, value;
-    } rows[3] = {{tr("Scale"), tr("%1 : 1").arg(m_hand.scale, 0, 'f', 2)},
-                 {tr("Guidewire"), tr("%1 %2").arg(advanceWord(m_hand.motion.guidewireVelocity),
-                                                   figure(std::abs(m_hand.motion.guidewireVelocity), 1, tr("mm/s")))},
-                 {tr("Catheter"), tr("%1 %2").arg(advanceWord(m_hand.motion.catheterVelocity),
-                                                  figure(std::abs(m_hand.motion.catheterVelocity), 1, tr("mm/s")))}};
+    const auto shown = rows();
     const double head = QFontMetricsF(painter.font()).height();
-    const double row = (where.height() - head) / 3;
+    const double row = (where.height() - head) / double(shown.size());
     painter.setPen(colour::secondary);
     painter.drawText(QRectF(where.left(), where.top(), where.width(), head), Qt::AlignLeft | Qt::AlignVCenter, tr("Asked by the hand"));
     const QFont body = painter.font();
-    for (int i = 0; i < 3; ++i) {
-        const QRectF line(where.left(), where.top() + head + i * row, where.width(), row);
+    QRectF line(where.left(), where.top() + head, where.width(), row);
+    for (const auto& [name, value] : shown) {
         painter.setFont(body);
         painter.setPen(colour::secondary);
-        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, rows[i].name);
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, name);
         painter.setFont(theme::font(TextRole::Strong, theme::scaleOf(this)));
         painter.setPen(m_hand.alive ? colour::text : colour::secondary);
-        drawFigures(painter, line, Qt::AlignRight | Qt::AlignVCenter, m_hand.alive ? rows[i].value : QStringLiteral("\u2014"));
+        drawFigures(painter, line, Qt::AlignRight | Qt::AlignVCenter, m_hand.alive ? value : QStringLiteral("\u2014"));
+        line.translate(0, row);
     }
 }
 

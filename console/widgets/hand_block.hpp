@@ -1,10 +1,12 @@
-// Dead-man and clutch as they are sent and as the robot received them, and what the hand asks for.
+// Dead-man and clutch as they are sent and as the robot received them, what the hand asks for, and what force it is offered.
 #pragma once
 
 #include "model/hand_state.hpp"
 #include "model/instrument_state.hpp"
 
 #include <QWidget>
+
+#include <vector>
 
 namespace console {
 
@@ -21,12 +23,17 @@ protected:
 
 private:
     enum class Lamp { Unknown, Off, On };
+    struct Row {
+        QString name, value;
+    };
     double namesWidth() const;
     double cellWidth() const;
     double askedWidth() const;
     double lampSide() const;
     void paintLamps(QPainter& painter, const QRectF& where) const;
     void paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const;
+    QString forceText() const;
+    std::vector<Row> rows() const;
     void paintAsked(QPainter& painter, const QRectF& where) const;
 
     HandReading m_hand;

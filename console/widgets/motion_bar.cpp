@@ -5,6 +5,7 @@
 #include "widgets/hand_block.hpp"
 #include "widgets/hold_button.hpp"
 #include "widgets/labels.hpp"
+#include "widgets/master_row.hpp"
 #include "widgets/permit_block.hpp"
 #include "widgets/stop_button.hpp"
 
@@ -27,6 +28,7 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
       m_reset(new HoldButton(this)),
       m_pedal(new HoldButton(this)),
       m_stop(new StopButton(this)),
+      m_masters(new MasterRow(this)),
       m_legend(plainLabel({}, TextRole::Caption, this))
 {
     setAccessibleName(tr("Motion"));
@@ -37,6 +39,7 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     m_pedal->setAccessibleName(tr("X-ray pedal: fluoroscopy while held"));
     m_pedal->setAccent(colour::xray);
     setInk(m_legend, colour::secondary);
+    m_legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 4, 8, 3);
     column->setSpacing(2);
@@ -55,7 +58,11 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_pedal, m_stop})
         part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     column->addLayout(row, 1);
-    column->addWidget(m_legend);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(14);
+    below->addWidget(m_masters);
+    below->addWidget(m_legend, 1);
+    column->addLayout(below);
     connectButtons();
 }
 
@@ -63,6 +70,7 @@ void MotionBar::connectButtons()
 {
     connect(m_arm, &HoldButton::holdChanged, this, &MotionBar::armHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
+    connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
     connect(m_stop, &QAbstractButton::pressed, this, [this] { Q_EMIT emergencyStopRequested(tr("Button on the console's screen")); });
     connect(m_reset, &HoldButton::holdChanged, this, [this](bool held) {
         m_resetAsked = false;
@@ -72,7 +80,11 @@ void MotionBar::connectButtons()
     });
 }
 
-void MotionBar::setKeyLegend(const QString& legend) { m_legend->setText(legend); }
+void MotionBar::setKeyLegend(const QString& legend)
+{
+    m_legend->setText(legend);
+    m_legend->setToolTip(legend); // beside several masters there may be no room for all of it
+}
 
 void MotionBar::setPedalShown(bool held) { m_pedal->setProgress(held ? 1.0 : 0.0); }
 
@@ -116,6 +128,7 @@ void MotionBar::refresh(Instant now)
     m_permit->setPermit(m_models.permit, now);
     m_guards->setChecklist(m_models.permit.checklist(), m_models.permit.state());
     m_hand->setState(m_models.hand, m_models.instrument, now);
+    m_masters->setMasters(m_models.hand.masters(), masterMayChange(m_models.permit.phase()), now);
     const bool beam = m_models.xray.fresh(now) && m_models.xray.beamOn();
     m_pedal->setTexts(tr("X-RAY"), beam ? tr("beam is on") : m_models.xray.pedalDown() ? tr("beam not seen") : tr("hold to image"));
     setPedalShown(m_models.xray.pedalDown());

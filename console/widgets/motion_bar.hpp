@@ -13,6 +13,7 @@ namespace console {
 class GuardList;
 class HandBlock;
 class HoldButton;
+class MasterRow;
 class PermitBlock;
 class StopButton;
 
@@ -34,6 +35,7 @@ Q_SIGNALS:
     void emergencyStopResetRequested();
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
+    void masterChosen(console::MasterKind kind);
 
 private:
     void connectButtons();
@@ -50,6 +52,7 @@ private:
     HoldButton* m_reset;
     HoldButton* m_pedal;
     StopButton* m_stop;
+    MasterRow* m_masters;
     QLabel* m_legend;
     QStackedLayout* m_armOrReset = nullptr;
     std::optional<Instant> m_resetSince;

@@ -42,7 +42,7 @@ InventedCockpit::InventedCockpit()
     topology.links = {{cockpitId, robotId}, {cockpitId, armId}, {cockpitId, xrayId}, {armId, robotId}, {xrayId, robotId}};
     models.sessions.setTopology(topology);
     models.permit.check({}, now);
-    models.hand.setDeviceName(QStringLiteral("Keyboard"));
+    models.hand.setMasters({{MasterKind::Keyboard, word(MasterKind::Keyboard), MasterLife::Alive, now, true, {}}});
 }
 
 LinkFigures InventedCockpit::figures(double roundTripMs) const
@@ -236,6 +236,27 @@ void InventedCockpit::engage()
     GuardReadings readings = goodReadings();
     readings.robotState = RobotState::Engaged;
     readings.deadMan = true;
+    models.permit.check(readings, now);
+}
+
+void InventedCockpit::feelForce()
+{
+    auto hand = models.hand.reading();
+    hand.forceToHand = 0.46;
+    models.hand.set(hand);
+    models.hand.setMasters({{MasterKind::HapticSimulated, word(MasterKind::HapticSimulated), MasterLife::Alive, now, true, {}},
+                            {MasterKind::Keyboard, word(MasterKind::Keyboard), MasterLife::Alive, now, false, {}}});
+}
+
+void InventedCockpit::losePad()
+{
+    models.hand.set({false, false, false, 0.5, {}});
+    models.hand.setMasters({{MasterKind::GamePad, QStringLiteral("Game pad Invented 360"), MasterLife::Gone, now - 3s, true, {}},
+                            {MasterKind::Keyboard, word(MasterKind::Keyboard), MasterLife::Alive, now, false, {}},
+                            {MasterKind::SpaceMouse, word(MasterKind::SpaceMouse), MasterLife::Unreleased, now, false, {}}});
+    GuardReadings readings = goodReadings();
+    readings.handAlive = false;
+    readings.handMissing = QStringLiteral("Game pad Invented 360: gone");
     models.permit.check(readings, now);
 }
 

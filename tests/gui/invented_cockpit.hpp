@@ -22,8 +22,10 @@ struct InventedCockpit {
     InventedCockpit();
 
     void openAll();
-    void arm();    ///< after openAll
-    void engage(); ///< after arm
+    void arm();       ///< after openAll
+    void engage();    ///< after arm
+    void feelForce(); ///< after engage: by the simulated haptic master
+    void losePad();   ///< the game pad in use was pulled out; a 3-D mouse is there as well
     void freezePicture();
     void loseRobot(quint64 incident = 0x5eed);
     void loseXray(quint64 incident = 0xf1a9);

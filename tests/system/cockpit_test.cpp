@@ -2,6 +2,7 @@
 #include "app/cockpit_application.hpp"
 #include "child_process.hpp"
 #include "test_system.hpp"
+#include "unit/console/virtual_pad.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/theme.hpp"
@@ -12,8 +13,11 @@
 #include <QFile>
 #include <QTest>
 
+#include <functional>
+
 using namespace liena::test;
 using namespace console;
+using console::test::VirtualPad;
 
 namespace {
 
@@ -22,7 +26,7 @@ constexpr int patience = 30000;
 /// Console, robot, arm and X-ray system over the links of the reference topology.
 class Theatre {
 public:
-    Theatre()
+    explicit Theatre(MasterKind master = MasterKind::Keyboard)
         : files({reference::cockpit, reference::robot, reference::arm, reference::xray},
                 {"cockpit robot", "cockpit arm", "cockpit xray", "arm robot", "xray robot"})
     {
@@ -43,6 +47,7 @@ public:
         options.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
         options.size = QSize(1366, 768);
         options.profile = PictureProfile::Coronary;
+        options.master = master;
         cockpit = std::make_unique<CockpitApplication>(options);
         QString error;
         if (!cockpit->prepare(&error))
@@ -92,9 +97,21 @@ public:
     void hold(int key) { QTest::keyPress(&window(), static_cast<Qt::Key>(key)); }
     void release(int key) { QTest::keyRelease(&window(), static_cast<Qt::Key>(key)); }
 
-    /// Pedal, hold to arm, dead-man, and the arrow that advances; ends with the robot moving. A condition that fails on the way (a busy
-    /// computer paints too late, say) sends a person back to the start, and so this.
-    void armAndMove()
+    /// What presses the dead-man, what then moves, and what lets both go again.
+    struct Hand {
+        std::function<void()> press, move, letGo;
+    };
+
+    Hand keyboardHand()
+    {
+        return {[this] { hold(Qt::Key_D); }, [this] { hold(Qt::Key_Up); }, [] {}};
+    }
+
+    void armAndMove() { armAndMove(keyboardHand()); }
+
+    /// Pedal, hold to arm, dead-man, and advance; ends with the robot moving. A condition that fails on the way (a busy computer paints
+    /// too late, say) sends a person back to the start, and so this.
+    void armAndMove(const Hand& hand)
     {
         const QDeadlineTimer deadline(3 * patience);
         const auto before = robotStatus().guidewirePosition;
@@ -102,6 +119,7 @@ public:
         while (!moved()) {
             QVERIFY2(!deadline.hasExpired(), qPrintable(story()));
             releaseAll();
+            hand.letGo();
             acknowledgeAlarms();
             readAccount();
             testAlarms();
@@ -112,10 +130,10 @@ public:
             if (!reaches(PermitPhase::Armed))
                 continue;
             release(Qt::Key_R);
-            hold(Qt::Key_D);
+            hand.press();
             if (!reaches(PermitPhase::Engaged))
                 continue;
-            hold(Qt::Key_Up);
+            hand.move();
             (void)QTest::qWaitFor([&] { return moved() || phase() != PermitPhase::Engaged; }, patience);
         }
     }
@@ -258,6 +276,46 @@ private Q_SLOTS:
         QVERIFY(!QTest::currentTestFailed());
         QVERIFY(theatre.models().selfTest.passedInAll() > before);
         theatre.releaseAll();
+    }
+
+    void aGamePadThatIsPulledOutWhileItMovesTheRobotEndsInHold()
+    {
+        Theatre theatre(MasterKind::GamePad);
+        VirtualPad pad;
+        theatre.openAll();
+        const Theatre::Hand hand{[&] { pad.trigger(1); }, [&] { pad.stick(SDL_CONTROLLER_AXIS_LEFTY, -1); },
+                                 [&] {
+                                     pad.trigger(0);
+                                     pad.stick(SDL_CONTROLLER_AXIS_LEFTY, 0);
+                                 }};
+        theatre.armAndMove(hand);
+        QVERIFY(!QTest::currentTestFailed());
+        pad.unplug();
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logContains(QStringLiteral("ENGAGED -> HOLD: a condition for motion was no longer met")),
+                                  qPrintable(theatre.story()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, patience);
+        QVERIFY(!theatre.models().hand.reading().alive);
+
+        // It comes back as it went, held and pushed.
+        const auto applied = theatre.robotStatus().appliedCommands;
+        VirtualPad again;
+        again.trigger(1);
+        again.stick(SDL_CONTROLLER_AXIS_LEFTY, -1);
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->life, MasterLife::Unreleased, patience);
+        QVERIFY(theatre.phase() != PermitPhase::Armed && theatre.phase() != PermitPhase::Engaged);
+        QCOMPARE(theatre.robotStatus().appliedCommands, applied);
+
+        // Another master is a person's choice.
+        theatre.releaseAll();
+        QAbstractButton* keyboard = nullptr;
+        for (auto* button : theatre.window().findChildren<QAbstractButton*>())
+            if (button->accessibleName().startsWith(QStringLiteral("Use Keyboard")))
+                keyboard = button;
+        QVERIFY(keyboard != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(keyboard->isEnabled(), patience);
+        QTest::mouseClick(keyboard, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->kind, MasterKind::Keyboard, patience);
+        QVERIFY(theatre.models().hand.reading().alive);
     }
 
     void aLostXraySystemIsAnAlarmOfItsOwnAndIsKept()

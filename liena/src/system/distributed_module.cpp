@@ -344,6 +344,8 @@ void DistributedModule::housekeeping()
         m_nextDrops = now + 1s;
         showDrops();
     }
+    if (std::exchange(m_usedSince, false))
+        m_lastUse = now;
     m_measurement.housekeeping();
     m_bulk.retire(now);
     showStatus();

@@ -39,14 +39,14 @@ public:
     void revoke();
 
     /// Accepts a message for the peer or says why not.
-    Result<void> send(Message message);
+    Result<void> send(Message&& message);
 
     /// Measures the line to the peer, beside all else.
     Result<void> measure(MeasurementPlan plan, DistributedSystem::MeasurementHandler done);
     void stopMeasuring() { m_measurement.stop("it was stopped"); }
 
     /// When a command, a safety message or an image was sent or delivered last.
-    session::Instant lastUse() const { return m_lastUse; }
+    session::Instant lastUse() const { return m_usedSince ? std::chrono::steady_clock::now() : m_lastUse; }
 
     /// A connection of the peer with its Attach.
     void attached(transport::AttachedConnection connection);
@@ -178,6 +178,7 @@ private:
 
     LineMeasurement m_measurement;
     session::Instant m_lastUse;
+    bool m_usedSince = false; ///< the last housekeeping
 
     TrafficBooks m_books;
     DeadlineWatch m_deadlines;

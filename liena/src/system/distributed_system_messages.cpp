@@ -30,7 +30,7 @@ void DistributedSystem::State::drainOutbox()
     letters.clear();
 }
 
-void DistributedSystem::State::sendNow(DeviceId target, Message message)
+void DistributedSystem::State::sendNow(DeviceId target, Message&& message)
 {
     auto* one = module(target);
     const auto& name = message.definition().name;
@@ -56,7 +56,7 @@ void DistributedSystem::State::publishNow(Message message)
         if (!carriesMessages(one->state()) && one->state() != SessionState::Reconnecting)
             continue;
         if (last != nullptr)
-            (void)last->send(message);
+            (void)last->send(Message(message));
         last = one.get();
     }
     if (last != nullptr)

@@ -12,6 +12,7 @@
 #include "system/distributed_module.hpp"
 #include "system/elastic_work.hpp"
 #include "system/module_host.hpp"
+#include "system/paired_clocks.hpp"
 #include "system/packet_owners.hpp"
 #include "system/set_keeper.hpp"
 #include "topology/local_store.hpp"
@@ -53,7 +54,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     Result<DeviceId> linkedPeer(DeviceId peer) const;
     void recordCommand(std::string_view event, std::optional<DeviceId> peer, IncidentId incident, std::string_view reason);
     Result<void> checkSend(DeviceId target, const Message& message) const;
-    void sendNow(DeviceId target, Message message);
+    void sendNow(DeviceId target, Message&& message);
     void publishNow(Message message);
     void drainOutbox();
     void perform(const session::LedgerActions& actions);
@@ -83,8 +84,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
     protocol::PartialBudget& budget() override { return partialBudget; }
     transport::UdpSocket& packets() override { return udpSocket; }
     transport::WorkerThreads& workers() override { return elasticWork.workers(); }
-    Timestamp stamp() override { return stamps.next(Timestamp::now()); }
-    session::Now now() const override { return {std::chrono::steady_clock::now(), Timestamp::now()}; }
+    Timestamp stamp() override { return stamps.next(clocks.now().wall); }
+    session::Now now() const override { return clocks.now(); }
     std::uint64_t freshToken() override;
     bool isTokenUsed(DeviceId asking, std::uint64_t token) const override;
     void turned() override;
@@ -140,6 +141,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     system::ElasticWork elasticWork{context, settings};
     tasks::InterfaceShares interfaceShares;
     TimestampSource stamps;
+    mutable system::PairedClocks clocks; ///< remembers what it read
     system::SetKeeper setKeeper;
     session::StandByLedger ledger;
     base::CauseBooks refusals{64};   ///< of connections

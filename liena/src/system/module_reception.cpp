@@ -174,7 +174,7 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
     m_deadlines.arrived(definition, now.mono);
     m_books.delivered(latency);
     if (definition.priority != Priority::Status)
-        m_lastUse = now.mono;
+        m_usedSince = true;
     auto bytes =
         owned != nullptr && definition.recordSize() == 0 ? std::move(*owned) : FieldBytes(fields.data(), fields.data() + fields.size());
     auto message = MessageAccess::fromFields(header.message.isCommand() ? m_host.ownSet() : m_peerSet, definition, std::move(bytes));

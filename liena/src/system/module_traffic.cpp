@@ -33,14 +33,15 @@ Result<void> DistributedModule::checkSendable(const Message& message) const
     return ok();
 }
 
-Result<void> DistributedModule::send(Message message)
+Result<void> DistributedModule::send(Message&& message)
 {
     if (auto allowed = checkSendable(message); !allowed)
         return allowed;
     const auto& definition = message.definition();
     if (definition.priority != Priority::Status)
-        m_lastUse = std::chrono::steady_clock::now();
-    protocol::EncodedMessage encoded;
+        m_usedSince = true;
+    tasks::OutputQueue::Entry entry{{}, tasks::rankOf(definition.priority), definition.history, std::nullopt, definition.name};
+    auto& encoded = entry.message;
     encoded.header.message = {m_host.ownDevice().id, definition.number};
     encoded.header.target = m_peer.id;
     encoded.header.timestamp = m_host.stamp();
@@ -60,8 +61,6 @@ Result<void> DistributedModule::send(Message message)
         m_books.sentInPacket(encoded.part.size());
         return ok();
     }
-    tasks::OutputQueue::Entry entry{std::move(encoded), tasks::rankOf(definition.priority), definition.history, std::nullopt,
-                                    definition.name};
     if (definition.lifespan)
         entry.expires = m_host.now().mono + *definition.lifespan;
     const bool taken = definition.priority == Priority::Bulk ? m_bulk.push(std::move(entry)) : m_laneZero.push(std::move(entry));

@@ -27,7 +27,7 @@ BulkLanes::BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shar
       m_retry(io)
 {}
 
-bool BulkLanes::push(OutputQueue::Entry entry)
+bool BulkLanes::push(OutputQueue::Entry&& entry)
 {
     const auto place = placeFor(entry.message.header.message.number, std::chrono::steady_clock::now());
     const bool taken = m_lanes[place]->push(std::move(entry));

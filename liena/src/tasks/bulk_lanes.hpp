@@ -38,7 +38,7 @@ public:
               Commons commons, Handlers handlers);
 
     /// False when the stream's queue is full.
-    bool push(OutputQueue::Entry entry);
+    bool push(OutputQueue::Entry&& entry);
 
     /// Connects the lanes that have something to send.
     void connect();

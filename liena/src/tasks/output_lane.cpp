@@ -72,7 +72,7 @@ void OutputLane::lost(const std::string& detail, bool identity)
     m_handlers.lost(detail, identity);
 }
 
-bool OutputLane::push(OutputQueue::Entry entry)
+bool OutputLane::push(OutputQueue::Entry&& entry)
 {
     if (!m_queue->push(std::move(entry)))
         return false;

@@ -42,7 +42,7 @@ public:
     const transport::TcpChannel* channel() const { return m_task ? &m_task->channel() : nullptr; }
 
     /// False when the queue is full.
-    bool push(OutputQueue::Entry entry);
+    bool push(OutputQueue::Entry&& entry);
 
     /// Nothing waits, nothing is being written, and the peer's kernel has all that was.
     bool isDelivered() const;

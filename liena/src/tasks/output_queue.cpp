@@ -40,7 +40,7 @@ OutputQueue::Stream& OutputQueue::streamOf(Class& ofRank, const Entry& entry)
     return ofRank.streams[takesTurns ? entry.message.header.message.number : std::uint16_t{0}];
 }
 
-bool OutputQueue::push(Entry entry)
+bool OutputQueue::push(Entry&& entry)
 {
     auto& ofRank = m_classes[static_cast<std::size_t>(entry.rank)];
     auto& stream = streamOf(ofRank, entry);

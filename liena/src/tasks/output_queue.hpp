@@ -58,7 +58,7 @@ public:
     {}
 
     /// False when the queue is full; session management always fits.
-    bool push(Entry entry);
+    bool push(Entry&& entry);
 
     /// Appends the next segment to `out`, with a body of at most `maximumSegment` bytes; false when nothing waits.
     bool appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, OutputBatch& out);

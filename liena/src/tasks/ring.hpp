@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace liena::tasks {
@@ -14,7 +15,7 @@ using Ring = boost::circular_buffer<T>;
 
 /// Behind the last one, whatever the ring's capacity was.
 template <typename T>
-void append(Ring<T>& ring, T value)
+void append(Ring<T>& ring, std::type_identity_t<T>&& value)
 {
     constexpr std::size_t fewest = 8;
     if (ring.full())

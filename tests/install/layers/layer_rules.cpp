@@ -58,6 +58,8 @@ const std::vector<Library>& libraries()
         {"OpenSSL", "openssl/", {"liena/src/security/", "liena/src/transport/", "liena/src/base/hash.cpp"}},
         {"Qt", "(Qt?[A-Z]|qt|qobject)", {"console/"}},
         {"Qt Multimedia", "(QtMultimedia|QAudio|QMedia|QSound)", {"console/sound/"}},
+        {"SDL", "SDL", {"console/input/"}},
+        {"libspnav", "spnav\\.h", {"console/input/"}},
         {"VTK", "vtk", {"console/imaging/"}},
         {"OpenCV", "opencv", {"console/imaging/"}},
         {"OpenGL", "(GL|EGL|KHR)/", {"console/imaging/"}},

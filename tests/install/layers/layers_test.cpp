@@ -85,6 +85,8 @@ void LayersTest::findsPlantedInclude_data()
     row("console/widgets/a.cpp", "#include <vtkNew.h>", "VTK is for");
     row("console/widgets/a.cpp", "#include <opencv2/core.hpp>", "OpenCV is for");
     row("console/widgets/a.cpp", "#include <QAudioSink>", "Qt Multimedia is for console/sound/");
+    row("console/app/a.cpp", "#include <SDL.h>", "SDL is for console/input/");
+    row("console/widgets/a.cpp", "#include <spnav.h>", "libspnav is for console/input/");
     row("console/sound/a.cpp", "#include \"app/alarm_sounder.hpp\"", "sound may know model");
     row("console/watchdog/a.cpp", "#include \"app/watchdog_process.hpp\"", "watchdog may know sound, model");
     row("console/input/a.cpp", "#include \"widgets/theme.hpp\"", "input may know model");

@@ -1,8 +1,10 @@
-// A million steps of keys, links, robot, picture and screen through the real keyboard master, guards, permit and gate: whatever happens,
+// A million steps of keys, a pad, links, robot, picture and screen through the real masters, guards, permit and gate: whatever happens,
 // motion leaves only while everything that it needs lies behind it. What it needs is kept by the walk itself, not read from the permit.
 #include "input/hand_scale.hpp"
 #include "input/keyboard_master.hpp"
+#include "input/master_rack.hpp"
 #include "model/motion_order.hpp"
+#include "plugged_master.hpp"
 
 #include <QTest>
 
@@ -62,19 +64,23 @@ class Walk {
 public:
     explicit Walk(std::uint32_t seed) : m_random(seed)
     {
-        QObject::connect(&m_keyboard, &KeyboardMaster::deadManChanged, [this](bool down) {
+        m_rack.add(m_pad);
+        m_pad.plug(true);
+        m_rack.begin(seed % 2 == 0 ? MasterKind::GamePad : MasterKind::Keyboard);
+        QObject::connect(&m_rack, &MasterRack::lifeChanged, [this] { feedGuards(); });
+        QObject::connect(&m_rack, &MasterRack::deadManChanged, [this](bool down) {
             if (!down)
                 m_needs.engagedAt.reset();
             else if (m_needs.armedAt)
                 m_needs.engagedAt = m_world.now;
             feed(down ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased);
         });
-        QObject::connect(&m_keyboard, &KeyboardMaster::armHeldChanged, [this](bool down) {
+        QObject::connect(&m_rack, &MasterRack::armHeldChanged, [this](bool down) {
             m_needs.heldInFull = !down && m_needs.wasHeld(m_world.now);
             m_needs.armSince = down ? std::optional(m_world.now) : std::nullopt;
             feed(down ? PermitEventKind::ArmPressed : PermitEventKind::ArmReleased);
         });
-        m_keyboard.setListening(true);
+        m_rack.setListening(true);
     }
 
     /// Nothing, or what is wrong.
@@ -87,6 +93,8 @@ public:
         if (m_world.link == LinkState::Suspect && m_world.now - m_world.linkSince > GuardLimits().suspectGrace && m_needs.armedAt)
             ends("suspect");
         operate();
+        if (!m_frozen)
+            m_rack.poll(m_world.now);
         if (!m_frozen && answers(2))
             report();
         look();
@@ -115,7 +123,7 @@ private:
         const auto next = console::step(m_permit, event, m_world.now);
         m_permit = next.state;
         if (next.actions.rezero)
-            m_keyboard.rezero(m_world.now);
+            m_rack.rezero(m_world.now);
         if (next.actions.release && next.actions.permit == m_world.permit) {
             m_world.robot = RobotState::Ready;
             ++m_world.permit;
@@ -128,12 +136,12 @@ private:
     /// As the loop hands it to the network thread.
     void publish(Instant now)
     {
-        const auto hand = m_keyboard.read(now);
+        const auto hand = m_rack.read(now);
         m_snapshot.stream = m_permit.stream();
         m_snapshot.permit = m_permit.permit;
         m_snapshot.engagement = m_permit.engagement;
         m_snapshot.engagedSince = m_permit.since;
-        m_snapshot.motion = askedMotion(hand.motion, 1, hand.deadMan, hand.clutch);
+        m_snapshot.motion = askedMotion(hand.motion, 1, hand.alive && hand.deadMan, hand.clutch);
         m_snapshot.guiTick = now;
         m_snapshot.shownCapture = m_world.shown;
         m_snapshot.pictureLimit = pictureLimit;
@@ -176,8 +184,8 @@ private:
         } else if (chance == 4) {
             ends("focus");
             m_world.focus = false;
-            m_keyboard.setListening(false);
             feed(Kind::PanicHold);
+            m_rack.setListening(false);
         } else if (chance == 5) {
             ends("F12");
             feed(Kind::PanicHold);
@@ -198,7 +206,60 @@ private:
             m_world.now += 101ms + std::chrono::milliseconds(m_random() % 500);
             ends("frozen screen");
             m_frozen = true;
+        } else if (chance < 13) {
+            disturbMaster(chance == 11);
         }
+    }
+
+    bool padInUse() const { return m_rack.inUse().kind() == MasterKind::GamePad; }
+
+    /// A pad that is pulled out comes back as it went, held or not; another master is taken where that is allowed.
+    void disturbMaster(bool cable)
+    {
+        if (!cable) {
+            const auto other = padInUse() ? MasterKind::Keyboard : MasterKind::GamePad;
+            if (m_rack.choose(other, m_permit.phase, m_world.now))
+                ends("another master");
+            return;
+        }
+        const auto held = m_pad.controls;
+        if (padInUse())
+            ends("master");
+        m_pad.plug(false);
+        m_pad.plug(true);
+        m_pad.controls = held;
+    }
+
+    /// The keyboard's keys, or what does the same on the pad.
+    void deadMan(bool down)
+    {
+        if (padInUse())
+            m_pad.controls.deadMan = down;
+        else
+            down ? m_keyboard.press(Qt::Key_D) : m_keyboard.release(Qt::Key_D);
+    }
+
+    void move(bool start)
+    {
+        if (padInUse()) {
+            m_pad.controls.axesAtRest = !start;
+            m_pad.controls.motion.guidewireVelocity = start ? 7 : 0;
+            return;
+        }
+        const auto key = motionKeys.at(m_random() % motionKeys.size());
+        start ? m_keyboard.press(key) : m_keyboard.release(key);
+    }
+
+    void feedGuards()
+    {
+        if (m_frozen)
+            return;
+        const auto readings = readingsNow();
+        PermitEvent event;
+        event.kind = Kind::GuardsChecked;
+        event.armable = metGuards(checkGuards(readings));
+        event.kept = checkKept(readings);
+        feed(event);
     }
 
     void heal()
@@ -209,7 +270,7 @@ private:
         m_world.pictureRuns = true;
         if (!m_world.focus) {
             m_world.focus = true;
-            m_keyboard.setListening(true);
+            m_rack.setListening(true);
         }
         if (m_world.link != LinkState::Open)
             setLink(LinkState::Open);
@@ -240,18 +301,18 @@ private:
         case PermitPhase::Armed:
             m_keyboard.release(Qt::Key_R);
             if (answers(20))
-                m_keyboard.press(Qt::Key_D);
+                deadMan(true);
             break;
-        case PermitPhase::Engaged: {
-            const auto key = motionKeys.at(m_random() % motionKeys.size());
-            answers(3) ? m_keyboard.press(key) : m_keyboard.release(key);
+        case PermitPhase::Engaged:
+            move(answers(3));
             if (answers(200))
-                m_keyboard.release(Qt::Key_D);
+                deadMan(false);
             break;
-        }
         default:
-            if (answers(20))
-                m_keyboard.release(Qt::Key_D);
+            if (answers(20)) {
+                deadMan(false);
+                move(false);
+            }
             break;
         }
     }
@@ -311,9 +372,9 @@ private:
         r.drivesHealthy = true;
         r.force = m_world.force;
         r.incident = m_world.standsBy;
-        r.handAlive = m_keyboard.read(m_world.now).alive;
+        r.handAlive = m_rack.read(m_world.now).alive;
         r.windowActive = m_world.focus;
-        r.deadMan = m_keyboard.read(m_world.now).deadMan;
+        r.deadMan = m_rack.read(m_world.now).deadMan;
         r.alarmsTested = true;
         r.interruptionRead = true;
         return r;
@@ -340,8 +401,8 @@ private:
                 .arg(QLatin1String(m_needs.brokenBy));
         if (order->permit != m_needs.permit)
             return QStringLiteral("motion under permit %1 instead of %2").arg(order->permit).arg(m_needs.permit);
-        const auto hand = m_keyboard.read(m_world.now);
-        if (!hand.deadMan || (hand.clutch && !order->motion.isZero()))
+        const auto hand = m_rack.read(m_world.now);
+        if (!hand.alive || !hand.deadMan || (hand.clutch && !order->motion.isZero()))
             return QStringLiteral("motion without the hand");
         moves += order->motion.isZero() ? 0 : 1;
         return {};
@@ -351,6 +412,8 @@ private:
     World m_world;
     Needs m_needs;
     KeyboardMaster m_keyboard;
+    test::PluggedMaster m_pad{MasterKind::GamePad};
+    MasterRack m_rack{m_keyboard};
     PermitState m_permit;
     MotionSnapshot m_snapshot;
     MotionGate m_gate;
@@ -377,8 +440,9 @@ private Q_SLOTS:
             for (const auto& [why, count] : walk.endings)
                 endings[why] += count;
         }
+        QCOMPARE(endings[QStringLiteral("another master")], 0);       // never from motion
         QVERIFY2(moves > 10'000, qPrintable(QString::number(moves))); // the walks do get there
-        for (const auto* why : {"link", "suspect", "stand-by", "focus", "F12", "stall", "force", "robot", "frozen screen"})
+        for (const auto* why : {"link", "suspect", "stand-by", "focus", "F12", "stall", "force", "robot", "frozen screen", "master"})
             QVERIFY2(endings[QString::fromLatin1(why)] > 5, why);
     }
 };

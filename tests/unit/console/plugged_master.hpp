@@ -1,0 +1,32 @@
+// A master that a test plugs in and out and whose buttons it holds.
+#pragma once
+
+#include "input/connected_master.hpp"
+
+namespace console::test {
+
+class PluggedMaster : public ConnectedMaster {
+public:
+    explicit PluggedMaster(MasterKind kind) : m_kind(kind) {}
+
+    MasterKind kind() const override { return m_kind; }
+    QString name() const override { return QStringLiteral("Test master"); }
+    QString legend() const override { return QStringLiteral("held by a test"); }
+
+    void plug(bool in)
+    {
+        if (!in)
+            controls = {};
+        setConnected(in);
+    }
+
+    HandControls controls; ///< what the next poll takes
+
+protected:
+    void take(Instant) override { tell(controls); }
+
+private:
+    MasterKind m_kind;
+};
+
+} // namespace console::test

@@ -1,0 +1,67 @@
+// Which master liena-console is told to begin with.
+#include "app/command_line.hpp"
+
+#include <QTest>
+
+using namespace console;
+
+namespace {
+
+CommandLine read(const QString& options)
+{
+    auto arguments = options.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    return readCommandLine(QStringList{QStringLiteral("liena-console"), QStringLiteral("--topology"), QStringLiteral("t.xml")} + arguments);
+}
+
+} // namespace
+
+class TestCommandLine : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void takesAMaster_data()
+    {
+        QTest::addColumn<QString>("options");
+        QTest::addColumn<MasterKind>("master");
+        QTest::newRow("none named") << QString() << MasterKind::Keyboard;
+        QTest::newRow("keyboard") << QStringLiteral("--master keyboard") << MasterKind::Keyboard;
+        QTest::newRow("spacemouse") << QStringLiteral("--master spacemouse") << MasterKind::SpaceMouse;
+        QTest::newRow("gamepad") << QStringLiteral("--master gamepad") << MasterKind::GamePad;
+        QTest::newRow("haptic") << QStringLiteral("--master haptic-simulated") << MasterKind::HapticSimulated;
+        QTest::newRow("recorded") << QStringLiteral("--master recorded --recording a.csv") << MasterKind::Recorded;
+        QTest::newRow("a recording alone") << QStringLiteral("--recording a.csv") << MasterKind::Recorded;
+        QTest::newRow("a recording kept aside") << QStringLiteral("--recording a.csv --master keyboard") << MasterKind::Keyboard;
+        QTest::newRow("unattended") << QStringLiteral("--unattended 5") << MasterKind::Recorded;
+    }
+
+    void takesAMaster()
+    {
+        QFETCH(QString, options);
+        QFETCH(MasterKind, master);
+        const auto line = read(options);
+        QVERIFY2(line.outcome == CommandLine::Outcome::Run, qPrintable(line.text));
+        QCOMPARE(line.options.master, master);
+    }
+
+    void refusesAMaster_data()
+    {
+        QTest::addColumn<QString>("options");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("unknown") << QStringLiteral("--master mouse") << QStringLiteral("--master 'mouse': choose keyboard");
+        QTest::newRow("recorded without a recording") << QStringLiteral("--master recorded") << QStringLiteral("--recording FILE");
+        QTest::newRow("unattended by a pad") << QStringLiteral("--master gamepad --unattended 5")
+                                             << QStringLiteral("with --unattended only a recorded hand moves");
+    }
+
+    void refusesAMaster()
+    {
+        QFETCH(QString, options);
+        QFETCH(QString, reason);
+        const auto line = read(options);
+        QCOMPARE(line.outcome, CommandLine::Outcome::Mistake);
+        QVERIFY2(line.text.contains(reason), qPrintable(line.text));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandLine)
+#include "test_command_line.moc"
