@@ -145,11 +145,14 @@ void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user); }
 
 void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehearsal); }
 
+/// What stops comes first: on a small screen the end is cut.
 void CockpitWindow::setKeyLegend(const QString& legend)
 {
-    const QString own = tr(
-        "F8 alarm test \u00B7 F9 audio pause \u00B7 F12 hold \u00B7 Esc emergency stop \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F4 log");
-    m_motion->setKeyLegend(legend.isEmpty() ? own : legend + QStringLiteral(" \u00B7 ") + own);
+    QStringList keys{tr("Esc emergency stop \u00B7 F12 hold")};
+    if (!legend.isEmpty())
+        keys << legend;
+    keys << tr("F8 alarm test \u00B7 F9 audio pause \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F4 log");
+    m_motion->setKeyLegend(keys.join(QStringLiteral(" \u00B7 ")));
 }
 
 void CockpitWindow::showView(View view)
