@@ -16,13 +16,20 @@ QString named(const QString& who) { return who.isEmpty() ? AlarmService::tr("the
 } // namespace
 
 AlarmService::AlarmService(ConsoleModels& models, AlarmWatch& watch, const AlarmSettings& settings, QObject* parent)
-    : QObject(parent), m_models(models), m_watch(watch), m_sounder(models, m_voice)
+    : QObject(parent),
+      m_models(models),
+      m_watch(watch),
+      m_loudspeaker(settings.voice != nullptr ? nullptr : std::make_unique<Loudspeaker>()),
+      m_voice(settings.voice != nullptr ? *settings.voice : *m_loudspeaker),
+      m_sounder(models, m_voice)
 {
     openJournal(settings);
     listen(settings);
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(period);
     connect(&m_timer, &QTimer::timeout, this, &AlarmService::run);
+    connect(&models.permit, &PermitModel::phaseChanged, this,
+            [this](PermitPhase, PermitPhase to) { m_models.selfTest.follow(to, std::chrono::steady_clock::now()); });
 }
 
 void AlarmService::openJournal(const AlarmSettings& settings)
@@ -60,7 +67,8 @@ void AlarmService::listen(const AlarmSettings& settings)
 
 void AlarmService::start()
 {
-    m_voice.start();
+    if (m_loudspeaker)
+        m_loudspeaker->start();
     m_timer.start();
 }
 
@@ -83,6 +91,12 @@ void AlarmService::toggleAudioPause(const QString& who)
         m_models.alarms.resumeAudio(wallTime());
     else
         m_models.alarms.pauseAudio(now, wallTime(), who);
+}
+
+void AlarmService::beginSelfTest()
+{
+    if (!m_models.alarms.unacknowledgedHigh())
+        m_models.selfTest.begin(std::chrono::steady_clock::now());
 }
 
 void AlarmService::answerSelfTest(bool seenAndHeard, const QString& who)

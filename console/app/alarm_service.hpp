@@ -16,7 +16,8 @@ namespace console {
 struct AlarmSettings {
     QString logFolder; ///< empty: alarms are not kept, and an alarm says so
     QString logName;
-    QString watchdog; ///< program; empty: nobody watches, and an alarm says so
+    QString watchdog;            ///< program; empty: nobody watches, and an alarm says so
+    AlarmVoice* voice = nullptr; ///< sounds in place of the loudspeaker, for measurements; outlives the service
 };
 
 /// GUI thread only. What of it fails is itself an alarm, and stops nothing.
@@ -30,6 +31,7 @@ public:
     // A person's wishes; `who` is for the log.
     void acknowledge(quint64 alarm, const QString& who);
     void toggleAudioPause(const QString& who);
+    void beginSelfTest(); ///< nothing while a high alarm stands: its sound is not to be taken for the test's, nor cut short
     void answerSelfTest(bool seenAndHeard, const QString& who);
 
 private:
@@ -39,7 +41,8 @@ private:
 
     ConsoleModels& m_models;
     AlarmWatch& m_watch;
-    Loudspeaker m_voice;
+    std::unique_ptr<Loudspeaker> m_loudspeaker; ///< none when another voice was given
+    AlarmVoice& m_voice;
     AlarmSounder m_sounder;
     std::unique_ptr<AlarmJournal> m_journal;
     std::unique_ptr<WatchdogProcess> m_watchdog;

@@ -67,6 +67,10 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
     reading.state = link.state;
     reading.suspectsInMinute = static_cast<int>(
         std::count_if(link.suspects.begin(), link.suspects.end(), [now](Instant at) { return at > now - SessionModel::historyLength; }));
+    if (const auto line = m_lines.find(link.peer); line != m_lines.end()) {
+        reading.jittery = line->second.jittery();
+        reading.lossy = line->second.lossy();
+    }
     reading.clockUncertain = link.state == LinkState::Open && link.figures.clockOffset && link.figures.clockUncertainty > clockLimit;
     reading.images = kindOf(link.peer) == DeviceKind::Eye;
     reading.systemDiffers = link.systemDiffers;
@@ -91,6 +95,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
         all.awaitingHold = now - *m_stopAt;
     all.picture = m_models.picture.reading(now);
     all.pictureLimit = m_models.picture.limit();
+    all.line = lineLimits(m_models.picture.profile());
     const auto& robot = m_models.instrument.robot();
     all.robotFresh = m_models.instrument.robotFresh(now);
     all.force = robot.value.guidewireForce;
@@ -143,8 +148,23 @@ std::optional<PaintingReading> AlarmWatch::painting() const
     return PaintingReading{static_cast<double>(delivered) / span, static_cast<double>(painted) / span};
 }
 
+/// One for each link of the topology, no more.
+void AlarmWatch::noteLines(Instant now)
+{
+    const auto limits = lineLimits(m_models.picture.profile());
+    for (const auto& link : m_models.sessions.links()) {
+        if (!link.own)
+            continue;
+        if (carriesMessages(link.state))
+            m_lines[link.peer].note(link.figures, limits, now);
+        else
+            m_lines[link.peer].forget();
+    }
+}
+
 void AlarmWatch::update(Instant now, quint64 delivered)
 {
+    noteLines(now);
     noteDelivered(delivered, now);
     if (m_stopAt && robotHoldsSince(*m_stopAt))
         m_stopAt.reset();

@@ -3,6 +3,7 @@
 
 #include "model/alarm_rules.hpp"
 #include "model/console_models.hpp"
+#include "model/line_quality.hpp"
 
 #include <QObject>
 
@@ -36,6 +37,7 @@ private:
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
     AlarmReadings readings(Instant now) const;
     void readInstruments(AlarmReadings& all, Instant now) const;
+    void noteLines(Instant now);
     void noteDelivered(quint64 delivered, Instant now);
     std::optional<PaintingReading> painting() const;
 
@@ -55,6 +57,7 @@ private:
     bool m_troubleWhileArmed = false;
     bool m_troubleWhileEngaged = false; ///< motion has ended by the time that its cause is looked at
     std::map<quint32, Overdue> m_overdue;
+    std::map<quint32, LineQuality> m_lines;
     std::deque<Counted> m_counted; ///< of the last two seconds
     QString m_auditTrouble;
     QString m_logTrouble;

@@ -5,6 +5,7 @@
 #include "editor/topology_view.hpp"
 #include "imaging/scene_view.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/log_view.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -65,8 +66,8 @@ void CockpitApplication::buildAlarms()
 {
     const auto* self = m_models.sessions.self();
     const auto name = QStringLiteral("alarms-") + (self != nullptr ? self->idText() : QStringLiteral("unknown"));
-    m_alarms =
-        std::make_unique<AlarmService>(m_models, m_control->alarmWatch(), AlarmSettings{m_options.alarmLog, name, m_options.watchdog});
+    m_alarms = std::make_unique<AlarmService>(m_models, m_control->alarmWatch(),
+                                              AlarmSettings{m_options.alarmLog, name, m_options.watchdog, m_voice});
 }
 
 void CockpitApplication::buildWindow()
@@ -76,6 +77,7 @@ void CockpitApplication::buildWindow()
     m_pictures.build(*m_window);
     m_window->setSceneView(m_scene);
     buildTopology();
+    buildLog();
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
@@ -100,6 +102,22 @@ void CockpitApplication::buildTopology()
     connect(view, &TopologyView::openAllRequested, link, &SystemLink::openAll);
 }
 
+void CockpitApplication::buildLog()
+{
+    auto* view = new LogView(m_models.log, m_models.alarmLog);
+    view->setPathSuggestion(suggestedLogPath);
+    m_window->setLogView(view);
+    connect(view, &LogView::saveRequested, &m_logSaver, &LogSaver::save);
+    connect(&m_logSaver, &LogSaver::saved, view, [this, view](const QString& path) {
+        m_models.log.append(LogKind::Note, tr("log saved: %1").arg(path), QDateTime::currentMSecsSinceEpoch());
+        view->showSaved(path);
+    });
+    connect(&m_logSaver, &LogSaver::failed, view, [this, view](const QString& reason) {
+        m_models.log.append(LogKind::Trouble, reason, QDateTime::currentMSecsSinceEpoch());
+        view->showFailure(reason);
+    });
+}
+
 void CockpitApplication::connectIntents()
 {
     auto* window = m_window.get();
@@ -112,6 +130,8 @@ void CockpitApplication::connectIntents()
     connect(window, &CockpitWindow::probeRequested, link, &SystemLink::probe);
     connect(window, &CockpitWindow::dismissRequested, link,
             [link](quint64 incident) { link->dismiss(incident, tr("given up by the operator")); });
+    connect(window, &CockpitWindow::interruptionReadRequested, m_control.get(),
+            [this] { m_control->interruptionWatch().acknowledge(m_options.user, std::chrono::steady_clock::now()); });
     connect(window, &CockpitWindow::emergencyStopRequested, link, &SystemLink::emergencyStop);
     connect(window, &CockpitWindow::emergencyStopResetRequested, link, &SystemLink::resetEmergencyStop);
 }
@@ -122,7 +142,7 @@ void CockpitApplication::connectAlarms()
     auto* alarms = m_alarms.get();
     connect(window, &CockpitWindow::acknowledgeRequested, alarms, [this](quint64 alarm) { m_alarms->acknowledge(alarm, m_options.user); });
     connect(window, &CockpitWindow::audioPauseRequested, alarms, [this] { m_alarms->toggleAudioPause(m_options.user); });
-    connect(window, &CockpitWindow::alarmTestRequested, alarms, [this] { m_models.selfTest.begin(std::chrono::steady_clock::now()); });
+    connect(window, &CockpitWindow::alarmTestRequested, alarms, &AlarmService::beginSelfTest);
     connect(window, &CockpitWindow::alarmTestAnswered, alarms, [this](bool seenAndHeard) {
         m_alarms->answerSelfTest(seenAndHeard, m_options.unattended ? tr("the unattended run, no person") : m_options.user);
     });

@@ -5,6 +5,7 @@
 #include "app/cockpit_control.hpp"
 #include "app/command_line.hpp"
 #include "app/hand_desk.hpp"
+#include "app/log_saver.hpp"
 #include "app/picture_desk.hpp"
 #include "app/unattended_run.hpp"
 #include "link/system_link.hpp"
@@ -26,6 +27,9 @@ public:
     explicit CockpitApplication(const Options& options);
     ~CockpitApplication() override;
 
+    /// Sounds in place of the loudspeaker, for measurements; before prepare(). It must outlive this object.
+    void setVoice(AlarmVoice& voice) { m_voice = &voice; }
+
     /// Reads the files and takes the port; false with one sentence in `error` when it cannot.
     bool prepare(QString* error);
 
@@ -42,6 +46,7 @@ private:
     void buildAlarms();
     void buildWindow();
     void buildTopology();
+    void buildLog();
     void connectIntents();
     void connectAlarms();
     void connectHand();
@@ -51,12 +56,14 @@ private:
 
     // In the order in which they need one another: what stands below uses what stands above, and goes first.
     Options m_options;
+    AlarmVoice* m_voice = nullptr;
     ConsoleModels m_models;
     PictureDesk m_pictures;
     HandDesk m_hand;
     std::unique_ptr<SystemLink> m_link;
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;
+    LogSaver m_logSaver;
     std::unique_ptr<CockpitWindow> m_window;
     SceneView* m_scene = nullptr; ///< the window's
     QTimer m_sceneClock;

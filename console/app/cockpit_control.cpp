@@ -1,6 +1,8 @@
 // The loop between hand, permit and link.
 #include "app/cockpit_control.hpp"
 
+#include "model/present_readings.hpp"
+
 #include <QDateTime>
 
 #include <algorithm>
@@ -25,14 +27,17 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
       m_link(link),
       m_hand(hand),
       m_alarms(models, link.robot()),
+      m_interruptions(models, [&link] { return link.framesReceived(); }),
       m_press(static_cast<quint32>(QDateTime::currentSecsSinceEpoch()))
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(period);
     connect(&m_timer, &QTimer::timeout, this, &CockpitControl::run);
-    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer) {
+    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer, LinkState, LinkState to) {
         if (m_link.robot() == peer)
             tellSession();
+        if (to == LinkState::Reconnecting || to == LinkState::StandBy)
+            m_alarms.update(presentTime(), m_link.framesReceived()); // not kept for the next turn
     });
     connect(&models.sessions, &SessionModel::standByChanged, this, &CockpitControl::tellSession);
     connect(&models.incidents, &IncidentModel::incidentRaised, this, &CockpitControl::tellSession);
@@ -90,12 +95,13 @@ void CockpitControl::run()
         publishStatus(now);
     if (m_runs % alarmRuns == 0) {
         m_alarms.update(now, m_link.framesReceived());
-        noteTrends(now);
+        m_interruptions.update(now);
+        m_models.trends.note(trendReading(m_models, m_link.robot(), now), now);
     }
     ++m_runs;
 }
 
-void CockpitControl::checkAllGuards(Instant now) { carryOut(m_models.permit.check(guardReadings(now), now), now); }
+void CockpitControl::checkAllGuards(Instant now) { carryOut(m_models.permit.check(readGuards(now), now), now); }
 
 /// Between two full checks only what ends motion is looked at.
 void CockpitControl::checkGuards(Instant now)
@@ -103,7 +109,7 @@ void CockpitControl::checkGuards(Instant now)
     PermitEvent event;
     event.kind = PermitEventKind::GuardsChecked;
     event.armable = m_models.permit.state().armable;
-    event.kept = checkKept(guardReadings(now));
+    event.kept = checkKept(readGuards(now));
     apply(event, now);
 }
 
@@ -168,60 +174,11 @@ void CockpitControl::expectPictures(Instant now)
     m_link.setPedal({xray.pedalDown(), m_press, xray.requestedRate(), now});
 }
 
-GuardReadings CockpitControl::guardReadings(Instant now) const
+GuardReadings CockpitControl::readGuards(Instant now) const
 {
-    GuardReadings r;
-    const auto* link = m_link.robot() ? m_models.sessions.linkTo(*m_link.robot()) : nullptr;
-    if (link != nullptr) {
-        r.robotLink = link->state;
-        r.inLinkState = now - link->since;
-        // A session opens only between devices whose topology, message sets and certificates agree.
-        r.identityEqual = carriesMessages(link->state);
-        r.heartbeatsOnTime = link->figures.heartbeatsOnTime;
-        if (link->figures.clockOffset)
-            r.clockUncertainty = link->figures.clockUncertainty;
-        r.queuedMessages = link->figures.queuedMessages;
-    }
-    const auto& robot = m_models.instrument.robot().value;
-    r.picture = m_models.picture.reading(now);
-    r.pictureLimit = m_models.picture.limit();
-    r.robotFresh = m_models.instrument.robotFresh(now);
-    r.robotState = robot.state;
-    r.robotHoldConfirmed = robot.holdConfirmed;
-    r.robotPermit = robot.permit;
-    r.spentPermit = m_models.permit.state().spentPermit;
-    r.drivesHealthy = m_models.instrument.drivesHealthy(now);
-    r.force = robot.guidewireForce;
-    r.forceStop = m_models.instrument.limits().forceStop;
-    r.incident = m_models.sessions.inStandBy() || !m_models.incidents.empty();
-    r.highAlarm = m_models.alarms.unacknowledgedHigh();
-    r.handAlive = m_models.hand.reading().alive;
-    r.handMissing = m_hand.missing();
-    r.windowActive = m_hand.listening();
-    r.deadMan = m_models.hand.reading().deadMan;
-    r.alarmsTested = m_models.selfTest.passed();
-    return r;
-}
-
-/// Of what is fresh only: a course must end where the knowledge ends.
-void CockpitControl::noteTrends(Instant now)
-{
-    TrendReading reading;
-    const auto* link = m_link.robot() ? m_models.sessions.linkTo(*m_link.robot()) : nullptr;
-    if (link != nullptr && carriesMessages(link->state)) {
-        if (link->figures.roundTrip)
-            reading.roundTripMs = milliseconds(*link->figures.roundTrip);
-        if (link->figures.jitter)
-            reading.jitterMs = milliseconds(*link->figures.jitter);
-        reading.heartbeatsReceived = link->figures.heartbeatsReceived;
-        reading.heartbeatsMissed = link->figures.heartbeatsMissed;
-    }
-    if (m_models.instrument.robotFresh(now))
-        reading.force = m_models.instrument.robot().value.guidewireForce;
-    const auto picture = m_models.picture.reading(now);
-    if (picture.age && picture.condition != PictureCondition::Held)
-        reading.pictureAgeMs = milliseconds(*picture.age);
-    m_models.trends.note(reading, now);
+    auto readings = guardReadings(m_models, m_link.robot(), m_hand.listening(), now);
+    readings.handMissing = m_hand.missing();
+    return readings;
 }
 
 void CockpitControl::publishMotion(Instant now)
@@ -282,6 +239,8 @@ void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
     auto line = tr("%1 -> %2").arg(word(from), word(to));
     if (to == PermitPhase::Hold)
         line += tr(": %1").arg(word(m_models.permit.state().cause));
+    else if (from == PermitPhase::Arming && to == PermitPhase::Standby && m_models.permit.unmetCount() > 0)
+        line += tr(": %1").arg(m_models.permit.unmetText());
     m_models.log.append(LogKind::Permit, line, QDateTime::currentMSecsSinceEpoch());
 }
 

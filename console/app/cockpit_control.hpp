@@ -3,6 +3,7 @@
 
 #include "app/alarm_watch.hpp"
 #include "app/hand_desk.hpp"
+#include "app/interruption_watch.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -23,6 +24,7 @@ public:
     void start();
 
     AlarmWatch& alarmWatch() { return m_alarms; }
+    InterruptionWatch& interruptionWatch() { return m_interruptions; }
 
     /// Pedal up and Hold: what is asked of the robot and the X-ray system ends before their sessions do.
     void stop();
@@ -48,8 +50,7 @@ private:
     void expectPictures(Instant now);
     void publishMotion(Instant now);
     void publishStatus(Instant now);
-    GuardReadings guardReadings(Instant now) const;
-    void noteTrends(Instant now);
+    GuardReadings readGuards(Instant now) const;
     void notePhase(PermitPhase from, PermitPhase to);
     bool pedalDown() const { return m_models.xray.pedalDown(); }
 
@@ -57,6 +58,7 @@ private:
     SystemLink& m_link;
     HandDesk& m_hand;
     AlarmWatch m_alarms;
+    InterruptionWatch m_interruptions;
     QTimer m_timer;
     std::optional<Instant> m_lastRun;
     quint64 m_runs = 0;

@@ -22,8 +22,8 @@ A first try, with the reference devices running on this computer:
   liena-console --topology topologies/cerebrovascular.xml
       --certificate pki/cockpit.crt --key pki/cockpit.key --authority pki/ca.crt
 
-On the screen: "Alarm self-test" at the top, once per start: three colours and three sounds, then say whether they were
-there. F2, then "Open all". Hold F for pictures, hold R for 1.5 s to arm; then motion lasts while D is held: up/down and
+On the screen: "Alarm self-test" (F8) at the top, before each arming: three colours and three sounds, then say whether
+they were there. F2, then "Open all". Hold F for pictures, hold R for 1.5 s to arm; then motion lasts while D is held: up/down and
 right/left for the guidewire, I/K and J/L for the catheter. Letting go of D stops. F9 pauses the alarm sound for a
 minute, F12 holds, Esc is the emergency stop. After any interruption motion needs a new ARM.
 

@@ -224,7 +224,7 @@ QString UnattendedRun::save() const
     for (int row = std::max(0, m_models.log.rowCount() - logLines); row < m_models.log.rowCount(); ++row)
         log.append(m_models.log.data(m_models.log.index(row)).toString());
     json.insert(QStringLiteral("log"), log);
-    json.insert(QStringLiteral("alarm_self_test"), m_models.selfTest.passed()
+    json.insert(QStringLiteral("alarm_self_test"), m_models.selfTest.passedInAll() > 0
                                                        ? QStringLiteral("confirmed by the run itself; no person saw or heard it")
                                                        : QStringLiteral("not confirmed"));
     const bool written = file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(json).toJson()) > 0 && file.commit();

@@ -66,6 +66,7 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
         if (lessUrgent)
             known->priority = report.priority;
         known->text = report.text;
+        known->remedy = report.remedy;
         known->causes = report.causes;
         return differs;
     }
@@ -115,6 +116,7 @@ void AlarmList::restoreLog(const std::vector<AlarmLogEntry>& entries)
     m_log.insert(m_log.begin(), entries.begin(), entries.end());
     while (m_log.size() > logLimit)
         m_log.pop_front();
+    Q_EMIT logRestored();
 }
 
 std::optional<Duration> AlarmList::audioPauseLeft(Instant now) const

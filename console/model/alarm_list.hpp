@@ -28,7 +28,7 @@ enum class AlarmCondition : std::uint8_t {
     DriveFault,
     EmergencyStop,
     DeadlineMissed, ///< subject: the peer
-    LinkUnsteady,   ///< subject: the peer; suspect three times within a minute
+    LinkUnsteady,   ///< subject: the peer; suspect three times within a minute, or jitter or loss above the limit
     ClockUncertain, ///< subject: the peer
     SoftLimit,
     HardLimit,
@@ -124,6 +124,7 @@ Q_SIGNALS:
     void changed();
     void raised(quint64 id);
     void logged(const console::AlarmLogEntry& entry);
+    void logRestored();
 
 private:
     bool raise(const AlarmReport& report, Instant now, qint64 wallMs);

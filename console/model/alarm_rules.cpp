@@ -46,12 +46,14 @@ private:
     void addCauses(quint64 causes) { m_reports.back().causes = causes; }
 
     void addLink(const AlarmLinkReading& link);
+    void addLoss(const AlarmLinkReading& link);
     void addHold();
     void addPicture();
     void addForce();
     void addDrives();
     void addLimits();
     void addRoundTrip(const AlarmLinkReading& link);
+    void addUnsteady(const AlarmLinkReading& link);
     void addInstruments();
     void addKerma(double milligrays);
     void addPainting();
@@ -65,10 +67,7 @@ private:
 
 void Rules::addLink(const AlarmLinkReading& link)
 {
-    if (link.state == LinkState::StandBy)
-        add(link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost, whenArmed(Priority::High, Priority::Medium), true,
-            link.images ? Text::tr("%1: picture link lost, stand-by").arg(link.title) : Text::tr("%1: link lost, stand-by").arg(link.title),
-            Text::tr("Read the prompt, then re-open the channel."), link.peer);
+    addLoss(link);
     if (link.systemDiffers)
         add(AlarmCondition::SystemDiffers, Priority::Medium, true,
             Text::tr("%1: its topology or message sets are others than ours").arg(link.title),
@@ -78,14 +77,47 @@ void Rules::addLink(const AlarmLinkReading& link)
         add(AlarmCondition::DeadlineMissed, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: %2 is overdue").arg(link.title, link.deadlineMissed),
             Text::tr("Look at that device; what is shown of it is old."), link.peer);
-    if (link.suspectsInMinute >= 3)
-        add(AlarmCondition::LinkUnsteady, Priority::Low, false,
-            Text::tr("%1: link unsteady, %2 times in a minute").arg(link.title).arg(link.suspectsInMinute),
-            Text::tr("Check the line before you arm."), link.peer);
+    addUnsteady(link);
     if (link.clockUncertain)
         add(AlarmCondition::ClockUncertain, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: clock uncertain, ages unknown").arg(link.title),
             Text::tr("Wait; arming is refused until the clocks are compared."), link.peer);
+}
+
+/// What is armed does not wait for the decision that a link will not heal: its motion has ended already.
+void Rules::addLoss(const AlarmLinkReading& link)
+{
+    const auto condition = link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost;
+    if (link.state == LinkState::StandBy)
+        add(condition, whenArmed(Priority::High, Priority::Medium), true,
+            link.images ? Text::tr("%1: picture link lost, stand-by").arg(link.title) : Text::tr("%1: link lost, stand-by").arg(link.title),
+            Text::tr("Read the prompt, then re-open the channel."), link.peer);
+    else if (link.state == LinkState::Reconnecting && m_readings.armed)
+        add(condition, Priority::High, true,
+            link.images ? Text::tr("%1: picture link interrupted").arg(link.title) : Text::tr("%1: link interrupted").arg(link.title),
+            Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."), link.peer);
+}
+
+/// The limits and not the figures, which change all the time: those are on the link's card.
+void Rules::addUnsteady(const AlarmLinkReading& link)
+{
+    QStringList what;
+    quint64 causes = 0;
+    const auto addCause = [&](bool present, quint64 bit, const QString& text) {
+        if (!present)
+            return;
+        what << text;
+        causes |= bit;
+    };
+    addCause(link.suspectsInMinute >= 3, 1, Text::tr("%1 times in a minute").arg(link.suspectsInMinute));
+    addCause(link.jittery, 2, Text::tr("jitter above %1 ms").arg(m_readings.line.jitterMs, 0, 'f', 0));
+    addCause(link.lossy, 4, Text::tr("more than %1 % lost").arg(m_readings.line.lossPercent, 0, 'f', 0));
+    if (what.isEmpty())
+        return;
+    add(AlarmCondition::LinkUnsteady, Priority::Low, false,
+        Text::tr("%1: link unsteady, %2").arg(link.title, what.join(QStringLiteral(", "))), Text::tr("Check the line before you arm."),
+        link.peer);
+    addCauses(causes);
 }
 
 void Rules::addRoundTrip(const AlarmLinkReading& link)

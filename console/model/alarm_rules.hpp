@@ -19,6 +19,8 @@ struct AlarmLinkReading {
     QString title;
     LinkState state = LinkState::Closed;
     int suspectsInMinute = 0;
+    bool jittery = false; ///< above the profile's limit, and not only for a moment
+    bool lossy = false;
     bool clockUncertain = false;
     QString deadlineMissed; ///< the message that is overdue; empty
     bool images = false;    ///< it carries the live picture
@@ -42,6 +44,7 @@ struct AlarmReadings {
     std::optional<Duration> awaitingHold; ///< since the stop or the loss, while the robot has not confirmed its hold
     PictureReading picture;
     Duration pictureLimit{};
+    LineLimits line;
     bool robotFresh = false;
     double force = 0;
     RobotLimits limits;
@@ -61,7 +64,6 @@ struct AlarmReadings {
 };
 
 inline constexpr std::chrono::milliseconds holdConfirmationLimit{200};
-inline constexpr std::chrono::milliseconds roundTripCaution{150};
 inline constexpr double paintedPart = 0.8; ///< of the delivered pictures; fewer is too few
 
 // Air kerma at the reference point: from the first on and at every whole gray, and where it becomes more urgent.

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "model/alarm_list.hpp"
+#include "model/alarm_log_model.hpp"
 #include "model/alarm_self_test.hpp"
 #include "model/arm_state.hpp"
 #include "model/event_log.hpp"
 #include "model/hand_state.hpp"
 #include "model/incident_model.hpp"
 #include "model/instrument_state.hpp"
+#include "model/interruption.hpp"
 #include "model/permit_model.hpp"
 #include "model/picture_state.hpp"
 #include "model/session_model.hpp"
@@ -20,6 +22,7 @@ namespace console {
 struct ConsoleModels {
     SessionModel sessions;
     IncidentModel incidents;
+    InterruptionAccount interruption;
     InstrumentState instrument;
     XraySystemState xray;
     ArmState arm;
@@ -27,6 +30,7 @@ struct ConsoleModels {
     PermitModel permit;
     HandState hand;
     AlarmList alarms;
+    AlarmLogModel alarmLog{alarms};
     AlarmSelfTest selfTest;
     EventLog log;
     TrendBook trends;

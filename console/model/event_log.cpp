@@ -1,6 +1,8 @@
 // What happened, line by line.
 #include "model/event_log.hpp"
 
+#include "model/log_roles.hpp"
+
 #include <QDateTime>
 
 namespace console {
@@ -18,24 +20,17 @@ QVariant EventLog::data(const QModelIndex& index, int role) const
     case Qt::DisplayRole:
         return QStringLiteral("%1  %2  %3")
             .arg(QDateTime::fromMSecsSinceEpoch(line.wallMs).toString(QStringLiteral("HH:mm:ss.zzz")), word(line.kind), line.text);
-    case WallRole:
+    case LogWallRole:
         return line.wallMs;
-    case KindRole:
+    case LogKindRole:
         return static_cast<int>(line.kind);
-    case TextRole:
+    case LogKindWordRole:
+        return word(line.kind);
+    case LogTextRole:
         return line.text;
     default:
         return {};
     }
-}
-
-QHash<int, QByteArray> EventLog::roleNames() const
-{
-    auto names = QAbstractListModel::roleNames();
-    names.insert(WallRole, "wall");
-    names.insert(KindRole, "kind");
-    names.insert(TextRole, "text");
-    return names;
 }
 
 void EventLog::append(LogKind kind, const QString& text, qint64 wallMs)

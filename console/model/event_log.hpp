@@ -18,18 +18,16 @@ struct LogLine {
     QString text;
 };
 
-/// GUI thread only. One column; Qt::DisplayRole is the whole line.
+/// GUI thread only. One column, with the roles of log_roles.hpp.
 class EventLog : public QAbstractListModel {
     Q_OBJECT
 public:
-    enum Role : int { WallRole = Qt::UserRole + 1, KindRole, TextRole };
     static constexpr int usualLimit = 5000;
 
     explicit EventLog(int limit = usualLimit, QObject* parent = nullptr);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
-    QHash<int, QByteArray> roleNames() const override;
 
     const std::deque<LogLine>& lines() const { return m_lines; }
     quint64 lost() const { return m_lost; } ///< lines that had to go

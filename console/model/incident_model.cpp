@@ -8,6 +8,7 @@ namespace console {
 namespace {
 
 constexpr std::chrono::minutes flapWindow{2};
+constexpr std::size_t mostFlaps = 10'000;
 
 } // namespace
 
@@ -37,6 +38,8 @@ int IncidentModel::countFlaps(quint32 a, quint32 b, Instant now)
 {
     std::erase_if(m_flaps, [now](const Flap& flap) { return flap.at < now - flapWindow; });
     m_flaps.push_back({std::min(a, b), std::max(a, b), now});
+    if (m_flaps.size() > mostFlaps)
+        m_flaps.pop_front();
     return static_cast<int>(std::count_if(m_flaps.begin(), m_flaps.end(),
                                           [a, b](const Flap& flap) { return flap.a == std::min(a, b) && flap.b == std::max(a, b); }));
 }

@@ -112,7 +112,9 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
              r.handMissing.isEmpty() ? Text::tr("Hand control does not answer") : r.handMissing),
         line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"), Text::tr("Window does not have the keyboard")),
         line(Guard::DeadManReleased, !r.deadMan, Text::tr("Dead-man released"), Text::tr("Let go of the dead-man")),
-        line(Guard::AlarmsTested, r.alarmsTested, Text::tr("Alarms were tested"), Text::tr("Alarm self-test is to be done")),
+        line(Guard::AlarmsTested, r.alarmsTested, Text::tr("Alarms were tested"), Text::tr("Alarm self-test is due (F8)")),
+        line(Guard::InterruptionRead, r.interruptionRead, Text::tr("No interruption is unread"),
+             r.incident ? Text::tr("The interruption is not over") : Text::tr("Read \"While you were away\"")),
     };
 }
 

@@ -33,8 +33,9 @@ enum class Guard : std::uint8_t {
     WindowActive,
     DeadManReleased,
     AlarmsTested,
+    InterruptionRead,
 };
-inline constexpr std::size_t guardCount = 16;
+inline constexpr std::size_t guardCount = 17;
 
 using GuardSet = std::bitset<guardCount>; ///< bit n: guard n is met
 
@@ -74,7 +75,8 @@ struct GuardReadings {
     QString handMissing; ///< which master it is, and what it lacks; empty: not known
     bool windowActive = false;
     bool deadMan = false;
-    bool alarmsTested = false; ///< since this program was started
+    bool alarmsTested = false;     ///< for this arming
+    bool interruptionRead = false; ///< no account of an interruption is unread, and none is running
 };
 
 struct GuardLine {

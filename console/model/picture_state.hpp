@@ -3,6 +3,7 @@
 
 #include "model/instant.hpp"
 #include "model/picture_reduction.hpp"
+#include "model/profile_limits.hpp"
 #include "model/xray_frame.hpp"
 
 #include <QObject>
@@ -50,13 +51,6 @@ enum class PictureCondition : std::uint8_t {
 
 /// NO PICTURE, LIVE, AGE UNKNOWN, FROZEN, LAST IMAGE HOLD.
 QString word(PictureCondition condition);
-
-/// How old a picture may be while instruments move.
-enum class PictureProfile : std::uint8_t { Neuro, Coronary };
-constexpr std::chrono::milliseconds ageLimit(PictureProfile profile)
-{
-    return profile == PictureProfile::Neuro ? std::chrono::milliseconds(250) : std::chrono::milliseconds(400);
-}
 
 /// One moment of the picture, for the chip in its corner and for the guards.
 struct PictureReading {

@@ -8,6 +8,7 @@ namespace console {
 namespace {
 
 constexpr std::chrono::milliseconds samplePeriod{100};
+constexpr std::size_t mostSuspects = 10'000; // within a minute: beyond that the number says nothing more
 
 bool isWorse(LinkState to) { return to == LinkState::Suspect || to == LinkState::Reconnecting || to == LinkState::StandBy; }
 
@@ -125,7 +126,7 @@ void SessionModel::setLinkState(quint32 peer, LinkState state, Instant now)
     link->state = state;
     link->since = now;
     forgetOldSuspects(*link, now);
-    if (isWorse(state) && !isWorse(from))
+    if (isWorse(state) && !isWorse(from) && link->suspects.size() < mostSuspects)
         link->suspects.push_back(now);
     Q_EMIT linkStateChanged(peer, from, state);
 }

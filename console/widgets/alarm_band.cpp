@@ -30,11 +30,12 @@ void makeCompact(QPushButton* button)
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 }
 
-QString testText(AlarmPriority priority)
+QString testText(AlarmPriority priority, bool brief)
 {
     switch (priority) {
     case AlarmPriority::High:
-        return AlarmBand::tr("SELF-TEST, no alarm: red, flashing fast, ten pulses");
+        return brief ? AlarmBand::tr("SELF-TEST, no alarm: red, flashing fast, five pulses")
+                     : AlarmBand::tr("SELF-TEST, no alarm: red, flashing fast, ten pulses");
     case AlarmPriority::Medium:
         return AlarmBand::tr("SELF-TEST, no alarm: yellow, flashing slowly, three pulses");
     case AlarmPriority::Low:
@@ -100,7 +101,8 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
     m_alarms = alarms;
     m_test->setSoundWorks(std::none_of(alarms.begin(), alarms.end(),
                                        [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; }));
-    const Alarm* next = firstUnacknowledged();
+    const Alarm* next = firstUnacknowledged(); // of the highest priority
+    m_test->setMayBegin(next == nullptr || next->priority != AlarmPriority::High);
     m_acknowledge->setVisible(next != nullptr);
     if (next) {
         constexpr qsizetype mostCharacters = 24;
@@ -135,8 +137,9 @@ void AlarmBand::setFoldedSheets(const std::vector<std::pair<quint64, QString>>& 
     }
 }
 
-void AlarmBand::setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal)
+void AlarmBand::setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal, bool brief)
 {
+    m_testBrief = brief;
     m_testStep = step;
     m_testSignal = signal;
     m_test->setStep(step);
@@ -285,7 +288,7 @@ void AlarmBand::paintEvent(QPaintEvent*)
     const double right = freeRight();
     if (const auto test = testSignal()) {
         const int left = paintBadge(painter, *test, false);
-        const double end = paintText(painter, testText(*test), left, right - left);
+        const double end = paintText(painter, testText(*test, m_testBrief), left, right - left);
         paintChips(painter, QRectF(end, 0, right - end, height()), 0);
     } else if (m_alarms.empty()) {
         paintQuiet(painter, right);

@@ -31,7 +31,7 @@ public:
     void setFoldedSheets(const std::vector<std::pair<quint64, QString>>& sheets);
 
     /// While `signal` is shown it takes the band's place; the alarms that stand are then chips beside it.
-    void setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal);
+    void setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal, bool brief = false);
 
     /// `demanded`: something sounds, or would but for the pause.
     void setSound(bool demanded, std::optional<Duration> pausedFor);
@@ -67,6 +67,7 @@ private:
     quint64 m_acknowledging = 0; ///< the alarm that the button went down for
     AlarmSelfTest::Step m_testStep = AlarmSelfTest::Step::NotDone;
     std::optional<AlarmPriority> m_testSignal;
+    bool m_testBrief = false;
     FlashClock* m_clock;
     QHBoxLayout* m_row;
     SelfTestBlock* m_test;

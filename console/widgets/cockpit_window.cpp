@@ -1,10 +1,11 @@
 // Regions, intents, keys and the window's own clock.
 #include "widgets/cockpit_window.hpp"
 
+#include "model/present_readings.hpp"
 #include "model/sound_schedule.hpp"
 #include "widgets/alarm_band.hpp"
-#include "widgets/diagnosis_sheet.hpp"
 #include "widgets/dose_panel.hpp"
+#include "widgets/interruption_card.hpp"
 #include "widgets/links_rail.hpp"
 #include "widgets/motion_bar.hpp"
 #include "widgets/not_yet_pane.hpp"
@@ -45,6 +46,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
       m_dose(new DosePanel(models.instrument, models.xray, this)),
       m_trends(new TrendsPane(models.trends, this)),
       m_motion(new MotionBar(models, this)),
+      m_away(new InterruptionCard(models.interruption, this)),
       m_deck(new SheetDeck(models.incidents, this))
 {
     setWindowTitle(tr("LiENa cockpit \u2014 research system, not a medical device"));
@@ -81,57 +83,9 @@ void CockpitWindow::placeRegions()
     m_layout->place(Region::Dose, m_dose);
     m_layout->place(Region::Trends, m_trends);
     m_layout->place(Region::Motion, m_motion);
+    m_layout->place(Region::Sheet, m_away);
     m_layout->place(Region::Sheet, m_deck);
-}
-
-void CockpitWindow::connectIntents()
-{
-    connect(m_rail, &LinksRail::openRequested, this, &CockpitWindow::openRequested);
-    connect(m_rail, &LinksRail::closeRequested, this, &CockpitWindow::closeRequested);
-    connect(m_rail, &LinksRail::reopenRequested, this, &CockpitWindow::reopenRequested);
-    connect(m_rail, &LinksRail::openAllRequested, this, &CockpitWindow::openAllRequested);
-    connect(m_rail, &LinksRail::topologyRequested, this, [this] { showView(View::Topology); });
-    connect(m_band, &AlarmBand::acknowledgeRequested, this, &CockpitWindow::acknowledgeRequested);
-    connect(m_band, &AlarmBand::audioPauseRequested, this, [this] {
-        Q_EMIT audioPauseRequested();
-        setFocus();
-    });
-    connect(m_band, &AlarmBand::selfTestRequested, this, &CockpitWindow::alarmTestRequested);
-    connect(m_band, &AlarmBand::selfTestAnswered, this, [this](bool seenAndHeard) {
-        Q_EMIT alarmTestAnswered(seenAndHeard);
-        setFocus();
-    });
-    connect(m_band, &AlarmBand::sheetRequested, m_deck, &SheetDeck::open);
-    connect(m_deck, &SheetDeck::chipsChanged, m_band, &AlarmBand::setFoldedSheets);
-    connect(m_deck, &SheetDeck::closed, this, [this] { setFocus(); });
-    connect(m_deck, &SheetDeck::opened, this, [this] { refresh(std::chrono::steady_clock::now()); });
-    const DiagnosisSheet* sheet = m_deck->sheet();
-    connect(sheet, &DiagnosisSheet::reopenRequested, this, &CockpitWindow::reopenRequested);
-    connect(sheet, &DiagnosisSheet::reopenAllRequested, this, &CockpitWindow::reopenAllRequested);
-    connect(sheet, &DiagnosisSheet::probeRequested, this, &CockpitWindow::probeRequested);
-    connect(sheet, &DiagnosisSheet::dismissRequested, this, &CockpitWindow::dismissRequested);
-    connect(m_motion, &MotionBar::emergencyStopRequested, this, &CockpitWindow::emergencyStopRequested);
-    connect(m_motion, &MotionBar::emergencyStopResetRequested, this, &CockpitWindow::emergencyStopResetRequested);
-    connect(m_motion, &MotionBar::armHoldChanged, this, &CockpitWindow::armHoldChanged);
-    connect(m_motion, &MotionBar::pedalChanged, this, &CockpitWindow::pedalChanged);
-    connect(m_motion, &MotionBar::masterChosen, this, &CockpitWindow::masterChosen);
-}
-
-void CockpitWindow::connectModels()
-{
-    const auto now = [this] { refresh(std::chrono::steady_clock::now()); };
-    connect(&m_models.alarms, &AlarmList::changed, this, [this] {
-        m_band->setAlarms(m_models.alarms.alarms());
-        refreshSound(std::chrono::steady_clock::now());
-    });
-    const auto test = [this] { m_band->setSelfTest(m_models.selfTest.step(), m_models.selfTest.signal()); };
-    connect(&m_models.selfTest, &AlarmSelfTest::changed, this, test);
-    test();
-    connect(&m_models.permit, &PermitModel::phaseChanged, this, now);
-    connect(&m_models.sessions, &SessionModel::linkStateChanged, this, now);
-    connect(&m_models.sessions, &SessionModel::topologyChanged, this, now);
-    connect(&m_models.incidents, &IncidentModel::incidentChanged, this, now);
-    connect(&m_models.incidents, &IncidentModel::incidentEnded, this, now);
+    setTabOrder(this, m_away->readButton()); // one step from the cockpit itself
 }
 
 void CockpitWindow::addKeys()
@@ -142,7 +96,9 @@ void CockpitWindow::addKeys()
         connect(shortcut, &QShortcut::activated, this, act);
     };
     bind(Qt::Key_F1, [this] { showView(View::Cockpit); });
-    bind(Qt::Key_F2, [this] { showView(m_view == View::Topology ? View::Cockpit : View::Topology); });
+    bind(Qt::Key_F2, [this] { toggleView(View::Topology); });
+    bind(Qt::Key_F4, [this] { toggleView(View::Log); });
+    bind(Qt::Key_F8, [this] { Q_EMIT alarmTestRequested(); });
     bind(Qt::Key_F9, [this] { Q_EMIT audioPauseRequested(); });
     bind(Qt::Key_F12, [this] { Q_EMIT panicHoldRequested(); });
     bind(Qt::Key_Escape, [this] { Q_EMIT emergencyStopRequested(tr("Esc key on the console")); });
@@ -155,8 +111,14 @@ void CockpitWindow::replace(Region region, QWidget*& present, QWidget* view)
     present = view;
     m_layout->place(region, view);
     view->show();
-    if (m_overlay)
-        m_overlay->raise();
+    stack();
+}
+
+/// What lies over the regions: a view lowest, the account of an interruption over it, the prompt of a present one on top.
+void CockpitWindow::stack()
+{
+    m_views.raise();
+    m_away->raise();
     m_deck->raise();
 }
 
@@ -168,13 +130,15 @@ void CockpitWindow::setSceneView(QWidget* view) { replace(Region::Scene, m_scene
 
 void CockpitWindow::setMiniTopology(QWidget* view) { m_rail->setMiniTopology(view); }
 
-void CockpitWindow::setTopologyView(QWidget* view)
+void CockpitWindow::setTopologyView(QWidget* view) { addView(View::Topology, view); }
+
+void CockpitWindow::setLogView(QWidget* view) { addView(View::Log, view); }
+
+void CockpitWindow::addView(View view, QWidget* widget)
 {
-    m_overlay = view;
-    view->setAutoFillBackground(true);
-    m_layout->place(Region::Overlay, view);
-    view->hide();
-    m_deck->raise();
+    m_layout->place(Region::Overlay, widget);
+    m_views.add(view, widget);
+    stack();
 }
 
 void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user); }
@@ -183,49 +147,22 @@ void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehears
 
 void CockpitWindow::setKeyLegend(const QString& legend)
 {
-    const QString own = tr("F9 audio pause \u00B7 F12 hold \u00B7 Esc emergency stop \u00B7 F1 cockpit \u00B7 F2 topology");
+    const QString own = tr(
+        "F8 alarm test \u00B7 F9 audio pause \u00B7 F12 hold \u00B7 Esc emergency stop \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F4 log");
     m_motion->setKeyLegend(legend.isEmpty() ? own : legend + QStringLiteral(" \u00B7 ") + own);
 }
 
 void CockpitWindow::showView(View view)
 {
-    m_view = view;
-    if (m_overlay) {
-        const bool topology = view == View::Topology;
-        m_overlay->setVisible(topology);
-        if (topology) {
-            m_overlay->raise();
-            m_deck->raise();
-            m_overlay->setFocus();
-        } else {
-            setFocus();
-        }
-    }
+    if (m_views.show(view))
+        stack();
+    else
+        setFocus();
     updateHandKeys();
     Q_EMIT viewRequested(view);
 }
 
-PromptSurroundings CockpitWindow::surroundings(Instant now) const
-{
-    PromptSurroundings around;
-    const auto robot = m_models.sessions.firstPeer(DeviceKind::Hand);
-    around.robot = robot.value_or(0);
-    const PictureReading picture = m_models.picture.reading(now);
-    around.pictureLive = picture.condition == PictureCondition::Live;
-    around.pictureSeen = picture.condition != PictureCondition::None;
-    if (around.pictureSeen && !around.pictureLive)
-        around.frozenSinceWallMs = qint64(picture.captureNs / 1000000U);
-    around.tipLive = m_models.instrument.tipFresh(now);
-    around.tipKnown = m_models.instrument.tip().known();
-    for (const LinkNode& link : m_models.sessions.links()) {
-        if (!link.own)
-            continue;
-        ++around.ownLinks;
-        if (link.state == LinkState::StandBy)
-            ++around.lostLinks;
-    }
-    return around;
-}
+void CockpitWindow::toggleView(View view) { showView(m_views.isShown(view) ? View::Cockpit : view); }
 
 void CockpitWindow::refreshStrip(Instant now)
 {
@@ -267,14 +204,30 @@ void CockpitWindow::refreshSlow(Instant now)
     m_rail->refresh(now);
     m_dose->refresh(now);
     m_trends->refresh({m_models.instrument.limits().forceWarn, milliseconds(m_models.picture.limit())}, now);
-    m_deck->refresh(m_models.sessions, surroundings(now), now);
+    m_away->refresh(now);
+    refreshDeck(now);
+}
+
+void CockpitWindow::refreshDeck(Instant now) { m_deck->refresh(m_models.sessions, promptSurroundings(m_models, now), now); }
+
+void CockpitWindow::refreshSoon()
+{
+    if (m_refreshDue)
+        return;
+    m_refreshDue = true;
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            m_refreshDue = false;
+            refresh(std::chrono::steady_clock::now());
+        },
+        Qt::QueuedConnection);
 }
 
 void CockpitWindow::updateHandKeys()
 {
     const QWidget* focus = QApplication::focusWidget();
-    const bool elsewhere =
-        focus && focus != this && (m_deck->isAncestorOf(focus) || (m_overlay && (focus == m_overlay || m_overlay->isAncestorOf(focus))));
+    const bool elsewhere = focus && focus != this && (m_deck->isAncestorOf(focus) || m_away->isAncestorOf(focus) || m_views.holds(focus));
     const bool has = isVisible() && isActiveWindow() && focus && !elsewhere && focus->window() == this;
     if (has == m_handHasKeys)
         return;

@@ -3,6 +3,7 @@
 
 #include "model/console_models.hpp"
 #include "widgets/cockpit_layout.hpp"
+#include "widgets/view_stack.hpp"
 
 #include <QTimer>
 #include <QWidget>
@@ -13,6 +14,7 @@ namespace console {
 
 class AlarmBand;
 class DosePanel;
+class InterruptionCard;
 class LinksRail;
 class MotionBar;
 class RobotPanel;
@@ -20,14 +22,12 @@ class SheetDeck;
 class StatusStrip;
 class TrendsPane;
 
-enum class View { Cockpit, Topology };
-
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys belong to the
-/// hand while the cockpit itself has the focus; while a sheet, the topology or another window has it, the hand has none, and
-/// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
+/// Keys: F1 cockpit, F2 topology, F4 log, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is.
+/// All other keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has
+/// none, and `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -40,6 +40,7 @@ public:
     void setSceneView(QWidget* view);
     void setMiniTopology(QWidget* view);
     void setTopologyView(QWidget* view);
+    void setLogView(QWidget* view);
 
     void setOperator(const QString& user);
     void setRehearsal(bool rehearsal);
@@ -48,7 +49,7 @@ public:
     /// Everything as of `now`. The window's own clock renews what moves twenty times a second, the rest four times.
     void refresh(Instant now);
 
-    View view() const { return m_view; }
+    View view() const { return m_views.present(); }
     void showView(View view);
 
     /// The hand may use the keys.
@@ -64,6 +65,7 @@ Q_SIGNALS:
     void reopenAllRequested();
     void probeRequested(quint32 peer);
     void dismissRequested(quint64 incident);
+    void interruptionReadRequested();
     void emergencyStopRequested(const QString& reason);
     void emergencyStopResetRequested();
     void armHoldChanged(bool held);
@@ -95,11 +97,15 @@ private:
     void connectModels();
     void addKeys();
     void replace(Region region, QWidget*& present, QWidget* view);
+    void stack();
+    void toggleView(View view);
+    void addView(View view, QWidget* widget);
     void updateHandKeys();
-    PromptSurroundings surroundings(Instant now) const;
     void tick();
     void refreshStrip(Instant now);
     void refreshSlow(Instant now);
+    void refreshDeck(Instant now);
+    void refreshSoon();
     void refreshSound(Instant now);
 
     ConsoleModels& m_models;
@@ -114,11 +120,12 @@ private:
     DosePanel* m_dose;
     TrendsPane* m_trends;
     MotionBar* m_motion;
+    InterruptionCard* m_away;
     SheetDeck* m_deck;
-    QWidget* m_overlay = nullptr;
+    ViewStack m_views;
     QTimer m_clock;
     int m_ticks = 0;
-    View m_view = View::Cockpit;
+    bool m_refreshDue = false;
     bool m_handHasKeys = false;
     QString m_operator;
     std::optional<Instant> m_procedureSince;

@@ -66,7 +66,9 @@ QString PermitBlock::explanation(const PermitModel& permit, Instant now)
     case PermitPhase::Incident:
         return tr("Stand-by: a link is lost");
     case PermitPhase::Verifying:
-        return unmet == 0 ? tr("Re-opened. Checking for 1 s") : tr("Re-opened. %1 conditions are missing").arg(unmet);
+        return unmet == 0   ? tr("Re-opened. Checking for 1 s")
+               : unmet == 1 ? tr("Re-opened. 1 condition is missing")
+                            : tr("Re-opened. %1 conditions are missing").arg(unmet);
     }
     return {};
 }

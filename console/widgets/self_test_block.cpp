@@ -10,7 +10,7 @@ namespace console {
 
 SelfTestBlock::SelfTestBlock(QWidget* parent)
     : QWidget(parent),
-      m_begin(add(tr("Alarm self-test"), tr("Begin the alarm self-test: three colours and three sounds"))),
+      m_begin(add(tr("Alarm self-test (F8)"), tr("Begin the alarm self-test: three colours and three sounds"))),
       m_right(add({}, tr("All three alarm colours were seen, and the sounds heard"))),
       m_wrong(add(tr("Test not right"), tr("An alarm colour or a sound was missing")))
 {
@@ -27,6 +27,8 @@ SelfTestBlock::SelfTestBlock(QWidget* parent)
 }
 
 void SelfTestBlock::setSoundWorks(bool works) { m_right->setText(works ? tr("Test seen and heard") : tr("Test seen; no sound here")); }
+
+void SelfTestBlock::setMayBegin(bool may) { m_begin->setEnabled(may); }
 
 QPushButton* SelfTestBlock::add(const QString& text, const QString& accessibleName)
 {

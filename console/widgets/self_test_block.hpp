@@ -9,12 +9,15 @@ class QPushButton;
 
 namespace console {
 
-/// Nothing is shown once the test has passed.
+/// Nothing is shown while a passed test counts.
 class SelfTestBlock : public QWidget {
     Q_OBJECT
 public:
     explicit SelfTestBlock(QWidget* parent = nullptr);
     void setStep(AlarmSelfTest::Step step);
+
+    /// Not beside a high alarm that nobody has acknowledged.
+    void setMayBegin(bool may);
 
     /// Nobody is made to say that they heard what could not sound.
     void setSoundWorks(bool works);

@@ -11,7 +11,7 @@ namespace console {
 
 namespace {
 
-constexpr int slideMs = 150;
+constexpr int slideMs = 40; // seen to come from the band, and read at once
 
 } // namespace
 

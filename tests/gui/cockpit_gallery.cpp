@@ -5,6 +5,7 @@
 #include "imaging/reference_image_view.hpp"
 #include "invented_cockpit.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
 #include "widgets/review_controls.hpp"
@@ -21,6 +22,7 @@
 namespace {
 
 using console::CockpitWindow;
+using console::PermitPhase;
 using console::test::InventedCockpit;
 
 /// A grey field with a word, so that nobody takes the gallery for a patient.
@@ -90,6 +92,14 @@ struct PicturePanes {
     console::ReferenceImageView* reference = new console::ReferenceImageView;
 };
 
+/// As a person does: the test first, and arming uses it up.
+void arm(InventedCockpit& cockpit)
+{
+    cockpit.testAlarms();
+    cockpit.arm();
+    cockpit.models.selfTest.follow(PermitPhase::Armed, cockpit.now);
+}
+
 struct State {
     const char* name;
     std::function<void(InventedCockpit&, CockpitWindow&)> bring;
@@ -99,18 +109,40 @@ std::vector<State> states()
 {
     return {
         {"idle", [](InventedCockpit&, CockpitWindow&) {}},
-        {"open", [](InventedCockpit& c, CockpitWindow&) { c.openAll(); }},
-        {"armed", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(); }},
-        {"engaged", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(); }},
-        {"frozen", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.freezePicture(); }},
-        {"standby", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.loseXray(), c.loseRobot(); }},
-        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.arm(), c.engage(), c.feelForce(); }},
+        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.feelForce(); }},
         {"masters",
          [](InventedCockpit& c, CockpitWindow& w) {
              c.openAll(), c.losePad();
              w.setKeyLegend(
                  QStringLiteral("left trigger dead-man \u00B7 sticks guidewire, catheter \u00B7 right shoulder clutch \u00B7 Start arm "
                                 "\u00B7 cross scale \u00B7 B hold \u00B7 F X-ray"));
+         }},
+        {"selftest",
+         [](InventedCockpit& c, CockpitWindow&) {
+             c.openAll();
+             c.models.selfTest.begin(c.now);
+         }},
+        {"open", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.testAlarms(); }},
+        {"armed", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c); }},
+        {"engaged", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(); }},
+        {"frozen", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.freezePicture(); }},
+        {"standby", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.loseXray(), c.loseRobot(); }},
+        {"reopened",
+         [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.loseXray(), c.loseRobot(), c.reopenAll(); }},
+        {"log",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), c.testAlarms(), c.logEvents();
+             w.showView(console::View::Log);
+         }},
+        {"alarmlog",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), c.testAlarms(), c.logEvents();
+             w.showView(console::View::Log);
+             auto* view = w.findChild<console::LogView*>();
+             view->showLog(console::LogView::Log::Alarms);
+             view->showFailure(
+                 QStringLiteral("/media/stick/liena/alarms.txt cannot be written: No space left on device. Nothing was saved; make "
+                                "room on the disk or name a file in another folder."));
          }},
         {"topology",
          [](InventedCockpit& c, CockpitWindow& w) {
@@ -131,6 +163,10 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
     auto* topology = new console::TopologyView(cockpit.models.sessions);
     window.setMiniTopology(mini);
     window.setTopologyView(topology);
+    auto* log = new console::LogView(cockpit.models.log, cockpit.models.alarmLog);
+    log->setPathSuggestion(
+        [](const QString& name) { return QStringLiteral("/home/operator/Documents/liena/%1_2026-03-02T12-03-41.txt").arg(name); });
+    window.setLogView(log);
     window.setKeyLegend(QStringLiteral(
         "D dead-man \u00B7 F X-ray \u00B7 C clutch \u00B7 R arm \u00B7 \u2191 \u2193 \u2190 \u2192 guidewire \u00B7 I K J L catheter"));
     window.resize(size);
@@ -138,6 +174,7 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
     if (!QTest::qWaitForWindowActive(&window))
         return false;
     state.bring(cockpit, window);
+    cockpit.models.selfTest.follow(cockpit.models.permit.phase(), cockpit.now);
     const console::Instant brought = cockpit.now;
     QTest::qWait(250);
     cockpit.renew();

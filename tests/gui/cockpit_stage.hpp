@@ -5,6 +5,7 @@
 #include "editor/topology_view.hpp"
 #include "invented_cockpit.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/log_view.hpp"
 #include "widgets/theme.hpp"
 
 #include <QTest>
@@ -22,6 +23,7 @@ struct CockpitStage {
     QWidget* live = new Pane(QStringLiteral("Live image"));
     TopologyCanvas* mini = new TopologyCanvas(cockpit.models.sessions, TopologyCanvas::Size::Mini);
     TopologyView* topology = new TopologyView(cockpit.models.sessions);
+    LogView* log = new LogView(cockpit.models.log, cockpit.models.alarmLog);
 
     explicit CockpitStage(const QSize& size = {1920, 1080})
     {
@@ -29,6 +31,7 @@ struct CockpitStage {
         window.setSceneView(new Pane(QStringLiteral("Scene")));
         window.setMiniTopology(mini);
         window.setTopologyView(topology);
+        window.setLogView(log);
         QObject::connect(mini, &TopologyCanvas::chosen, &window, [this] { window.showView(View::Topology); });
         window.resize(size);
         window.show();

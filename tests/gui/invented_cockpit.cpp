@@ -1,6 +1,8 @@
 // Invented values, plausible and constant.
 #include "invented_cockpit.hpp"
 
+#include "model/present_readings.hpp"
+
 #include <QDateTime>
 
 #include <cmath>
@@ -138,6 +140,7 @@ GuardReadings InventedCockpit::goodReadings() const
     r.handAlive = true;
     r.windowActive = true;
     r.alarmsTested = true;
+    r.interruptionRead = models.interruption.settled();
     return r;
 }
 
@@ -191,9 +194,12 @@ void InventedCockpit::openAll()
     models.xray.setPedal(true);
     paintPictures(12ms);
     models.hand.set({true, false, false, 0.5, {}});
+    noteSystem();
     feed(PermitEventKind::SessionOpen);
     models.permit.check(goodReadings(), now - 4s);
 }
+
+void InventedCockpit::noteSystem() { models.interruption.note(systemSnapshot(models, m_pictures, now)); }
 
 void InventedCockpit::feed(PermitEventKind kind, RobotState robot)
 {
@@ -272,67 +278,6 @@ void InventedCockpit::freezePicture()
                          now, QDateTime::currentMSecsSinceEpoch());
 }
 
-void InventedCockpit::lose(quint32 peer, quint64 id, const LinkDiagnosis& diagnosis)
-{
-    models.sessions.setLinkState(peer, LinkState::StandBy, now - 12s);
-    models.sessions.setLinkIncident(cockpitId, peer, id);
-    models.sessions.setStandBy(true);
-    IncidentRecord record;
-    record.id = id;
-    record.a = std::min(peer, cockpitId);
-    record.b = std::max(peer, cockpitId);
-    record.peer = peer;
-    record.cause = LossKind::HeartbeatLost;
-    record.causeOfA = LossKind::ConnectionLost;
-    record.causeOfB = LossKind::HeartbeatLost;
-    record.since = now - 12s;
-    record.sinceWallMs = QDateTime::currentMSecsSinceEpoch() - 12000;
-    record.holds = {{cockpitId, QStringLiteral("Surgeon's cockpit"), true, 0.4},
-                    {robotId, QStringLiteral("Vascular robot"), peer != robotId, 41.0},
-                    {armId, QStringLiteral("Robotic arm"), true, 38.0},
-                    {xrayId, QStringLiteral("C-arm X-ray"), true, 52.0}};
-    record.diagnosis = diagnosis;
-    models.incidents.raise(record, now - 12s);
-    feed(PermitEventKind::SystemStandsBy);
-    models.alarms.update(
-        {{AlarmCondition::LinkLost, peer, AlarmPriority::High, true, QStringLiteral("%1: link lost").arg(models.sessions.titleOf(peer)),
-          QStringLiteral("Ask the patient side whether the robot holds.")}},
-        now, QDateTime::currentMSecsSinceEpoch());
-}
-
-void InventedCockpit::loseRobot(quint64 incident)
-{
-    LinkDiagnosis diagnosis;
-    diagnosis.cause = LossKind::HeartbeatLost;
-    diagnosis.probe = ProbeFinding::ConnectionRefused;
-    diagnosis.silence = 110ms;
-    diagnosis.heartbeatsExpected = 50;
-    diagnosis.heartbeatsReceived = 44;
-    diagnosis.lastRoundTrip = fromMilliseconds(8.6);
-    diagnosis.toPeerConnected = false;
-    LinkFigures f = figures(8.4);
-    f.lastHeard = now - 12s;
-    f.toPeerConnected = false;
-    f.fromPeerConnected = false;
-    models.sessions.setLinkFigures(robotId, f, now);
-    lose(robotId, incident, diagnosis);
-    letReportsAge(12s);
-    GuardReadings readings = goodReadings();
-    readings.robotLink = LinkState::StandBy;
-    readings.robotFresh = false;
-    readings.incident = true;
-    readings.highAlarm = true;
-    readings.heartbeatsOnTime = 0;
-    models.permit.check(readings, now);
-}
-
-void InventedCockpit::loseXray(quint64 incident)
-{
-    LinkDiagnosis diagnosis;
-    diagnosis.cause = LossKind::ConnectionLost;
-    lose(xrayId, incident, diagnosis);
-}
-
 void InventedCockpit::renew()
 {
     now = std::chrono::steady_clock::now();
@@ -342,11 +287,16 @@ void InventedCockpit::renew()
     if (carriesMessages(models.sessions.state(robotId))) {
         const RobotStatus last = models.instrument.robot().value;
         models.instrument.receiveRobot(last, now - 9ms);
+        const TipPose tip = models.instrument.tip().value;
+        models.instrument.receiveTip(tip, now - 21ms);
+        const DriveStatus drives = models.instrument.drives().value;
+        models.instrument.receiveDrives(drives, now - 120ms);
     }
     if (carriesMessages(models.sessions.state(xrayId))) {
         const AcquisitionStatus last = models.xray.status().value;
         models.xray.receive(last, now - 64ms);
     }
+    noteSystem();
 }
 
 void InventedCockpit::letReportsAge(Duration age)

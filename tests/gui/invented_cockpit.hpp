@@ -29,6 +29,9 @@ struct InventedCockpit {
     void freezePicture();
     void loseRobot(quint64 incident = 0x5eed);
     void loseXray(quint64 incident = 0xf1a9);
+    void reopenAll(); ///< after a loss, and the account of it is unread
+    void logEvents();
+    void testAlarms();                ///< the self-test was done, and confirmed
     void renew();                     ///< every open link has just been heard again
     void letReportsAge(Duration age); ///< the robot's newest report was received so long ago
 
@@ -43,7 +46,9 @@ private:
     void feed(PermitEventKind kind, RobotState robot = RobotState::Ready);
     void lose(quint32 peer, quint64 incident, const LinkDiagnosis& diagnosis);
 
-    std::vector<AlarmReport> m_lost;
+    void noteSystem();
+
+    quint64 m_pictures = 0; ///< received
 };
 
 } // namespace console::test

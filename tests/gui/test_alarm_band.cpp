@@ -222,6 +222,32 @@ private Q_SLOTS:
         QVERIFY(stage.window.handHasKeys());
     }
 
+    void selfTestIsBegunByItsKeyAndNotOfferedWhileArmed()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto& test = stage.cockpit.models.selfTest;
+        QSignalSpy asked(&stage.window, &CockpitWindow::alarmTestRequested);
+        QTest::keyClick(&stage.window, Qt::Key_F8);
+        QCOMPARE(asked.count(), 1);
+        QVERIFY(stage.window.findChild<SelfTestBlock*>()->isVisible());
+        test.follow(PermitPhase::Armed, stage.cockpit.now);
+        QVERIFY(!stage.window.findChild<SelfTestBlock*>()->isVisible());
+        test.follow(PermitPhase::Hold, stage.cockpit.now);
+        QVERIFY(stage.window.findChild<SelfTestBlock*>()->isVisible());
+    }
+
+    void noSelfTestIsOfferedBesideAHighAlarm()
+    {
+        Band room(AlarmPriority::Low);
+        room.band.setSelfTest(AlarmSelfTest::Step::NotDone, std::nullopt);
+        const auto* begin = room.band.findChild<SelfTestBlock*>()->findChild<QPushButton*>();
+        room.band.setAlarms({alarm(AlarmPriority::High, false)});
+        QVERIFY(!begin->isEnabled());
+        room.band.setAlarms({alarm(AlarmPriority::High, true), alarm(AlarmPriority::Medium, false)});
+        QVERIFY(begin->isEnabled());
+    }
+
     void nobodyIsMadeToSayThatTheyHeardNothing()
     {
         Band room(AlarmPriority::Low);

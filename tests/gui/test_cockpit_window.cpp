@@ -137,7 +137,7 @@ private Q_SLOTS:
     void handLosesTheKeysTo_data()
     {
         QTest::addColumn<QString>("what");
-        for (const char* what : {"the sheet", "the topology", "a hidden window"})
+        for (const char* what : {"the sheet", "the topology", "the log", "a hidden window"})
             QTest::newRow(what) << QString::fromLatin1(what);
     }
 
@@ -154,6 +154,8 @@ private Q_SLOTS:
             stage.cockpit.loseRobot();
         else if (what == QLatin1String("the topology"))
             QTest::keyClick(&stage.window, Qt::Key_F2);
+        else if (what == QLatin1String("the log"))
+            QTest::keyClick(&stage.window, Qt::Key_F4);
         else
             stage.window.hide();
         QCOMPARE(focus.count(), 1);

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -99,6 +100,43 @@ private Q_SLOTS:
             QCOMPARE(cockpit.models.alarms.log().size(), std::size_t(run)); // one "console started" a run
             QVERIFY(cockpit.models.alarms.log().back().text.startsWith(QStringLiteral("console started")));
         }
+    }
+
+    void noSelfTestBesideAHighAlarm()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        auto& alarms = room.cockpit.models.alarms;
+        auto& test = room.cockpit.models.selfTest;
+        QSignalSpy changed(&test, &AlarmSelfTest::changed);
+        alarms.update({{C::ForceStop, 0, AlarmPriority::High, true, QStringLiteral("FORCE"), QStringLiteral("Stop."), 0}}, room.cockpit.now,
+                      1000);
+        service.beginSelfTest();
+        QCOMPARE(changed.count(), 0);
+        service.acknowledge(alarms.highest()->id, QString());
+        service.beginSelfTest();
+        QCOMPARE(test.signal(), std::optional(AlarmPriority::High));
+    }
+
+    void anArmingUsesTheSelfTestUp()
+    {
+        Room room;
+        const AlarmService service(room.cockpit.models, room.watch, room.settings());
+        auto& test = room.cockpit.models.selfTest;
+        room.cockpit.openAll();
+        auto now = Instant{} + 1h;
+        test.begin(now);
+        for (int i = 0; i < 70; ++i)
+            test.update(false, now += 100ms);
+        test.confirm();
+        QVERIFY(test.passed());
+        room.cockpit.arm();
+        QCOMPARE(room.cockpit.models.permit.phase(), PermitPhase::Armed);
+        QVERIFY(!test.passed());
+        PermitEvent panic;
+        panic.kind = PermitEventKind::PanicHold;
+        room.cockpit.models.permit.apply(panic, room.cockpit.now);
+        QCOMPARE(test.step(), AlarmSelfTest::Step::NotDone);
     }
 
     void theSelfTestIsLoggedWithWhoConfirmedIt()

@@ -228,6 +228,34 @@ private Q_SLOTS:
         QCOMPARE(w.priorityOf(C::HardLimit), AlarmPriority::Medium);
     }
 
+    void anInterruptionIsUrgentWhenArmedAndElseWaitsForTheDecision()
+    {
+        Watched w;
+        w.models().sessions.setLinkState(robotId, LinkState::Reconnecting, w.now);
+        QVERIFY(!w.priorityOf(C::LinkLost));
+        w.models().sessions.setLinkState(robotId, LinkState::Open, w.now);
+        w.cockpit.arm();
+        w.models().sessions.setLinkState(robotId, LinkState::Reconnecting, w.now);
+        PermitEvent interrupted;
+        interrupted.kind = PermitEventKind::SessionInterrupted;
+        w.models().permit.apply(interrupted, w.now);
+        QCOMPARE(w.priorityOf(C::LinkLost), AlarmPriority::High);
+        const auto raised = w.models().alarms.raisedInAll();
+        w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.now);
+        QCOMPARE(w.priorityOf(C::LinkLost), AlarmPriority::High);
+        QCOMPARE(w.models().alarms.raisedInAll(), raised); // the same alarm, with the decision in its words
+        QVERIFY2(w.models().alarms.highest()->text.contains(QStringLiteral("stand-by")), qPrintable(w.models().alarms.highest()->text));
+    }
+
+    void anInterruptedPictureLinkIsUrgentWhenArmed()
+    {
+        Watched w;
+        w.cockpit.arm();
+        w.models().sessions.setLinkState(xrayId, LinkState::Reconnecting, w.now);
+        QCOMPARE(w.priorityOf(C::ImageLost), AlarmPriority::High);
+        QVERIFY(!w.priorityOf(C::LinkLost));
+    }
+
     void aTrackerOfAClosedLinkIsNoAlarm()
     {
         Watched w;

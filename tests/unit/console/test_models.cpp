@@ -1,6 +1,7 @@
 // Sessions, devices, the log and the measurements.
 #include "model/event_log.hpp"
 #include "model/instrument_state.hpp"
+#include "model/log_roles.hpp"
 #include "model/measurements.hpp"
 #include "model/permit_model.hpp"
 #include "model/session_model.hpp"
@@ -152,7 +153,7 @@ private Q_SLOTS:
             log.append(LogKind::Note, QString::number(line), line);
         QCOMPARE(log.rowCount(), limit);
         QCOMPARE(log.lost(), quint64(3));
-        QCOMPARE(log.data(log.index(0), EventLog::TextRole).toString(), QStringLiteral("3"));
+        QCOMPARE(log.data(log.index(0), LogTextRole).toString(), QStringLiteral("3"));
         QVERIFY(log.data(log.index(0)).toString().endsWith(QStringLiteral("note  3")));
     }
 

@@ -376,6 +376,7 @@ private:
         r.windowActive = m_world.focus;
         r.deadMan = m_rack.read(m_world.now).deadMan;
         r.alarmsTested = true;
+        r.interruptionRead = true;
         return r;
     }
 

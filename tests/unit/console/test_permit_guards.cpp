@@ -32,6 +32,7 @@ GuardReadings good()
     r.handAlive = true;
     r.windowActive = true;
     r.alarmsTested = true;
+    r.interruptionRead = true;
     return r;
 }
 
@@ -79,6 +80,7 @@ const std::vector<Case>& cases()
         {"window without keyboard", [](auto& r) { r.windowActive = false; }, Guard::WindowActive, false},
         {"dead-man down", [](auto& r) { r.deadMan = true; }, Guard::DeadManReleased, true},
         {"alarms not tested", [](auto& r) { r.alarmsTested = false; }, Guard::AlarmsTested, true},
+        {"an interruption not read about", [](auto& r) { r.interruptionRead = false; }, Guard::InterruptionRead, true},
     };
     return all;
 }
@@ -108,6 +110,8 @@ void TestPermitGuards::areUnmetWithoutAnyReading()
     QVERIFY(!met.test(std::size_t(Guard::PictureLive)));
     QVERIFY(!met.test(std::size_t(Guard::RobotHolds)));
     QVERIFY(!met.test(std::size_t(Guard::ForceNearZero)));
+    QVERIFY(!met.test(std::size_t(Guard::AlarmsTested)));
+    QVERIFY(!met.test(std::size_t(Guard::InterruptionRead)));
     QVERIFY(!checkKept({}).all());
 }
 

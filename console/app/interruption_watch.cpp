@@ -1,0 +1,66 @@
+// From incidents and stand-by to the account.
+#include "app/interruption_watch.hpp"
+
+#include "model/present_readings.hpp"
+
+#include <QDateTime>
+
+#include <utility>
+
+namespace console {
+
+namespace {
+
+qint64 wallTime() { return QDateTime::currentMSecsSinceEpoch(); }
+
+} // namespace
+
+InterruptionWatch::InterruptionWatch(ConsoleModels& models, std::function<quint64()> picturesReceived, QObject* parent)
+    : QObject(parent), m_models(models), m_picturesReceived(std::move(picturesReceived))
+{
+    connect(&models.incidents, &IncidentModel::incidentRaised, this, &InterruptionWatch::begin);
+    connect(&models.incidents, &IncidentModel::incidentEnded, this, &InterruptionWatch::look);
+    connect(&models.sessions, &SessionModel::standByChanged, this, &InterruptionWatch::look);
+    connect(&models.xray, &XraySystemState::statusChanged, this, [this] { m_picturesAtReport = m_picturesReceived(); });
+}
+
+/// From the last moment at which the link was heard, where this console knows it.
+void InterruptionWatch::begin(quint64 incident)
+{
+    const auto* record = m_models.incidents.incident(incident);
+    if (record == nullptr)
+        return;
+    const auto silence = record->diagnosis ? record->diagnosis->silence : Duration::zero();
+    const auto& sessions = m_models.sessions;
+    const auto what = record->peer != 0 ? tr("%1 link").arg(sessions.titleOf(record->peer))
+                                        : tr("link %1 \u2013 %2").arg(sessions.titleOf(record->a), sessions.titleOf(record->b));
+    const auto known = std::chrono::steady_clock::now() - record->since + silence;
+    m_models.interruption.begin(what, record->since - silence,
+                                wallTime() - std::chrono::duration_cast<std::chrono::milliseconds>(known).count());
+}
+
+void InterruptionWatch::look()
+{
+    const auto now = std::chrono::steady_clock::now();
+    auto& account = m_models.interruption;
+    const bool down = m_models.sessions.inStandBy() || !m_models.incidents.empty();
+    if (down && account.stage() != InterruptionAccount::Stage::Running)
+        account.begin({}, now, wallTime());
+    else if (!down)
+        account.end(now);
+}
+
+void InterruptionWatch::update(Instant now) { m_models.interruption.note(systemSnapshot(m_models, m_picturesAtReport, now)); }
+
+void InterruptionWatch::acknowledge(const QString& who, Instant now)
+{
+    QString text = accountHeadline(m_models.interruption);
+    for (const auto& line : accountLines(m_models.interruption))
+        text += QStringLiteral(". %1: %2").arg(line.name, line.text);
+    if (m_models.interruption.acknowledge(now))
+        m_models.log.append(LogKind::Operator,
+                            tr("account of the interruption read by %1: %2").arg(who.isEmpty() ? tr("the operator") : who, text),
+                            wallTime());
+}
+
+} // namespace console

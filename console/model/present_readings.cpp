@@ -1,0 +1,109 @@
+// From models to readings; nothing is decided here.
+#include "model/present_readings.hpp"
+
+namespace console {
+
+namespace {
+
+void readLink(GuardReadings& r, const LinkNode& link, Instant now)
+{
+    r.robotLink = link.state;
+    r.inLinkState = now - link.since;
+    // A session opens only between devices whose topology, message sets and certificates agree.
+    r.identityEqual = carriesMessages(link.state);
+    r.heartbeatsOnTime = link.figures.heartbeatsOnTime;
+    if (link.figures.clockOffset)
+        r.clockUncertainty = link.figures.clockUncertainty;
+    r.queuedMessages = link.figures.queuedMessages;
+}
+
+} // namespace
+
+GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now)
+{
+    GuardReadings r;
+    if (const auto* link = robot ? models.sessions.linkTo(*robot) : nullptr)
+        readLink(r, *link, now);
+    const auto& status = models.instrument.robot().value;
+    r.picture = models.picture.reading(now);
+    r.pictureLimit = models.picture.limit();
+    r.robotFresh = models.instrument.robotFresh(now);
+    r.robotState = status.state;
+    r.robotHoldConfirmed = status.holdConfirmed;
+    r.robotPermit = status.permit;
+    r.spentPermit = models.permit.state().spentPermit;
+    r.drivesHealthy = models.instrument.drivesHealthy(now);
+    r.force = status.guidewireForce;
+    r.forceStop = models.instrument.limits().forceStop;
+    r.incident = models.sessions.inStandBy() || !models.incidents.empty();
+    r.highAlarm = models.alarms.unacknowledgedHigh();
+    r.handAlive = models.hand.reading().alive;
+    r.windowActive = windowActive;
+    r.deadMan = models.hand.reading().deadMan;
+    r.alarmsTested = models.selfTest.passed();
+    r.interruptionRead = models.interruption.settled();
+    return r;
+}
+
+TrendReading trendReading(const ConsoleModels& models, std::optional<quint32> robot, Instant now)
+{
+    TrendReading reading;
+    const auto* link = robot ? models.sessions.linkTo(*robot) : nullptr;
+    if (link != nullptr && carriesMessages(link->state)) {
+        if (link->figures.roundTrip)
+            reading.roundTripMs = milliseconds(*link->figures.roundTrip);
+        if (link->figures.jitter)
+            reading.jitterMs = milliseconds(*link->figures.jitter);
+        reading.heartbeatsReceived = link->figures.heartbeatsReceived;
+        reading.heartbeatsMissed = link->figures.heartbeatsMissed;
+    }
+    if (models.instrument.robotFresh(now))
+        reading.force = models.instrument.robot().value.guidewireForce;
+    const auto picture = models.picture.reading(now);
+    if (picture.age && picture.condition != PictureCondition::Held)
+        reading.pictureAgeMs = milliseconds(*picture.age);
+    return reading;
+}
+
+SystemSnapshot systemSnapshot(const ConsoleModels& models, quint64 picturesReceived, Instant now)
+{
+    SystemSnapshot snapshot;
+    const auto& instrument = models.instrument;
+    if (instrument.robotFresh(now)) {
+        snapshot.robot = instrument.robot().value;
+        snapshot.robotAt = *instrument.robot().received;
+        if (instrument.tipFresh(now))
+            snapshot.tip = instrument.tip().value;
+        if (instrument.drives().freshness(now, InstrumentState::driveLimit) == Freshness::Fresh)
+            snapshot.drives = instrument.drives().value;
+    }
+    if (models.xray.fresh(now)) {
+        snapshot.xray = models.xray.status().value;
+        snapshot.xrayAt = *models.xray.status().received;
+        snapshot.picturesReceived = picturesReceived;
+    }
+    return snapshot;
+}
+
+PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
+{
+    PromptSurroundings around;
+    around.robot = models.sessions.firstPeer(DeviceKind::Hand).value_or(0);
+    const PictureReading picture = models.picture.reading(now);
+    around.pictureLive = picture.condition == PictureCondition::Live;
+    around.pictureSeen = picture.condition != PictureCondition::None;
+    if (around.pictureSeen && !around.pictureLive)
+        around.frozenSinceWallMs = qint64(picture.captureNs / 1000000U);
+    around.tipLive = models.instrument.tipFresh(now);
+    around.tipKnown = models.instrument.tip().known();
+    for (const LinkNode& link : models.sessions.links()) {
+        if (!link.own)
+            continue;
+        ++around.ownLinks;
+        if (link.state == LinkState::StandBy)
+            ++around.lostLinks;
+    }
+    return around;
+}
+
+} // namespace console

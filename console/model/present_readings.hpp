@@ -1,0 +1,21 @@
+// One moment of the console's models, as the guards, the trends, the prompt and the account of an interruption ask for it.
+#pragma once
+
+#include "model/console_models.hpp"
+
+#include <optional>
+
+namespace console {
+
+/// `robot`: the device that is moved; nothing when the topology has none. `windowActive`: the hand may use the keyboard.
+GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now);
+
+/// Of what is fresh only: a course must end where the knowledge ends.
+TrendReading trendReading(const ConsoleModels& models, std::optional<quint32> robot, Instant now);
+
+/// `picturesReceived`: by this console since its start, when it had the newest report of the X-ray system.
+SystemSnapshot systemSnapshot(const ConsoleModels& models, quint64 picturesReceived, Instant now);
+
+PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now);
+
+} // namespace console

@@ -1,0 +1,115 @@
+// Painting of log lines, and following the newest.
+#include "widgets/log_lines.hpp"
+
+#include "model/log_roles.hpp"
+#include "widgets/figures.hpp"
+#include "widgets/theme.hpp"
+
+#include <QDateTime>
+#include <QEvent>
+#include <QPainter>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
+
+namespace console {
+
+namespace colour = theme::colour;
+
+namespace {
+
+/// Times stand in cells of one width; the kind has room for the longest word.
+class LineDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
+    {
+        return {option.rect.width(), QFontMetrics(option.font).height() + 4};
+    }
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+    {
+        painter->save();
+        painter->setFont(option.font);
+        const bool chosen = option.state.testFlag(QStyle::State_Selected);
+        if (chosen)
+            painter->fillRect(option.rect, QColor(0x34, 0x3C, 0x46));
+        const QFontMetricsF metrics(option.font);
+        const double gap = metrics.height() * 0.8;
+        const auto time = QDateTime::fromMSecsSinceEpoch(index.data(LogWallRole).toLongLong());
+        const bool today = time.date() == QDate::currentDate();
+        const QString clock = time.toString(today ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+        QRectF rest = QRectF(option.rect).adjusted(6, 0, -6, 0);
+        painter->setPen(chosen ? colour::bright : colour::secondary);
+        drawFigures(*painter, rest, Qt::AlignLeft | Qt::AlignVCenter, clock);
+        rest.setLeft(rest.left() + figuresWidth(option.font, QStringLiteral("0000-00-00 00:00:00")) + gap);
+        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter, index.data(LogKindWordRole).toString());
+        rest.setLeft(rest.left() + metrics.horizontalAdvance(QStringLiteral("operator")) + gap);
+        painter->setPen(chosen ? colour::bright : colour::text);
+        painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
+                          metrics.elidedText(index.data(LogTextRole).toString(), Qt::ElideRight, rest.width()));
+        painter->restore();
+    }
+};
+
+} // namespace
+
+LogLines::LogLines(QWidget* parent) : QListView(parent)
+{
+    theme::setTextRole(this, theme::TextRole::Caption);
+    setItemDelegate(new LineDelegate(this));
+    setUniformItemSizes(true);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setContextMenuPolicy(Qt::NoContextMenu);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { m_follows = atNewest(); });
+}
+
+void LogLines::setModel(QAbstractItemModel* model)
+{
+    QListView::setModel(model);
+    m_follows = true;
+    scrollToBottom();
+}
+
+bool LogLines::atNewest() const { return verticalScrollBar()->value() >= verticalScrollBar()->maximum(); }
+
+void LogLines::rowsInserted(const QModelIndex& parent, int start, int end)
+{
+    QListView::rowsInserted(parent, start, end);
+    if (m_follows && isVisible())
+        scrollToBottom();
+}
+
+void LogLines::rowsAboutToBeRemoved(const QModelIndex& parent, int start, int end)
+{
+    const bool follows = m_follows;
+    QListView::rowsAboutToBeRemoved(parent, start, end);
+    m_follows = follows;
+}
+
+void LogLines::showEvent(QShowEvent* event)
+{
+    QListView::showEvent(event);
+    if (m_follows)
+        scrollToBottom();
+}
+
+// Whoever comes by Tab begins with the newest line.
+void LogLines::focusInEvent(QFocusEvent* event)
+{
+    if (!currentIndex().isValid() && model() != nullptr && model()->rowCount() > 0)
+        setCurrentIndex(model()->index(model()->rowCount() - 1, 0));
+    QListView::focusInEvent(event);
+}
+
+// The height of a line follows the size of the letters.
+void LogLines::changeEvent(QEvent* event)
+{
+    QListView::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        scheduleDelayedItemsLayout();
+}
+
+} // namespace console

@@ -1,0 +1,80 @@
+// F4: the event log and the alarm log, filtered by kind and by words, and written into a file.
+#pragma once
+
+#include "model/alarm_log_model.hpp"
+#include "model/event_log.hpp"
+#include "model/log_filter.hpp"
+
+#include <QFrame>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+class QHBoxLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace console {
+
+class LogLines;
+class SheetButton;
+
+/// Nothing in it opens a window of its own: a list that drops down would take Esc, which is the emergency stop, for itself. Both logs must
+/// outlive it.
+class LogView : public QFrame {
+    Q_OBJECT
+public:
+    enum class Log { Events, Alarms };
+
+    LogView(EventLog& events, AlarmLogModel& alarms, QWidget* parent = nullptr);
+
+    void showLog(Log log);
+    Log log() const { return m_log; }
+
+    /// Names a file for a log, `events` or `alarms`, that is written now.
+    void setPathSuggestion(std::function<QString(const QString& log)> suggest);
+
+    /// How the writing ended, for a person; it stays until the next one.
+    void showSaved(const QString& path);
+    void showFailure(const QString& reason);
+
+    const LogFilter& filter() const { return m_filter; }
+
+Q_SIGNALS:
+    void saveRequested(const QByteArray& text, const QString& path);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    QPushButton* addToggle(QHBoxLayout* row, const QString& text, const QString& accessibleName);
+    QHBoxLayout* makeHead();
+    QHBoxLayout* makeFilters();
+    QHBoxLayout* makeSaving();
+    void buildKinds();
+    void chooseKinds();
+    void refreshCount();
+    void showWhole();
+    void save();
+    QString logName() const;
+
+    EventLog& m_events;
+    AlarmLogModel& m_alarms;
+    LogFilter m_filter;
+    Log m_log = Log::Events;
+    std::function<QString(const QString&)> m_suggest;
+    std::array<QPushButton*, 2> m_logs{};
+    std::vector<QPushButton*> m_kinds;
+    QHBoxLayout* m_kindRow = nullptr;
+    QLineEdit* m_words = nullptr;
+    QLabel* m_count;
+    LogLines* m_lines;
+    QLabel* m_whole;
+    QLineEdit* m_path = nullptr;
+    SheetButton* m_save = nullptr;
+    QLabel* m_outcome;
+};
+
+} // namespace console
