@@ -109,6 +109,14 @@ std::vector<State> states()
 {
     return {
         {"idle", [](InventedCockpit&, CockpitWindow&) {}},
+        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.feelForce(); }},
+        {"masters",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), c.losePad();
+             w.setKeyLegend(
+                 QStringLiteral("left trigger dead-man \u00B7 sticks guidewire, catheter \u00B7 right shoulder clutch \u00B7 Start arm "
+                                "\u00B7 cross scale \u00B7 B hold \u00B7 F X-ray"));
+         }},
         {"selftest",
          [](InventedCockpit& c, CockpitWindow&) {
              c.openAll();
@@ -135,14 +143,6 @@ std::vector<State> states()
              view->showFailure(
                  QStringLiteral("/media/stick/liena/alarms.txt cannot be written: No space left on device. Nothing was saved; make "
                                 "room on the disk or name a file in another folder."));
-         }},
-        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.feelForce(); }},
-        {"masters",
-         [](InventedCockpit& c, CockpitWindow& w) {
-             c.openAll(), c.testAlarms(), c.losePad();
-             w.setKeyLegend(
-                 QStringLiteral("left trigger dead-man \u00B7 sticks guidewire, catheter \u00B7 right shoulder clutch \u00B7 Start arm "
-                                "\u00B7 cross scale \u00B7 B hold \u00B7 F X-ray"));
          }},
         {"topology",
          [](InventedCockpit& c, CockpitWindow& w) {

@@ -260,24 +260,6 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, patience);
     }
 
-    void everyArmingAsksForTheSelfTestAnew()
-    {
-        Theatre theatre;
-        theatre.openAll();
-        theatre.armAndMove();
-        QVERIFY(!QTest::currentTestFailed());
-        const auto before = theatre.models().selfTest.passedInAll();
-        QTest::keyClick(&theatre.window(), Qt::Key_F12);
-        QTRY_VERIFY_WITH_TIMEOUT(theatre.phase() != PermitPhase::Engaged, patience);
-        theatre.releaseAll();
-        QVERIFY(!theatre.models().selfTest.passed());
-        QTRY_VERIFY_WITH_TIMEOUT(theatre.button(QStringLiteral("Alarm self-test")) != nullptr, patience);
-        theatre.armAndMove();
-        QVERIFY(!QTest::currentTestFailed());
-        QVERIFY(theatre.models().selfTest.passedInAll() > before);
-        theatre.releaseAll();
-    }
-
     void aGamePadThatIsPulledOutWhileItMovesTheRobotEndsInHold()
     {
         Theatre theatre(MasterKind::GamePad);
@@ -316,6 +298,24 @@ private Q_SLOTS:
         QTest::mouseClick(keyboard, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->kind, MasterKind::Keyboard, patience);
         QVERIFY(theatre.models().hand.reading().alive);
+    }
+
+    void everyArmingAsksForTheSelfTestAnew()
+    {
+        Theatre theatre;
+        theatre.openAll();
+        theatre.armAndMove();
+        QVERIFY(!QTest::currentTestFailed());
+        const auto before = theatre.models().selfTest.passedInAll();
+        QTest::keyClick(&theatre.window(), Qt::Key_F12);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.phase() != PermitPhase::Engaged, patience);
+        theatre.releaseAll();
+        QVERIFY(!theatre.models().selfTest.passed());
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.button(QStringLiteral("Alarm self-test")) != nullptr, patience);
+        theatre.armAndMove();
+        QVERIFY(!QTest::currentTestFailed());
+        QVERIFY(theatre.models().selfTest.passedInAll() > before);
+        theatre.releaseAll();
     }
 
     void aLostXraySystemIsAnAlarmOfItsOwnAndIsKept()

@@ -43,7 +43,7 @@ std::vector<std::byte> expected(const std::vector<OutputQueue::Entry>& entries)
 {
     auto queue = makeQueue();
     for (const auto& entry : entries)
-        queue.push(entry);
+        queue.push(OutputQueue::Entry(entry));
     std::vector<std::byte> out;
     while (queue.appendNext(segmentSize, now, out)) {
     }
@@ -106,7 +106,7 @@ void OutputBatchTest::copiesAllWhereItMayNotRefer()
     const std::vector entries{entryOf(100), entryOf(2 * segmentSize)};
     auto queue = makeQueue();
     for (const auto& entry : entries)
-        queue.push(entry);
+        queue.push(OutputQueue::Entry(entry));
     OutputBatch batch(65536, false);
     while (queue.appendNext(segmentSize, now, batch)) {
     }
@@ -119,7 +119,7 @@ void OutputBatchTest::mixedMessagesComeInOrder()
     const std::vector entries{entryOf(10, 0x0202), entryOf(20000, 0x0241), entryOf(30, 0x0202), entryOf(5000, 0x0242), entryOf(0, 0x0202)};
     auto queue = makeQueue();
     for (const auto& entry : entries)
-        queue.push(entry);
+        queue.push(OutputQueue::Entry(entry));
     OutputBatch batch(65536, true);
     while (queue.appendNext(segmentSize, now, batch)) {
     }
@@ -135,7 +135,7 @@ void OutputBatchTest::messageOutlivesItsQueueUntilTheWriteIsOver()
     OutputBatch batch(65536, true);
     {
         auto queue = makeQueue();
-        queue.push(entry);
+        queue.push(OutputQueue::Entry(entry));
         QVERIFY(queue.appendNext(segmentSize, now, batch));
         queue.discardApplication();              // it is given up while its first segment is being written
         QCOMPARE(queue.bytes(), std::size_t{1}); // the Abandon
@@ -151,7 +151,7 @@ void OutputBatchTest::clearedBatchBeginsAnew()
     QVERIFY(batch.empty() && batch.parts().empty());
     for (const std::size_t size : {std::size_t{40000}, std::size_t{10}, std::size_t{9000}}) {
         const auto entry = entryOf(size);
-        queue.push(entry);
+        queue.push(OutputQueue::Entry(entry));
         while (queue.appendNext(segmentSize, now, batch)) {
         }
         QVERIFY(bytesOf(batch) == expected({entry}));

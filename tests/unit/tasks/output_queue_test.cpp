@@ -224,8 +224,8 @@ void OutputQueueTest::expiredIsNotSent()
     Lane lane;
     auto entry = Lane::entry(0x0101, Rank::Control, "late");
     entry.expires = now + 50ms;
-    lane.queue.push(entry);
-    lane.queue.push(entry);
+    lane.queue.push(OutputQueue::Entry(entry));
+    lane.queue.push(OutputQueue::Entry(entry));
     lane.push(0x0200, Rank::Status, "status");
     QCOMPARE(lane.next(100, now + 50ms - 1ns), std::string("late"));
     QCOMPARE(lane.next(100, now + 50ms), std::string("status"));
@@ -238,7 +238,7 @@ void OutputQueueTest::messageThatHasBegunIsAbandonedWhenItExpires()
     Lane lane;
     auto entry = Lane::entry(0x0202, Rank::Bulk, "aabbcc");
     entry.expires = now + 50ms;
-    lane.queue.push(entry);
+    lane.queue.push(OutputQueue::Entry(entry));
     QCOMPARE(lane.next(2), std::string("aa+"));
     QCOMPARE(lane.next(2, now + 49ms), std::string("bb+"));
     lane.push(0x0241, Rank::Bulk, "next");
