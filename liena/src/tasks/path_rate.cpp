@@ -150,16 +150,9 @@ void PathRate::grow(Instant now)
     m_nextStep = m_step < quickest ? now + gentlePause : now;
 }
 
-std::optional<double> PathRate::known() const
-{
-    if (m_limit && *m_limit < m_rate)
-        return m_limit;
-    return m_ceiling ? std::optional(m_rate) : std::nullopt;
-}
-
 std::size_t PathRate::segment() const
 {
-    const auto half = static_cast<std::size_t>(std::min(m_rate, m_limit.value_or(most)) * 0.0005);
+    const auto half = static_cast<std::size_t>(m_rate * 0.0005);
     return std::clamp(half / smallestSegment * smallestSegment, smallestSegment, largestSegment);
 }
 
