@@ -128,8 +128,9 @@ void CockpitApplication::connectIntents()
     connect(window, &CockpitWindow::reopenRequested, link, &SystemLink::reopen);
     connect(window, &CockpitWindow::reopenAllRequested, link, &SystemLink::reopenAll);
     connect(window, &CockpitWindow::probeRequested, link, &SystemLink::probe);
-    connect(window, &CockpitWindow::dismissRequested, link,
-            [link](quint64 incident) { link->dismiss(incident, tr("given up by the operator")); });
+    connect(window, &CockpitWindow::dismissRequested, link, [link](quint64 incident) {
+        link->dismiss(incident, QString::fromLatin1(QT_TRANSLATE_NOOP("console::SessionIntake", "given up by the operator")));
+    });
     connect(window, &CockpitWindow::interruptionReadRequested, m_control.get(),
             [this] { m_control->interruptionWatch().acknowledge(m_options.user, std::chrono::steady_clock::now()); });
     connect(window, &CockpitWindow::emergencyStopRequested, link, &SystemLink::emergencyStop);

@@ -1,6 +1,8 @@
 // The command line, and where the program's own files are.
 #include "app/command_line.hpp"
 
+#include "app/language.hpp"
+
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QDir>
@@ -83,6 +85,11 @@ struct Declared {
         QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};
     QCommandLineOption measureOnRequest{QStringLiteral("measure-on-request"),
                                         QStringLiteral("Let `liena bench --live` of this user measure the lines of this console.")};
+    QCommandLineOption language{
+        QStringLiteral("language"),
+        QStringLiteral("Language of the screen: %1. Default: the system's where it is one of them, else en; en with --unattended.")
+            .arg(languages().join(QStringLiteral(" or "))),
+        QStringLiteral("NAME")};
     QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Window size instead of the whole screen, for example 2560x1440."),
                             QStringLiteral("WxH")};
     QCommandLineOption unattended{
@@ -104,6 +111,7 @@ struct Declared {
         parser.addOptions({topology, device,     certificate, key,        authority, registry, store,           profile,
                            user,     master,     recording,   vessels,    alarmLog,  pictures, display,         rehearsal,
                            size,     unattended, report,      screenshot, help,      version,  measureOnRequest});
+        parser.addOption(language);
     }
 };
 
@@ -187,6 +195,11 @@ QString readOptions(const Declared& declared, Options& options)
     if (profile != QLatin1String("neuro") && profile != QLatin1String("coronary"))
         return QStringLiteral("--profile '%1': choose neuro or coronary").arg(profile);
     options.profile = profile == QLatin1String("neuro") ? PictureProfile::Neuro : PictureProfile::Coronary;
+    if (parser.isSet(declared.language)) {
+        options.language = parser.value(declared.language);
+        if (!languages().contains(options.language))
+            return QStringLiteral("--language '%1': choose %2").arg(options.language, languages().join(QStringLiteral(" or ")));
+    }
     if (parser.isSet(declared.size)) {
         options.size = sizeFrom(parser.value(declared.size));
         if (!options.size)

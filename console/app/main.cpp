@@ -1,6 +1,7 @@
 // liena-console: the surgeon's console.
 #include "app/cockpit_application.hpp"
 #include "app/command_line.hpp"
+#include "app/language.hpp"
 
 #include "widgets/theme.hpp"
 
@@ -45,6 +46,10 @@ int main(int argc, char** argv)
         return *status;
     QApplication application(argc, argv);
     console::theme::apply(application);
+    // A report is read by programs: without a wish it does not change with the system's language.
+    const auto language = options.language.isEmpty() && options.unattended ? console::sourceLanguage() : options.language;
+    if (const auto trouble = console::speak(language); !trouble.isEmpty())
+        printed(stderr, QStringLiteral("liena-console: %1\n").arg(trouble), 0);
     console::CockpitApplication cockpit(options);
     QString error;
     if (!cockpit.prepare(&error))

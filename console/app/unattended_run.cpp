@@ -236,7 +236,8 @@ bool UnattendedRun::clickOpenAll()
     m_lastClick = presentTime();
     QAbstractButton* found = nullptr;
     for (auto* button : m_window.findChildren<QAbstractButton*>())
-        if (button->isVisible() && button->text().remove(QLatin1Char('&')) == QCoreApplication::translate("console", "Open all"))
+        if (button->isVisible() &&
+            button->text().remove(QLatin1Char('&')) == QCoreApplication::translate("console::TopologyView", "Open all"))
             found = button;
     if (found == nullptr || !found->isEnabled())
         return found != nullptr;

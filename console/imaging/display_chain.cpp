@@ -83,7 +83,7 @@ QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& set
     m_last->times.temporal = present() - decoded;
     picture = *m_last;
     if (!draw(settings, picture))
-        return QCoreApplication::translate("DisplayChain", "there is no memory for it");
+        return QCoreApplication::translate("console::DisplayChain", "there is no memory for it");
     return {};
 }
 

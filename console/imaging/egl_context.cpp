@@ -14,7 +14,9 @@ namespace console {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("EglContext", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::EglContext)
+};
 
 EGLDisplay surfacelessDisplay()
 {
@@ -57,7 +59,7 @@ std::unique_ptr<EglContext> EglContext::create(QString& error)
         if (const EGLContext context = contextOn(display); context != EGL_NO_CONTEXT)
             return std::unique_ptr<EglContext>(new EglContext(display, context));
     }
-    error = text("EGL offers no OpenGL 3.2 here (EGL error 0x%1). Install a graphics driver; Mesa's software driver is enough.")
+    error = Text::tr("EGL offers no OpenGL 3.2 here (EGL error 0x%1). Install a graphics driver; Mesa's software driver is enough.")
                 .arg(eglGetError(), 4, 16, QLatin1Char('0'));
     return nullptr;
 }

@@ -15,18 +15,20 @@ namespace console {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("FrameDecoder", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::FrameDecoder)
+};
 
 QString checkHeader(const XrayFrame& frame)
 {
     if (frame.rows < 1 || frame.rows > largestEdge || frame.columns < 1 || frame.columns > largestEdge)
-        return text("its size %1 x %2 is not within 1 to 4096").arg(frame.columns).arg(frame.rows);
+        return Text::tr("its size %1 x %2 is not within 1 to 4096").arg(frame.columns).arg(frame.rows);
     if (frame.bitsStored < 1 || frame.bitsStored > 16)
-        return text("%1 bits stored are not within 1 to 16").arg(frame.bitsStored);
+        return Text::tr("%1 bits stored are not within 1 to 16").arg(frame.bitsStored);
     if (frame.pixels.empty())
-        return text("it holds no pixels");
+        return Text::tr("it holds no pixels");
     if (frame.pixels.size() > largestEncoding)
-        return text("its %1 encoded bytes are more than 16 MiB").arg(frame.pixels.size());
+        return Text::tr("its %1 encoded bytes are more than 16 MiB").arg(frame.pixels.size());
     return {};
 }
 
@@ -56,7 +58,7 @@ QString decodeRaw(const XrayFrame& frame, cv::Mat& stored)
     const std::size_t bytesPerPixel = frame.bitsStored <= 8 ? 1 : 2;
     const std::size_t count = static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns);
     if (frame.pixels.size() != count * bytesPerPixel)
-        return text("%1 x %2 pixels take %3 bytes, and it has %4")
+        return Text::tr("%1 x %2 pixels take %3 bytes, and it has %4")
             .arg(frame.columns)
             .arg(frame.rows)
             .arg(count * bytesPerPixel)
@@ -76,16 +78,16 @@ QString decodeRaw(const XrayFrame& frame, cv::Mat& stored)
 QString checkJpegLsHeader(const XrayFrame& frame, const JpegLsHeader& header)
 {
     if (header.columns != frame.columns || header.rows != frame.rows)
-        return text("the JPEG-LS picture is %1 x %2, the message says %3 x %4")
+        return Text::tr("the JPEG-LS picture is %1 x %2, the message says %3 x %4")
             .arg(header.columns)
             .arg(header.rows)
             .arg(frame.columns)
             .arg(frame.rows);
     const int container = frame.bitsStored <= 8 ? 8 : 16;
     if (header.bits < frame.bitsStored || header.bits > container)
-        return text("the JPEG-LS picture has %1 bits, the message says %2").arg(header.bits).arg(frame.bitsStored);
+        return Text::tr("the JPEG-LS picture has %1 bits, the message says %2").arg(header.bits).arg(frame.bitsStored);
     if (header.near > frame.quality)
-        return text("its pixels may be off by %1, the message says by at most %2").arg(header.near).arg(frame.quality);
+        return Text::tr("its pixels may be off by %1, the message says by at most %2").arg(header.near).arg(frame.quality);
     return {};
 }
 
@@ -97,16 +99,16 @@ QString decodeJpegLs(const XrayFrame& frame, cv::Mat& stored)
     if (QString refusal = checkJpegLsHeader(frame, header); !refusal.isEmpty())
         return refusal;
     stored.create(frame.rows, frame.columns, storedType(frame));
-    return decodeJpegLs(header, stored) ? QString() : text("the JPEG-LS data are damaged");
+    return decodeJpegLs(header, stored) ? QString() : Text::tr("the JPEG-LS data are damaged");
 }
 
 QString decodeJpeg(const XrayFrame& frame, cv::Mat& stored)
 {
     if (frame.bitsStored != 8)
-        return text("a JPEG picture has 8 bits, the message says %1").arg(frame.bitsStored);
+        return Text::tr("a JPEG picture has 8 bits, the message says %1").arg(frame.bitsStored);
     const std::unique_ptr<void, int (*)(tjhandle)> decoder(tjInitDecompress(), tjDestroy);
     if (!decoder)
-        return text("the JPEG decoder could not start");
+        return Text::tr("the JPEG decoder could not start");
     const auto* bytes = reinterpret_cast<const unsigned char*>(frame.pixels.data());
     const auto size = static_cast<unsigned long>(frame.pixels.size());
     int width = 0;
@@ -114,16 +116,16 @@ QString decodeJpeg(const XrayFrame& frame, cv::Mat& stored)
     int subsampling = 0;
     int colours = 0;
     if (tjDecompressHeader3(decoder.get(), bytes, size, &width, &height, &subsampling, &colours) != 0)
-        return text("the JPEG header cannot be read: %1").arg(QString::fromLocal8Bit(tjGetErrorStr2(decoder.get())));
+        return Text::tr("the JPEG header cannot be read: %1").arg(QString::fromLocal8Bit(tjGetErrorStr2(decoder.get())));
     if (colours != TJCS_GRAY)
-        return text("the JPEG picture is not grey");
+        return Text::tr("the JPEG picture is not grey");
     if (width != frame.columns || height != frame.rows)
-        return text("the JPEG picture is %1 x %2, the message says %3 x %4").arg(width).arg(height).arg(frame.columns).arg(frame.rows);
+        return Text::tr("the JPEG picture is %1 x %2, the message says %3 x %4").arg(width).arg(height).arg(frame.columns).arg(frame.rows);
     stored.create(frame.rows, frame.columns, CV_8UC1);
     // A truncated picture is only a warning to the decoder; to us it is no picture.
     constexpr int flags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
     if (tjDecompress2(decoder.get(), bytes, size, stored.data, width, width, height, TJPF_GRAY, flags) != 0)
-        return text("the JPEG picture cannot be decoded: %1").arg(QString::fromLocal8Bit(tjGetErrorStr2(decoder.get())));
+        return Text::tr("the JPEG picture cannot be decoded: %1").arg(QString::fromLocal8Bit(tjGetErrorStr2(decoder.get())));
     return {};
 }
 
@@ -137,7 +139,7 @@ QString decodeChecked(const XrayFrame& frame, cv::Mat& stored)
     case PixelEncoding::Jpeg:
         return decodeJpeg(frame, stored);
     }
-    return text("its encoding %1 is unknown").arg(static_cast<int>(frame.encoding));
+    return Text::tr("its encoding %1 is unknown").arg(static_cast<int>(frame.encoding));
 }
 
 } // namespace
@@ -151,7 +153,7 @@ QString decodeFrame(const XrayFrame& frame, cv::Mat& stored)
         if (refusal.isEmpty())
             clearUnusedBits(stored, frame.bitsStored);
     } catch (const std::exception& exception) {
-        refusal = text("it cannot be decoded: %1").arg(QString::fromLocal8Bit(exception.what()));
+        refusal = Text::tr("it cannot be decoded: %1").arg(QString::fromLocal8Bit(exception.what()));
     }
     return refusal;
 }

@@ -22,7 +22,9 @@ constexpr int lastApplication = 0xEF;
 constexpr int largestReset = 255;
 constexpr int largestNear = 255;
 
-QString text(const char* source) { return QCoreApplication::translate("JpegLsHeader", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::JpegLsHeader)
+};
 
 // One marker segment without its length.
 class Segment {
@@ -44,12 +46,12 @@ public:
     QString read()
     {
         if (marker() != startOfImage)
-            return text("the bytes are no JPEG-LS picture");
+            return Text::tr("the bytes are no JPEG-LS picture");
         for (;;) {
             const int kind = marker();
             const std::span<const std::byte> body = segment();
             if (kind < 0 || !m_complete)
-                return text("the JPEG-LS header is cut off");
+                return Text::tr("the JPEG-LS header is cut off");
             const QString refusal = take(kind, Segment(body));
             if (!refusal.isEmpty() || kind == startOfScan)
                 return refusal;
@@ -85,33 +87,33 @@ private:
         case startOfScan:
             return takeScan(body);
         case restartInterval:
-            return text("the JPEG-LS picture has restart intervals, which are not supported");
+            return Text::tr("the JPEG-LS picture has restart intervals, which are not supported");
         default:
             break;
         }
         if (kind == comment || (kind >= firstApplication && kind <= lastApplication))
             return {};
-        return text("the JPEG-LS header has an unknown marker 0x%1").arg(kind, 2, 16, QLatin1Char('0'));
+        return Text::tr("the JPEG-LS header has an unknown marker 0x%1").arg(kind, 2, 16, QLatin1Char('0'));
     }
 
     QString takeFrame(const Segment& body)
     {
         if (m_header.bits != 0 || body.size() < 6)
-            return text("the JPEG-LS frame header is damaged");
+            return Text::tr("the JPEG-LS frame header is damaged");
         if (body.byte(5) != 1)
-            return text("the JPEG-LS picture has %1 components instead of one").arg(body.byte(5));
+            return Text::tr("the JPEG-LS picture has %1 components instead of one").arg(body.byte(5));
         m_header.bits = body.byte(0);
         m_header.rows = body.word(1);
         m_header.columns = body.word(3);
         if (body.size() != 9 || m_header.bits < 2 || m_header.bits > 16 || m_header.rows < 1 || m_header.columns < 1)
-            return text("the JPEG-LS frame header is damaged");
+            return Text::tr("the JPEG-LS frame header is damaged");
         return {};
     }
 
     QString takeParameters(const Segment& body)
     {
         if (body.byte(0) != 1 || body.size() != 11)
-            return text("the JPEG-LS picture uses an extension that is not supported");
+            return Text::tr("the JPEG-LS picture uses an extension that is not supported");
         m_header.maximum = body.word(1);
         m_header.threshold1 = body.word(3);
         m_header.threshold2 = body.word(5);
@@ -123,9 +125,9 @@ private:
     QString takeScan(const Segment& body)
     {
         if (m_header.bits == 0 || body.size() != 6 || body.byte(0) != 1)
-            return text("the JPEG-LS scan header is damaged");
+            return Text::tr("the JPEG-LS scan header is damaged");
         if (body.byte(2) != 0 || body.byte(4) != 0 || body.byte(5) != 0)
-            return text("the JPEG-LS picture uses an extension that is not supported");
+            return Text::tr("the JPEG-LS picture uses an extension that is not supported");
         m_header.near = body.byte(3);
         m_header.coded = m_bytes.subspan(m_place);
         return completeParameters();
@@ -142,7 +144,7 @@ private:
         const int maximum = m_header.maximum;
         const int near = m_header.near;
         if (maximum > largest || near > std::min(largestNear, maximum / 2) || m_header.reset < 3 || m_header.reset > largestReset)
-            return text("the JPEG-LS coding parameters are out of range");
+            return Text::tr("the JPEG-LS coding parameters are out of range");
         int basic1 = 0;
         int basic2 = 0;
         int basic3 = 0;
@@ -162,7 +164,7 @@ private:
         fill(m_header.threshold3, basic3, m_header.threshold2);
         const bool inOrder = m_header.threshold1 > near && m_header.threshold1 <= m_header.threshold2 &&
                              m_header.threshold2 <= m_header.threshold3 && m_header.threshold3 <= maximum;
-        return inOrder ? QString() : text("the JPEG-LS coding parameters are out of range");
+        return inOrder ? QString() : Text::tr("the JPEG-LS coding parameters are out of range");
     }
 
     void fill(int& threshold, int basic, int lowest) const

@@ -18,7 +18,9 @@ constexpr double thickestCatheter = 34;
 constexpr int smallestCatheter = 4; ///< of those that a key chooses
 constexpr int largestCatheter = 8;
 
-QString text(const char* source) { return QCoreApplication::translate("Measurement", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::Measurement)
+};
 
 bool sameProjection(const XrayFrame& a, const XrayFrame& b)
 {
@@ -48,13 +50,13 @@ QString lengthText(double pixels, const PixelCalibration& calibration)
     const auto millimetres = QString::number(pixels * calibration.pixelSize, 'f', 1);
     switch (calibration.kind) {
     case CalibrationKind::Geometry:
-        return text("%1 mm @ isocentre plane (geometry)").arg(millimetres);
+        return Text::tr("%1 mm @ isocentre plane (geometry)").arg(millimetres);
     case CalibrationKind::Catheter:
-        return text("%1 mm (%2 F catheter)").arg(millimetres, QString::number(calibration.french));
+        return Text::tr("%1 mm (%2 F catheter)").arg(millimetres, QString::number(calibration.french));
     case CalibrationKind::None:
         break;
     }
-    return text("%1 px (uncalibrated)").arg(std::lround(pixels));
+    return Text::tr("%1 px (uncalibrated)").arg(std::lround(pixels));
 }
 
 std::optional<double> angleAt(QPointF corner, QPointF one, QPointF other)
@@ -101,7 +103,7 @@ QString Measurement::text() const
     if (const auto length = pixels())
         return lengthText(*length, calibration());
     const std::optional<double> angle = angleAt(m_points[1], m_points[0], m_points[2]);
-    return angle ? console::text("%1\u00B0 in the picture's plane").arg(*angle, 0, 'f', 1) : console::text("no angle: two points are one");
+    return angle ? Text::tr("%1\u00B0 in the picture's plane").arg(*angle, 0, 'f', 1) : Text::tr("no angle: two points are one");
 }
 
 void Measurement::nextCatheter()

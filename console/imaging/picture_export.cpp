@@ -18,7 +18,9 @@ namespace console {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("PictureExport", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::PictureExport)
+};
 
 QString roleName(PictureRole role)
 {
@@ -38,9 +40,9 @@ QString roleName(PictureRole role)
 QString exportWords(const DisplayPicture& picture)
 {
     // Saved, nothing is live any more.
-    const QString role = picture.role == PictureRole::Live ? text("SNAPSHOT") : word(picture.role);
+    const QString role = picture.role == PictureRole::Live ? Text::tr("SNAPSHOT") : word(picture.role);
     const QString source = picture.about.source == PictureSource::Live ? QString() : QStringLiteral("  ") + word(picture.about.source);
-    return text("%1%2  picture of %3").arg(role, source, clockTime(picture.about.captureNs));
+    return Text::tr("%1%2  picture of %3").arg(role, source, clockTime(picture.about.captureNs));
 }
 
 QString exportName(const DisplayPicture& picture)
@@ -74,7 +76,8 @@ QString writeWhole(const QByteArray& bytes, const QString& path)
     const bool written = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
     if (written)
         return {};
-    return text("%1 cannot be written: %2. Nothing was saved; make room on the disk or name another folder.").arg(path, file.errorString());
+    return Text::tr("%1 cannot be written: %2. Nothing was saved; make room on the disk or name another folder.")
+        .arg(path, file.errorString());
 }
 
 QString savePng(const QImage& image, const QString& path)
@@ -82,7 +85,7 @@ QString savePng(const QImage& image, const QString& path)
     QByteArray bytes;
     QBuffer buffer(&bytes);
     if (image.isNull() || !buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG"))
-        return text("%1 cannot be written: there is no picture, or no memory for it. Save again.").arg(path);
+        return Text::tr("%1 cannot be written: there is no picture, or no memory for it. Save again.").arg(path);
     return writeWhole(bytes, path);
 }
 

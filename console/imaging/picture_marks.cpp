@@ -18,16 +18,18 @@ namespace console {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("PictureMarks", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::PictureMarks)
+};
 
 // What the filter does and not only what was asked of it: it may be bounded by the latency, or just have begun.
 QString noiseWords(int asked, const PictureTreatment& treatment)
 {
     const long present = std::lround(strengthOfK(treatment.k));
     if (present >= asked)
-        return text("noise %1 %").arg(asked);
-    return treatment.filterIsBounded ? text("noise %1 of %2 %, for latency").arg(present).arg(asked)
-                                     : text("noise %1 of %2 %").arg(present).arg(asked);
+        return Text::tr("noise %1 %").arg(asked);
+    return treatment.filterIsBounded ? Text::tr("noise %1 of %2 %, for latency").arg(present).arg(asked)
+                                     : Text::tr("noise %1 of %2 %").arg(present).arg(asked);
 }
 
 } // namespace
@@ -53,11 +55,11 @@ double scaleBarLength(double pictureWidthMm)
 
 QString windowLine(const DisplayPicture& picture)
 {
-    QString line = text("C %1  W %2").arg(std::lround(picture.window.centre)).arg(std::lround(picture.window.width));
+    QString line = Text::tr("C %1  W %2").arg(std::lround(picture.window.centre)).arg(std::lround(picture.window.width));
     if (picture.settings.function != VoiFunction::Linear)
         line += QStringLiteral("  ") + word(picture.settings.function);
     if (picture.windowIsAutomatic)
-        line += text("  AUTO");
+        line += Text::tr("  AUTO");
     return line;
 }
 
@@ -66,14 +68,14 @@ QString treatmentLine(const DisplayPicture& picture)
     QStringList parts;
     const DisplaySettings& settings = picture.settings;
     if (settings.inverted)
-        parts << text("INVERTED");
+        parts << Text::tr("INVERTED");
     if (settings.noiseReduction > 0)
         parts << noiseWords(settings.noiseReduction, picture.treatment);
     if (settings.edge > 0)
-        parts << text("edge %1 %").arg(settings.edge);
+        parts << Text::tr("edge %1 %").arg(settings.edge);
     if (settings.shutter != ShutterShape::None)
-        parts << text("SHUTTER");
-    parts << (picture.isCalibrated ? text("display calibrated") : text("display not calibrated"));
+        parts << Text::tr("SHUTTER");
+    parts << (picture.isCalibrated ? Text::tr("display calibrated") : Text::tr("display not calibrated"));
     return parts.join(QStringLiteral("  "));
 }
 
@@ -84,7 +86,7 @@ void placeSides(TextPlates& plates, const QRect& area, const DisplayPicture& pic
     const int gap = plates.gap();
     // Without a geometry the angles are zeros that nobody measured: a side that is guessed is worse than none.
     if (geometry.sourceDetectorDistance <= 0) {
-        plates.add(text("sides unknown"), {area.left() + gap, middle}, Qt::AlignLeft | Qt::AlignVCenter);
+        plates.add(Text::tr("sides unknown"), {area.left() + gap, middle}, Qt::AlignLeft | Qt::AlignVCenter);
         return;
     }
     const PictureAxes axes = axesOf(geometry.primaryAngle, geometry.secondaryAngle);
@@ -99,12 +101,12 @@ QRect placeScale(TextPlates& plates, const QRect& area, const DisplayPicture& pi
     const QPoint corner = area.bottomRight() - QPoint(gap, gap);
     const std::optional<double> pixelSize = pixelSizeAtIsocentre(picture.about);
     if (!pixelSize) {
-        plates.add(text("no scale: geometry unknown"), corner, Qt::AlignRight | Qt::AlignBottom);
+        plates.add(Text::tr("no scale: geometry unknown"), corner, Qt::AlignRight | Qt::AlignBottom);
         return {};
     }
     const double shownWidth = *pixelSize * picture.about.columns * shownShare;
     const double length = scaleBarLength(shownWidth);
-    const QRect label = plates.add(text("%1 mm @ isocentre plane (geometry)").arg(length), corner, Qt::AlignRight | Qt::AlignBottom);
+    const QRect label = plates.add(Text::tr("%1 mm @ isocentre plane (geometry)").arg(length), corner, Qt::AlignRight | Qt::AlignBottom);
     const int width = static_cast<int>(std::lround(length / shownWidth * area.width()));
     return {label.right() - width + 1, label.top() - 2 * gap, width, gap};
 }
@@ -125,11 +127,11 @@ void placeFacts(TextPlates& plates, const QRect& area, const QRect& bar, const D
 {
     const int gap = plates.gap();
     const QPoint corner(area.left() + gap, area.bottom() - gap);
-    const QString frame = text("frame %1  run %2").arg(picture.about.frame).arg(picture.about.acquisition);
+    const QString frame = Text::tr("frame %1  run %2").arg(picture.about.frame).arg(picture.about.acquisition);
     const QRect low = plates.addAbove(frame + QStringLiteral("  ") + windowLine(picture), corner, bar);
     QString treatment = treatmentLine(picture);
     if (zoom > 1)
-        treatment.prepend(text("ZOOM %1\u00D7  ").arg(zoom, 0, 'f', 1));
+        treatment.prepend(Text::tr("ZOOM %1\u00D7  ").arg(zoom, 0, 'f', 1));
     const int room = area.width() - 4 * gap;
     treatment = QFontMetrics(plates.font()).elidedText(treatment, Qt::ElideRight, room);
     plates.addAbove(treatment, {corner.x(), low.top() - 1}, bar);

@@ -18,24 +18,26 @@ namespace {
 
 constexpr double veilShare = 0.4;
 
-QString text(const char* source) { return QCoreApplication::translate("PictureOverlay", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::PictureOverlay)
+};
 
 QString wholeMilliseconds(const std::optional<Duration>& duration)
 {
-    return duration ? QString::number(std::lround(milliseconds(*duration))) : text("unknown");
+    return duration ? QString::number(std::lround(milliseconds(*duration))) : Text::tr("unknown");
 }
 
 // The clocks' uncertainty is said where it can be seen in the figure: below ten seconds, and when it is a millisecond or more.
 QString ageText(const PictureReading& reading)
 {
     if (!reading.age)
-        return text("unknown");
+        return Text::tr("unknown");
     if (*reading.age >= std::chrono::seconds(10))
-        return text("%1 s").arg(seconds(*reading.age), 0, 'f', 1);
+        return Text::tr("%1 s").arg(seconds(*reading.age), 0, 'f', 1);
     const long age = std::lround(milliseconds(*reading.age));
     // Rounded up: an uncertainty is never made smaller.
     const auto uncertain = static_cast<long>(std::ceil(milliseconds(reading.uncertainty)));
-    return uncertain > 0 ? text("%1 \u00B1%2 ms").arg(age).arg(uncertain) : text("%1 ms").arg(age);
+    return uncertain > 0 ? Text::tr("%1 \u00B1%2 ms").arg(age).arg(uncertain) : Text::tr("%1 ms").arg(age);
 }
 
 // LIVE is said of a picture that is live now; what came from a live source and is not is told without that word.
@@ -62,7 +64,7 @@ QPixmap hatchTile()
 
 QString ageLine(const PictureReading& reading)
 {
-    return text("AGE %1  NET %2  PROC %3  %4 fps")
+    return Text::tr("AGE %1  NET %2  PROC %3  %4 fps")
         .arg(ageText(reading), wholeMilliseconds(reading.network), wholeMilliseconds(reading.processing))
         .arg(std::lround(reading.shownPerSecond));
 }
@@ -87,7 +89,7 @@ void PictureOverlay::placeHead(const DisplayPicture& picture, const PictureReadi
                                       Qt::AlignLeft | Qt::AlignTop);
     m_headEnd = source.bottom();
     const QRect chip = m_plates.add(ageLine(reading), m_plates.font(), inner.topRight(), Qt::AlignRight | Qt::AlignTop,
-                                    text("AGE 8888 \u00B188 ms  NET 888  PROC 888  88 fps"));
+                                    Text::tr("AGE 8888 ±88 ms  NET 888  PROC 888  88 fps"));
     m_liveness = QRect(0, 0, livenessCells * m_gap, m_gap);
     m_liveness.moveTopRight(chip.bottomRight() + QPoint(0, m_gap));
 }
@@ -123,11 +125,11 @@ void PictureOverlay::placeCondition(const PictureReading& reading)
     QString line = word(reading.condition);
     if (reading.condition == PictureCondition::Frozen) {
         const std::optional<Duration> since = reading.frozenFor ? reading.frozenFor : reading.age;
-        line += since ? text(" %1 s").arg(seconds(*since), 0, 'f', 1) : QString();
+        line += since ? Text::tr(" %1 s").arg(seconds(*since), 0, 'f', 1) : QString();
     }
     const bool fault = reading.condition == PictureCondition::Frozen;
     const QRect first = m_plates.add(line, larger(m_plates.font(), fault ? 1.8 : 1.3), corner, Qt::AlignHCenter | Qt::AlignTop);
-    m_plates.add(text("Picture of %1").arg(clockTime(reading.captureNs)), {corner.x(), first.bottom() + 1},
+    m_plates.add(Text::tr("Picture of %1").arg(clockTime(reading.captureNs)), {corner.x(), first.bottom() + 1},
                  Qt::AlignHCenter | Qt::AlignTop);
 }
 

@@ -98,7 +98,7 @@ std::unique_ptr<OffscreenScene> OffscreenScene::create(QString& error)
     pipelines->context = std::move(context);
     pipelines->window->prepare();
     if (!pipelines->window->isUsable()) {
-        error = QCoreApplication::translate("Scene", "OpenGL's functions could not be loaded. Check the graphics driver.");
+        error = QCoreApplication::translate("console::Scene", "OpenGL's functions could not be loaded. Check the graphics driver.");
         return nullptr;
     }
     pipelines->assemble();

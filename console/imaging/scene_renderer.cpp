@@ -61,7 +61,8 @@ void SceneRenderer::run()
         scene->show(request.state);
         QImage image = scene->render(request.camera, request.size);
         if (image.isNull() && !request.size.isEmpty()) {
-            m_finished({{}, {}, QCoreApplication::translate("SceneRenderer", "OpenGL drew no picture. Check the graphics driver.")});
+            m_finished(
+                {{}, {}, QCoreApplication::translate("console::SceneRenderer", "OpenGL drew no picture. Check the graphics driver.")});
             return;
         }
         m_finished({std::move(image), request.camera, {}});

@@ -22,7 +22,9 @@ namespace {
 
 constexpr std::size_t roomForAttributes = 64 * 1024;
 
-QString text(const char* source) { return QCoreApplication::translate("PictureExport", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::PictureExport)
+};
 
 // What the picture is stands in its pixels: whoever looks at it without the attributes must see it, too.
 QImage withWords(const DisplayPicture& picture)
@@ -53,6 +55,7 @@ void putIdentity(DcmDataset& dataset)
         dataset.insertEmptyElement(tag);
 }
 
+// Descriptions that other systems sort by are English whatever the screen speaks.
 void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
 {
     const XrayFrame& about = picture.about;
@@ -66,9 +69,9 @@ void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
     put(dataset, DCM_ConversionType, QStringLiteral("WSD"));
     put(dataset, DCM_ImageType, QStringLiteral("DERIVED\\SECONDARY"));
     put(dataset, DCM_SecondaryCaptureDeviceManufacturer, QStringLiteral("LiENa"));
-    put(dataset, DCM_SeriesDescription, text("LiENa console, research system, not a medical device"));
+    put(dataset, DCM_SeriesDescription, QStringLiteral("LiENa console, research system, not a medical device"));
     put(dataset, DCM_ImageComments, exportWords(picture));
-    const QString values = picture.isCalibrated ? text("  values are driving levels of a calibrated display, not P-values") : QString();
+    const QString values = picture.isCalibrated ? Text::tr("  values are driving levels of a calibrated display, not P-values") : QString();
     put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
     put(dataset, DCM_QualityControlImage, about.source == PictureSource::Live ? QStringLiteral("NO") : QStringLiteral("YES"));
@@ -80,7 +83,7 @@ void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
         const QString spacing = QString::number(*size, 'g', 10);
         put(dataset, DCM_PixelSpacing, spacing + QLatin1Char('\\') + spacing);
         put(dataset, DCM_PixelSpacingCalibrationType, QStringLiteral("GEOMETRY"));
-        put(dataset, DCM_PixelSpacingCalibrationDescription, text("in the isocentre's plane, from SID and SOD"));
+        put(dataset, DCM_PixelSpacingCalibrationDescription, QStringLiteral("in the isocentre's plane, from SID and SOD"));
     }
 }
 
@@ -124,7 +127,7 @@ QByteArray encoded(DcmFileFormat& file, std::size_t pixels)
 QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path)
 {
     if (picture.image.isNull())
-        return text("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
+        return Text::tr("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
     const QImage grey = withWords(picture);
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();
@@ -133,7 +136,7 @@ QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path)
     putPixels(dataset, grey);
     const QByteArray bytes = encoded(file, static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()));
     if (bytes.isEmpty())
-        return text("%1 cannot be written: the picture could not be encoded as DICOM. Save it as PNG.").arg(path);
+        return Text::tr("%1 cannot be written: the picture could not be encoded as DICOM. Save it as PNG.").arg(path);
     return writeWhole(bytes, path);
 }
 

@@ -18,7 +18,9 @@ constexpr qint64 longestLine = 1024;
 constexpr std::size_t mostPoints = 200000;
 constexpr float farthest = 5000;
 
-QString text(const char* source) { return QCoreApplication::translate("VesselTree", source); }
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::VesselTree)
+};
 
 // One point line; nothing and a reason when it is not one.
 class SwcReader {
@@ -27,7 +29,7 @@ public:
     {
         const QList<QByteArray> words = line.simplified().split(' ');
         if (words.size() < 7)
-            return refuse(text("seven numbers are expected: number, kind, x, y, z, radius, parent"));
+            return refuse(Text::tr("seven numbers are expected: number, kind, x, y, z, radius, parent"));
         bool ok = true;
         const int number = asInt(words[0], ok);
         const float x = asLength(words[2], ok);
@@ -36,7 +38,7 @@ public:
         const float radius = asLength(words[5], ok);
         const int parentNumber = asInt(words[6], ok);
         if (!ok || radius < 0)
-            return refuse(text("a number cannot be read, or is out of range"));
+            return refuse(Text::tr("a number cannot be read, or is out of range"));
         return add(number, parentNumber, {QVector3D(x, y, z), radius, -1});
     }
 
@@ -47,13 +49,13 @@ private:
     bool add(int number, int parentNumber, VesselPoint point)
     {
         if (m_places.contains(number))
-            return refuse(text("the point number is used twice"));
+            return refuse(Text::tr("the point number is used twice"));
         if (tree.points.size() >= mostPoints)
-            return refuse(text("there are more than 200 000 points"));
+            return refuse(Text::tr("there are more than 200 000 points"));
         if (parentNumber >= 0) {
             const auto parent = m_places.constFind(parentNumber);
             if (parent == m_places.constEnd())
-                return refuse(text("the parent must stand before its children"));
+                return refuse(Text::tr("the parent must stand before its children"));
             point.parent = *parent;
         }
         m_places.insert(number, static_cast<int>(tree.points.size()));
@@ -110,19 +112,19 @@ VesselTreeResult readVesselTree(const QString& path)
 {
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
-        return {std::nullopt, text("%1 cannot be read: %2. Name a vessel tree (SWC) in the settings.").arg(path, file.errorString())};
+        return {std::nullopt, Text::tr("%1 cannot be read: %2. Name a vessel tree (SWC) in the settings.").arg(path, file.errorString())};
     if (file.size() > longestFile)
-        return {std::nullopt, text("%1 is larger than 32 MiB and is not read.").arg(path)};
+        return {std::nullopt, Text::tr("%1 is larger than 32 MiB and is not read.").arg(path)};
     SwcReader reader;
     for (int number = 1; !file.atEnd(); ++number) {
         const QByteArray line = file.readLine(longestLine).trimmed();
         if (line.isEmpty() || line.startsWith('#'))
             continue;
         if (!reader.take(line))
-            return {std::nullopt, text("%1:%2: %3.").arg(path).arg(number).arg(reader.reason)};
+            return {std::nullopt, Text::tr("%1:%2: %3.").arg(path).arg(number).arg(reader.reason)};
     }
     if (reader.tree.isEmpty())
-        return {std::nullopt, text("%1 holds no vessel point.").arg(path)};
+        return {std::nullopt, Text::tr("%1 holds no vessel point.").arg(path)};
     return {std::move(reader.tree), {}};
 }
 

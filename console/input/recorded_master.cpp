@@ -32,7 +32,7 @@ struct Reader {
     {
         const auto cells = text.split(QLatin1Char(','));
         if (cells.size() != 5)
-            return fail(1, QStringLiteral("%1 values instead of 5; write time,x,y,z,buttons").arg(cells.size()));
+            return fail(1, RecordedMaster::tr("%1 values instead of 5; write time,x,y,z,buttons").arg(cells.size()));
         std::array<double, 4> numbers{};
         int column = 1;
         for (std::size_t cell = 0; cell < numbers.size(); ++cell) {
@@ -40,13 +40,13 @@ struct Reader {
             bool good = false;
             numbers[cell] = word.trimmed().toDouble(&good);
             if (!good || !std::isfinite(numbers[cell]))
-                return fail(column, QStringLiteral("'%1' is not a number").arg(word.left(20)));
+                return fail(column, RecordedMaster::tr("'%1' is not a number").arg(word.left(20)));
             column += static_cast<int>(word.size()) + 1;
         }
         bool good = false;
         sample.buttons = cells.at(4).trimmed().toUInt(&good);
         if (!good)
-            return fail(column, QStringLiteral("'%1' is not a set of buttons; write a whole number").arg(cells.at(4).left(20)));
+            return fail(column, RecordedMaster::tr("'%1' is not a set of buttons; write a whole number").arg(cells.at(4).left(20)));
         sample.time = numbers[0];
         sample.position = {numbers[1], numbers[2], numbers[3]};
         return true;
@@ -65,7 +65,7 @@ std::optional<std::vector<HandSample>> readRecording(const QString& text, const 
         ++reader.line;
         const auto line = raw.trimmed();
         if (reader.line == 1 && line != QLatin1String("time,x,y,z,buttons"))
-            good = reader.fail(1, QStringLiteral("the first line must be time,x,y,z,buttons"));
+            good = reader.fail(1, RecordedMaster::tr("the first line must be time,x,y,z,buttons"));
         if (!good)
             break;
         if (reader.line == 1 || line.isEmpty())
@@ -73,11 +73,11 @@ std::optional<std::vector<HandSample>> readRecording(const QString& text, const 
         HandSample sample;
         good = reader.read(line, sample);
         if (good && (samples.empty() ? sample.time != 0 : sample.time <= samples.back().time))
-            good = reader.fail(1, QStringLiteral("time must start at 0 and rise from line to line"));
+            good = reader.fail(1, RecordedMaster::tr("time must start at 0 and rise from line to line"));
         samples.push_back(sample);
     }
     if (good && samples.size() < 2)
-        good = reader.fail(1, QStringLiteral("at least two samples are needed"));
+        good = reader.fail(1, RecordedMaster::tr("at least two samples are needed"));
     if (good)
         return samples;
     if (error != nullptr)
@@ -90,8 +90,7 @@ std::vector<HandSample> RecordedMaster::load(const QString& path, QString* error
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly | QIODevice::Text) || file.size() > largestFile) {
         if (error != nullptr)
-            *error = QStringLiteral("%1: cannot be read: %2")
-                         .arg(path, file.isOpen() ? QStringLiteral("larger than 64 MiB") : file.errorString());
+            *error = tr("%1: cannot be read: %2").arg(path, file.isOpen() ? tr("larger than 64 MiB") : file.errorString());
         return {};
     }
     return readRecording(QString::fromUtf8(file.readAll()), path, error).value_or(std::vector<HandSample>{});

@@ -101,7 +101,8 @@ void SessionIntake::takeIncident(const liena::SessionEvent& event)
         m_models.incidents.end(incident.id);
         m_models.sessions.setLinkIncident(incident.a.value(), incident.b.value(), 0);
         m_localSince.erase(incident.id);
-        log(LogKind::Link, event.dismissed ? tr("incident given up: %1").arg(text(event.detail)) : tr("incident ended"));
+        log(LogKind::Link,
+            event.dismissed ? tr("incident given up: %1").arg(tr(text(event.detail).toUtf8().constData())) : tr("incident ended"));
         break;
     case Kind::HoldReported:
         m_models.incidents.setHolds(incident.id, holdLines(incident));

@@ -3,6 +3,7 @@
 
 #include "link/motion_streamer.hpp"
 #include "link/pedal_streamer.hpp"
+#include "link/session_intake.hpp"
 #include "link/translate.hpp"
 
 #include <liena/certificates.hpp>
@@ -224,7 +225,7 @@ void SystemLink::probe(quint32 peer)
 
 void SystemLink::dismiss(quint64 incident, const QString& reason)
 {
-    note(LogKind::Operator, tr("give an incident up: %1").arg(reason));
+    note(LogKind::Operator, tr("give an incident up: %1").arg(SessionIntake::tr(reason.toUtf8().constData())));
     if (const auto result = m_system->dismissIncident(incident, reason.toStdString()); !result)
         note(LogKind::Trouble, text(result.error().what));
 }
@@ -250,7 +251,7 @@ void SystemLink::releasePermit(quint32 permit) { sendPermit(permit, "release"); 
 
 void SystemLink::emergencyStop(const QString& reason)
 {
-    note(LogKind::Operator, tr("EMERGENCY STOP: %1").arg(reason));
+    note(LogKind::Operator, tr("EMERGENCY STOP: %1").arg(tr(reason.toUtf8().constData())));
     while (m_stopToken == 0)
         m_stopToken = QRandomGenerator::system()->generate64();
     m_stopReason = reason;

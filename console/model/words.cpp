@@ -33,14 +33,17 @@ QString at(const std::array<const char*, size>& table, Enum value, int first = 0
 
 QString word(LinkState state)
 {
-    static constexpr std::array table{QT_TR_NOOP("closed"),      QT_TR_NOOP("opening"),  QT_TR_NOOP("open"),       QT_TR_NOOP("suspect"),
-                                      QT_TR_NOOP("interrupted"), QT_TR_NOOP("stand-by"), QT_TR_NOOP("re-opening"), QT_TR_NOOP("closing")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "closed"),      QT_TRANSLATE_NOOP("console::Words", "opening"),
+                                      QT_TRANSLATE_NOOP("console::Words", "open"),        QT_TRANSLATE_NOOP("console::Words", "suspect"),
+                                      QT_TRANSLATE_NOOP("console::Words", "interrupted"), QT_TRANSLATE_NOOP("console::Words", "stand-by"),
+                                      QT_TRANSLATE_NOOP("console::Words", "re-opening"),  QT_TRANSLATE_NOOP("console::Words", "closing")};
     return at(table, state);
 }
 
 QString word(PictureRole role)
 {
-    static constexpr std::array table{QT_TR_NOOP("LIVE"), QT_TR_NOOP("LAST IMAGE HOLD"), QT_TR_NOOP("REVIEW")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "LIVE"), QT_TRANSLATE_NOOP("console::Words", "LAST IMAGE HOLD"),
+                                      QT_TRANSLATE_NOOP("console::Words", "REVIEW")};
     return at(table, role);
 }
 
@@ -81,61 +84,71 @@ QString DeviceNode::idText() const { return QStringLiteral("0x%1").arg(id, 8, 16
 
 QString word(RobotState state)
 {
-    static constexpr std::array table{QT_TR_NOOP("off"),     QT_TR_NOOP("hold"),           QT_TR_NOOP("ready"), QT_TR_NOOP("armed"),
-                                      QT_TR_NOOP("engaged"), QT_TR_NOOP("emergency stop"), QT_TR_NOOP("fault")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "off"),     QT_TRANSLATE_NOOP("console::Words", "hold"),
+                                      QT_TRANSLATE_NOOP("console::Words", "ready"),   QT_TRANSLATE_NOOP("console::Words", "armed"),
+                                      QT_TRANSLATE_NOOP("console::Words", "engaged"), QT_TRANSLATE_NOOP("console::Words", "emergency stop"),
+                                      QT_TRANSLATE_NOOP("console::Words", "fault")};
     return at(table, state);
 }
 
 QString faultText(quint16 code)
 {
-    static constexpr std::array table{QT_TR_NOOP("no fault"), QT_TR_NOOP("force stop"), QT_TR_NOOP("drive fault"), QT_TR_NOOP("watchdog"),
-                                      QT_TR_NOOP("command stream lost")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "no fault"), QT_TRANSLATE_NOOP("console::Words", "force stop"),
+                                      QT_TRANSLATE_NOOP("console::Words", "drive fault"), QT_TRANSLATE_NOOP("console::Words", "watchdog"),
+                                      QT_TRANSLATE_NOOP("console::Words", "command stream lost")};
     const auto text = at(table, code);
     return text.isEmpty() ? Text::tr("fault %1").arg(code) : text;
 }
 
 QString word(InjectionProgress progress)
 {
-    static constexpr std::array table{QT_TR_NOOP("accepted"), QT_TR_NOOP("running"), QT_TR_NOOP("done"), QT_TR_NOOP("stopped"),
-                                      QT_TR_NOOP("refused")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "accepted"), QT_TRANSLATE_NOOP("console::Words", "running"),
+                                      QT_TRANSLATE_NOOP("console::Words", "done"), QT_TRANSLATE_NOOP("console::Words", "stopped"),
+                                      QT_TRANSLATE_NOOP("console::Words", "refused")};
     return at(table, progress);
 }
 
 QString word(AcquisitionMode mode)
 {
-    static constexpr std::array table{QT_TR_NOOP("stop"), QT_TR_NOOP("fluoroscopy"), QT_TR_NOOP("acquisition"), QT_TR_NOOP("spin")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "stop"), QT_TRANSLATE_NOOP("console::Words", "fluoroscopy"),
+                                      QT_TRANSLATE_NOOP("console::Words", "acquisition"), QT_TRANSLATE_NOOP("console::Words", "spin")};
     return at(table, mode);
 }
 
 QString word(ArmPhase phase)
 {
-    static constexpr std::array table{QT_TR_NOOP("off"), QT_TR_NOOP("hold"), QT_TR_NOOP("moving"), QT_TR_NOOP("fault")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "off"), QT_TRANSLATE_NOOP("console::Words", "hold"),
+                                      QT_TRANSLATE_NOOP("console::Words", "moving"), QT_TRANSLATE_NOOP("console::Words", "fault")};
     return at(table, phase);
 }
 
 QString word(PictureSource source)
 {
-    static constexpr std::array table{QT_TR_NOOP("LIVE"), QT_TR_NOOP("SIMULATED"), QT_TR_NOOP("RECORDED")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "LIVE"), QT_TRANSLATE_NOOP("console::Words", "SIMULATED"),
+                                      QT_TRANSLATE_NOOP("console::Words", "RECORDED")};
     return at(table, source, 1);
 }
 
 QString word(PictureCondition condition)
 {
-    static constexpr std::array table{QT_TR_NOOP("NO PICTURE"), QT_TR_NOOP("LIVE"), QT_TR_NOOP("AGE UNKNOWN"), QT_TR_NOOP("FROZEN"),
-                                      QT_TR_NOOP("LAST IMAGE HOLD")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "NO PICTURE"), QT_TRANSLATE_NOOP("console::Words", "LIVE"),
+                                      QT_TRANSLATE_NOOP("console::Words", "AGE UNKNOWN"), QT_TRANSLATE_NOOP("console::Words", "FROZEN"),
+                                      QT_TRANSLATE_NOOP("console::Words", "LAST IMAGE HOLD")};
     return at(table, condition);
 }
 
 QString word(AlarmPriority priority)
 {
-    static constexpr std::array table{QT_TR_NOOP("low"), QT_TR_NOOP("medium"), QT_TR_NOOP("high")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "low"), QT_TRANSLATE_NOOP("console::Words", "medium"),
+                                      QT_TRANSLATE_NOOP("console::Words", "high")};
     return at(table, priority);
 }
 
 QString word(LogKind kind)
 {
-    static constexpr std::array table{QT_TR_NOOP("note"),  QT_TR_NOOP("link"),     QT_TR_NOOP("permit"),
-                                      QT_TR_NOOP("alarm"), QT_TR_NOOP("operator"), QT_TR_NOOP("trouble")};
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "note"),     QT_TRANSLATE_NOOP("console::Words", "link"),
+                                      QT_TRANSLATE_NOOP("console::Words", "permit"),   QT_TRANSLATE_NOOP("console::Words", "alarm"),
+                                      QT_TRANSLATE_NOOP("console::Words", "operator"), QT_TRANSLATE_NOOP("console::Words", "trouble")};
     return at(table, kind);
 }
 

@@ -101,7 +101,9 @@ void CockpitWindow::addKeys()
     bind(Qt::Key_F8, [this] { Q_EMIT alarmTestRequested(); });
     bind(Qt::Key_F9, [this] { Q_EMIT audioPauseRequested(); });
     bind(Qt::Key_F12, [this] { Q_EMIT panicHoldRequested(); });
-    bind(Qt::Key_Escape, [this] { Q_EMIT emergencyStopRequested(tr("Esc key on the console")); });
+    bind(Qt::Key_Escape, [this] {
+        Q_EMIT emergencyStopRequested(QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Esc key on the console")));
+    });
 }
 
 void CockpitWindow::replace(Region region, QWidget*& present, QWidget* view)

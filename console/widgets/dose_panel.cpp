@@ -33,7 +33,7 @@ DosePanel::DosePanel(const InstrumentState& instrument, const XraySystemState& x
     m_fluoroscopy = addFigure(grid, 0, 2, tr("Fluoroscopy time"), QStringLiteral("00:00"));
     m_kerma = addFigure(grid, 2, 0, tr("Air kerma"), QStringLiteral("0000.0 mGy"));
     m_kermaRate = addFigure(grid, 2, 1, tr("Kerma rate"), QStringLiteral("00.0 mGy/min"));
-    m_product = addFigure(grid, 2, 2, tr("Dose-area product"), QStringLiteral("00.00 Gy\u00B7cm\u00B2"));
+    m_product = addFigure(grid, 2, 2, tr("Dose-area product"), QStringLiteral("00.00 Gy·cm\u00B2"));
     m_contrastAge = new FigureLabel(this);
     m_xrayAge = new FigureLabel(this);
     for (FigureLabel* line : {m_contrastAge, m_xrayAge}) {
@@ -87,7 +87,7 @@ void DosePanel::refresh(Instant now)
                                           : QStringLiteral("\u2014"));
     m_kerma->setText(figure(known(status.value.airKerma), 1, tr("mGy")));
     m_kermaRate->setText(figure(known(status.value.airKermaRate), 1, tr("mGy/min")));
-    m_product->setText(figure(known(status.value.doseAreaProduct), 2, tr("Gy\u00B7cm\u00B2")));
+    m_product->setText(figure(known(status.value.doseAreaProduct), 2, tr("Gy·cm\u00B2")));
     for (FigureLabel* value : {m_fluoroscopy, m_kerma, m_kermaRate, m_product})
         setInk(value, valueInk(freshness));
     m_xrayAge->setText(tr("Repeat of the X-ray system, %1").arg(ageText(freshness, status.age(now))));

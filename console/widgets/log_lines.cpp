@@ -1,6 +1,8 @@
 // Painting of log lines, and following the newest.
 #include "widgets/log_lines.hpp"
 
+#include "model/alarm_list.hpp"
+#include "model/event_log.hpp"
 #include "model/log_roles.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/theme.hpp"
@@ -11,11 +13,23 @@
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 
+#include <algorithm>
+
 namespace console {
 
 namespace colour = theme::colour;
 
 namespace {
+
+double widestKind(const QFontMetricsF& metrics)
+{
+    double widest = 0;
+    for (int kind = 0; kind <= int(LogKind::Trouble); ++kind)
+        widest = std::max(widest, metrics.horizontalAdvance(word(LogKind(kind))));
+    for (const auto priority : {AlarmPriority::Low, AlarmPriority::Medium, AlarmPriority::High})
+        widest = std::max(widest, metrics.horizontalAdvance(word(priority)));
+    return widest;
+}
 
 /// Times stand in cells of one width; the kind has room for the longest word.
 class LineDelegate : public QStyledItemDelegate {
@@ -44,7 +58,7 @@ public:
         drawFigures(*painter, rest, Qt::AlignLeft | Qt::AlignVCenter, clock);
         rest.setLeft(rest.left() + figuresWidth(option.font, QStringLiteral("0000-00-00 00:00:00")) + gap);
         painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter, index.data(LogKindWordRole).toString());
-        rest.setLeft(rest.left() + metrics.horizontalAdvance(QStringLiteral("operator")) + gap);
+        rest.setLeft(rest.left() + widestKind(metrics) + gap);
         painter->setPen(chosen ? colour::bright : colour::text);
         painter->drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
                           metrics.elidedText(index.data(LogTextRole).toString(), Qt::ElideRight, rest.width()));

@@ -71,7 +71,9 @@ void MotionBar::connectButtons()
     connect(m_arm, &HoldButton::holdChanged, this, &MotionBar::armHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
-    connect(m_stop, &QAbstractButton::pressed, this, [this] { Q_EMIT emergencyStopRequested(tr("Button on the console's screen")); });
+    connect(m_stop, &QAbstractButton::pressed, this, [this] {
+        Q_EMIT emergencyStopRequested(QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Button on the console's screen")));
+    });
     connect(m_reset, &HoldButton::holdChanged, this, [this](bool held) {
         m_resetAsked = false;
         m_resetSince.reset();

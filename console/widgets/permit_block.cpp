@@ -35,8 +35,10 @@ QSize PermitBlock::sizeHint() const
     const double scale = theme::scaleOf(this);
     const QFontMetrics word(font());
     const QFontMetrics line(theme::font(TextRole::Caption, scale));
-    return {std::max(word.horizontalAdvance(QStringLiteral("VERIFYING")), theme::px(this, 330)) + theme::px(this, 36),
-            word.height() + 2 * line.height()};
+    int widest = theme::px(this, 330);
+    for (int phase = 0; phase < permitPhaseCount; ++phase)
+        widest = std::max(widest, word.horizontalAdvance(console::word(PermitPhase(phase))));
+    return {widest + theme::px(this, 36), word.height() + 2 * line.height()};
 }
 
 QString PermitBlock::explanation(const PermitModel& permit, Instant now)

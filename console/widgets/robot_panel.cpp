@@ -33,7 +33,7 @@ RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand,
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     theme::setTextRole(m_tip, TextRole::Caption);
     theme::setTextRole(m_drives, TextRole::Caption);
-    m_tip->reserve(tr("Tracker \u00B10.0\u00A0mm \u00B7 stale 00.0\u00A0s"));
+    m_tip->reserve(tr("Tracker ±0.0\u00A0mm \u00B7 stale 00.0\u00A0s"));
     m_tip->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 6, 14, 6);
@@ -78,7 +78,7 @@ void RobotPanel::refreshDrives(Instant now)
         const double warmest = *std::max_element(v.temperature.begin(), v.temperature.end());
         const double current = *std::max_element(v.current.begin(), v.current.end());
         text = tr("Drives %1 \u00B7 warmest %2 \u00B7 most current %3")
-                   .arg(v.allEnabled() ? tr("enabled") : tr("off"), figure(warmest, 0, tr("\u00B0C")), figure(current, 1, tr("A")));
+                   .arg(v.allEnabled() ? tr("enabled") : tr("off"), figure(warmest, 0, tr("°C")), figure(current, 1, tr("A")));
     }
     m_drives->setText(text + QStringLiteral(" \u00B7 ") + ageText(freshness, drives.age(now)));
     setInk(m_drives, freshness == Freshness::Fresh ? colour::text : colour::secondary);

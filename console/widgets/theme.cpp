@@ -1,4 +1,4 @@
-// The dark palette, Inter in fixed roles, and how both reach every widget.
+// The dark palette, Inter and a face for Chinese in fixed roles, and how both reach every widget.
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -74,7 +74,8 @@ double scaleFor(const QSize& window)
 QFont font(TextRole role, double scale)
 {
     const Face& face = faces.at(std::size_t(role));
-    QFont f(QStringLiteral("Inter"));
+    QFont f;
+    f.setFamilies({QStringLiteral("Inter"), QStringLiteral("WenQuanYi Micro Hei"), QStringLiteral("Noto Sans CJK SC")});
     f.setStyleHint(QFont::SansSerif);
     f.setPixelSize(std::max(face.least, int(std::lround(face.reference * scale))));
     f.setWeight(face.weight);

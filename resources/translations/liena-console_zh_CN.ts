@@ -1,0 +1,3906 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>QObject</name>
+    <message>
+        <source>%1 is sent by %2 and not known to this console; it is not shown</source>
+        <translation>%2 发送的 %1 是本控制台不认识的报文，不予显示</translation>
+    </message>
+    <message>
+        <source>%1 of %2 does not have the fields that this console knows (%3); compare the message sets</source>
+        <translation>%2 的 %1 缺少本控制台所知的字段（%3）；请核对报文集</translation>
+    </message>
+    <message>
+        <source>%1: no device has the message set siat-cockpit; name this console&apos;s with --device</source>
+        <translation>%1：没有设备使用报文集 siat-cockpit；请用 --device 指定本控制台</translation>
+    </message>
+    <message>
+        <source>%1: %2 devices have the message set siat-cockpit; name this console&apos;s with --device</source>
+        <translation>%1：有 %2 台设备使用报文集 siat-cockpit；请用 --device 指定本控制台</translation>
+    </message>
+    <message>
+        <source>%1 asks for TLS: give --certificate, --key and --authority</source>
+        <translation>%1 要求 TLS：请给出 --certificate、--key 和 --authority</translation>
+    </message>
+</context>
+<context>
+    <name>console::AlarmBand</name>
+    <message>
+        <source>SELF-TEST, no alarm: red, flashing fast, five pulses</source>
+        <translation>自检，并非报警：红色，快闪，五声脉冲</translation>
+    </message>
+    <message>
+        <source>SELF-TEST, no alarm: red, flashing fast, ten pulses</source>
+        <translation>自检，并非报警：红色，快闪，十声脉冲</translation>
+    </message>
+    <message>
+        <source>SELF-TEST, no alarm: yellow, flashing slowly, three pulses</source>
+        <translation>自检，并非报警：黄色，慢闪，三声脉冲</translation>
+    </message>
+    <message>
+        <source>SELF-TEST, no alarm: cyan, steady, two pulses</source>
+        <translation>自检，并非报警：青色，常亮，两声脉冲</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>确认</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm shown</source>
+        <translation>确认所显示的报警</translation>
+    </message>
+    <message>
+        <source>Pause the alarm sound for a minute, or end the pause</source>
+        <translation>暂停报警声一分钟，或结束暂停</translation>
+    </message>
+    <message>
+        <source>Acknowledge: %1</source>
+        <translation>确认：%1</translation>
+    </message>
+    <message>
+        <source>No alarms</source>
+        <translation>无报警</translation>
+    </message>
+    <message>
+        <source>Show again: %1</source>
+        <translation>再次显示：%1</translation>
+    </message>
+    <message>
+        <source>AUDIO PAUSED %1 s</source>
+        <translation>报警声暂停 %1 s</translation>
+    </message>
+    <message>
+        <source>Pause sound (F9)</source>
+        <translation>暂停报警声 (F9)</translation>
+    </message>
+    <message>
+        <source>+%1 more</source>
+        <translation>另有 %1 项</translation>
+    </message>
+    <message>
+        <source>Were all three colours seen, and all three sounds heard?</source>
+        <translation>三种颜色是否都看到，三种声音是否都听到？</translation>
+    </message>
+    <message>
+        <source>No alarms. The alarm self-test was not confirmed: have screen and sound looked at</source>
+        <translation>无报警。报警自检未获确认：请让人检查屏幕和声音</translation>
+    </message>
+    <message>
+        <source>No alarms. The alarm self-test is to be done before arming</source>
+        <translation>无报警。解锁前须做报警自检</translation>
+    </message>
+</context>
+<context>
+    <name>console::AlarmJournal</name>
+    <message>
+        <source>%1 cannot be made</source>
+        <translation>无法创建 %1</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another console</source>
+        <translation>%1 正被另一控制台使用</translation>
+    </message>
+    <message>
+        <source>%1 may not be written</source>
+        <translation>没有写入 %1 的权限</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>无法打开 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1: a line does not follow from the one before it; the file was changed or damaged. </source>
+        <translation>%1：有一行与前一行不衔接；文件被改动或已损坏。</translation>
+    </message>
+    <message>
+        <source>%1: the last line is torn, as a loss of power leaves it; it was dropped. </source>
+        <translation>%1：最后一行不完整（断电所致），已舍弃。</translation>
+    </message>
+    <message>
+        <source>the disk of %1 is nearly full, %2 MB left</source>
+        <translation>%1 所在磁盘将满，剩余 %2 MB</translation>
+    </message>
+    <message>
+        <source>%1 entries were lost, the disk is too slow</source>
+        <translation>丢失 %1 条记录，磁盘过慢</translation>
+    </message>
+    <message>
+        <source>%1 is not kept: %2</source>
+        <translation>%1 未保存：%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be put aside: %2</source>
+        <translation>无法将 %1 改存为旧文件：%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>无法写入 %1：%2</translation>
+    </message>
+    <message>
+        <source>, nor put right</source>
+        <translation>，且无法修复</translation>
+    </message>
+</context>
+<context>
+    <name>console::AlarmList</name>
+    <message>
+        <source>ended: %1</source>
+        <translation>结束：%1</translation>
+    </message>
+    <message>
+        <source>raised: %1</source>
+        <translation>发生：%1</translation>
+    </message>
+    <message>
+        <source>acknowledged: %1</source>
+        <translation>已确认：%1</translation>
+    </message>
+    <message>
+        <source>acknowledged by %1: %2</source>
+        <translation>已由 %1 确认：%2</translation>
+    </message>
+    <message>
+        <source>audio paused</source>
+        <translation>报警声已暂停</translation>
+    </message>
+    <message>
+        <source>audio paused by %1</source>
+        <translation>报警声已由 %1 暂停</translation>
+    </message>
+    <message>
+        <source>audio pause ended</source>
+        <translation>报警声暂停已结束</translation>
+    </message>
+</context>
+<context>
+    <name>console::AlarmRules</name>
+    <message>
+        <source>%1: its topology or message sets are others than ours</source>
+        <translation>%1：其拓扑或报文集与本方不同</translation>
+    </message>
+    <message>
+        <source>Give both sides the same files; do not arm.</source>
+        <translation>请让两端使用相同的文件；不要解锁。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is overdue</source>
+        <translation>%1：%2 逾时未到</translation>
+    </message>
+    <message>
+        <source>Look at that device; what is shown of it is old.</source>
+        <translation>请查看该设备；所显示的是其旧数据。</translation>
+    </message>
+    <message>
+        <source>%1: clock uncertain, ages unknown</source>
+        <translation>%1：时钟不确定，时龄未知</translation>
+    </message>
+    <message>
+        <source>Wait; arming is refused until the clocks are compared.</source>
+        <translation>请等待；时钟比对完成前拒绝解锁。</translation>
+    </message>
+    <message>
+        <source>%1: picture link lost, stand-by</source>
+        <translation>%1：图像链路丢失，待机</translation>
+    </message>
+    <message>
+        <source>%1: link lost, stand-by</source>
+        <translation>%1：链路丢失，待机</translation>
+    </message>
+    <message>
+        <source>Read the prompt, then re-open the channel.</source>
+        <translation>请阅读诊断提示，然后重新打开通道。</translation>
+    </message>
+    <message>
+        <source>%1: picture link interrupted</source>
+        <translation>%1：图像链路已中断</translation>
+    </message>
+    <message>
+        <source>%1: link interrupted</source>
+        <translation>%1：链路已中断</translation>
+    </message>
+    <message>
+        <source>Let go of the dead-man; motion has ended and needs a new ARM.</source>
+        <translation>松开握持开关；运动已结束，须重新解锁。</translation>
+    </message>
+    <message>
+        <source>%1 times in a minute</source>
+        <translation>一分钟内 %1 次</translation>
+    </message>
+    <message>
+        <source>jitter above %1 ms</source>
+        <translation>抖动超过 %1 ms</translation>
+    </message>
+    <message>
+        <source>more than %1 % lost</source>
+        <translation>丢失超过 %1 %</translation>
+    </message>
+    <message>
+        <source>%1: link unsteady, %2</source>
+        <translation>%1：链路不稳定，%2</translation>
+    </message>
+    <message>
+        <source>Check the line before you arm.</source>
+        <translation>解锁前请检查线路。</translation>
+    </message>
+    <message>
+        <source>%1: commands take %2 ms there and back</source>
+        <translation>%1：指令往返耗时 %2 ms</translation>
+    </message>
+    <message>
+        <source>Move slowly and wait for the picture, or stop; have the line looked at.</source>
+        <translation>请慢动并等待图像跟上，或停止；请让人检查线路。</translation>
+    </message>
+    <message>
+        <source>Move slowly and wait for the picture.</source>
+        <translation>请慢动并等待图像跟上。</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s hold NOT CONFIRMED</source>
+        <translation>机器人保持【未获确认】</translation>
+    </message>
+    <message>
+        <source>Ask the patient side now whether the robot stands still.</source>
+        <translation>立即询问患者端机器人是否静止。</translation>
+    </message>
+    <message>
+        <source>EMERGENCY STOP is in force</source>
+        <translation>急停生效中</translation>
+    </message>
+    <message>
+        <source>Settle why it was pressed before it is reset.</source>
+        <translation>复位前请查明按下急停的原因。</translation>
+    </message>
+    <message>
+        <source>Picture %1</source>
+        <translation>图像：%1</translation>
+    </message>
+    <message>
+        <source>Have the line to the X-ray system looked at; mind fine wires.</source>
+        <translation>请让人检查到 X 射线系统的线路；留意细导丝。</translation>
+    </message>
+    <message>
+        <source>Picture FROZEN, older than %1 ms</source>
+        <translation>图像已冻结，时龄超过 %1 ms</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s age is unknown</source>
+        <translation>图像时龄未知</translation>
+    </message>
+    <message>
+        <source>Let go of the dead-man; motion is inhibited.</source>
+        <translation>松开握持开关；运动已被禁止。</translation>
+    </message>
+    <message>
+        <source>Guidewire force %1 N</source>
+        <translation>导丝受力 %1 N</translation>
+    </message>
+    <message>
+        <source>FORCE STOP: %1</source>
+        <translation>力超限停止：%1</translation>
+    </message>
+    <message>
+        <source>Do not push on; look at the picture and retract a little.</source>
+        <translation>不要继续推送；请查看图像并稍稍后撤。</translation>
+    </message>
+    <message>
+        <source>Advance no further; look at the tip.</source>
+        <translation>不要再推进；请查看头端。</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>机器人：%1</translation>
+    </message>
+    <message>
+        <source>Robot: drives are not healthy</source>
+        <translation>机器人：驱动器不正常</translation>
+    </message>
+    <message>
+        <source>Do not arm; have the drives looked at.</source>
+        <translation>不要解锁；请让人检查驱动器。</translation>
+    </message>
+    <message>
+        <source>Move the other way.</source>
+        <translation>请向反方向移动。</translation>
+    </message>
+    <message>
+        <source>Hard limit reached</source>
+        <translation>已到硬限位</translation>
+    </message>
+    <message>
+        <source>Soft limit reached</source>
+        <translation>已到软限位</translation>
+    </message>
+    <message>
+        <source>Tracker: no valid tip position</source>
+        <translation>跟踪器：无有效的头端位置</translation>
+    </message>
+    <message>
+        <source>Go by the picture alone; what is shown of the tip is old.</source>
+        <translation>只以图像为准；所显示的头端位置是旧数据。</translation>
+    </message>
+    <message>
+        <source>Contrast EMPTY during an injection</source>
+        <translation>注射期间造影剂已【用空】</translation>
+    </message>
+    <message>
+        <source>Have the patient side refill the injector and look for air.</source>
+        <translation>请患者端重新装填注射器并检查有无空气。</translation>
+    </message>
+    <message>
+        <source>Contrast %1 mL, below one injection</source>
+        <translation>造影剂 %1 mL，不足一次注射</translation>
+    </message>
+    <message>
+        <source>Have the patient side refill the injector.</source>
+        <translation>请患者端重新装填注射器。</translation>
+    </message>
+    <message>
+        <source>Air kerma has reached %1 Gy</source>
+        <translation>空气比释动能已达 %1 Gy</translation>
+    </message>
+    <message>
+        <source>Weigh the dose against what is still to do.</source>
+        <translation>请权衡剂量与尚需完成的操作。</translation>
+    </message>
+    <message>
+        <source>Console paints %1 of %2 pictures a second</source>
+        <translation>控制台每秒只显示 %2 幅图像中的 %1 幅</translation>
+    </message>
+    <message>
+        <source>Close other programs on this computer; mind fast motion.</source>
+        <translation>请关闭本机其他程序；快速运动时要小心。</translation>
+    </message>
+    <message>
+        <source>Recording: %1</source>
+        <translation>记录：%1</translation>
+    </message>
+    <message>
+        <source>Make room on the disk, or have the computer looked at.</source>
+        <translation>请腾出磁盘空间，或让人检查计算机。</translation>
+    </message>
+    <message>
+        <source>No alarm sound: %1</source>
+        <translation>无报警声：%1</translation>
+    </message>
+    <message>
+        <source>Keep this band in view; connect a loudspeaker.</source>
+        <translation>请始终留意本报警栏；接上扬声器。</translation>
+    </message>
+    <message>
+        <source>No alarm if this program hangs: %1</source>
+        <translation>若本程序停止响应将不会报警：%1</translation>
+    </message>
+    <message>
+        <source>Watch the liveness mark; start the console anew before the next procedure.</source>
+        <translation>请留意图像活动标记；下一台手术前重新启动控制台。</translation>
+    </message>
+</context>
+<context>
+    <name>console::AlarmService</name>
+    <message>
+        <source>the operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>alarms are not kept, no folder was named</source>
+        <translation>报警不会保存，未指定文件夹</translation>
+    </message>
+    <message>
+        <source>alarm log: %1</source>
+        <translation>报警日志：%1</translation>
+    </message>
+    <message>
+        <source>console started. %1</source>
+        <translation>控制台已启动。%1</translation>
+    </message>
+    <message>
+        <source>alarm sound is there</source>
+        <translation>报警声可用</translation>
+    </message>
+    <message>
+        <source>no watchdog was named</source>
+        <translation>未指定看门狗</translation>
+    </message>
+    <message>
+        <source>the watchdog watches</source>
+        <translation>看门狗正在监视</translation>
+    </message>
+    <message>
+        <source>alarm self-test confirmed by %1</source>
+        <translation>报警自检已由 %1 确认</translation>
+    </message>
+    <message>
+        <source>alarm self-test not confirmed, by %1</source>
+        <translation>报警自检未获 %1 确认</translation>
+    </message>
+</context>
+<context>
+    <name>console::AxisPanel</name>
+    <message>
+        <source>still</source>
+        <translation>静止</translation>
+    </message>
+    <message>
+        <source>advance</source>
+        <translation>推进</translation>
+    </message>
+    <message>
+        <source>retract</source>
+        <translation>后撤</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>顺时针</translation>
+    </message>
+    <message>
+        <source>anticlockwise</source>
+        <translation>逆时针</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3, %4</source>
+        <translation>%1，%2 %3，%4</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>HARD LIMIT</source>
+        <translation>硬限位</translation>
+    </message>
+    <message>
+        <source>SOFT LIMIT</source>
+        <translation>软限位</translation>
+    </message>
+    <message>
+        <source>gripper —</source>
+        <translation>夹持器 —</translation>
+    </message>
+    <message>
+        <source>gripper closed</source>
+        <translation>夹持器已夹紧</translation>
+    </message>
+    <message>
+        <source>gripper open</source>
+        <translation>夹持器已松开</translation>
+    </message>
+    <message>
+        <source>turned %1</source>
+        <translation>转角 %1</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>0000.0 mm</source>
+        <translation>0000.0 mm</translation>
+    </message>
+    <message>
+        <source>turned -0000°</source>
+        <translation>转角 -0000°</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>Guidewire</source>
+        <translation>导丝</translation>
+    </message>
+    <message>
+        <source>000.0 mm/s</source>
+        <translation>000.0 mm/s</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+</context>
+<context>
+    <name>console::BurstPlayer</name>
+    <message>
+        <source>this computer has no sound output</source>
+        <translation>本机没有声音输出</translation>
+    </message>
+    <message>
+        <source>%1 does not take 16 bit at 44.1 kHz</source>
+        <translation>%1 不支持 16 位 44.1 kHz</translation>
+    </message>
+    <message>
+        <source>the sound output cannot be opened</source>
+        <translation>无法打开声音输出</translation>
+    </message>
+    <message>
+        <source>the sound output does not take what is sent to it</source>
+        <translation>声音输出不接收所发送的数据</translation>
+    </message>
+    <message>
+        <source>the sound output has failed</source>
+        <translation>声音输出已失效</translation>
+    </message>
+</context>
+<context>
+    <name>console::CineReview</name>
+    <message>
+        <source>older than the %1 frames that are kept</source>
+        <translation>早于所保留的 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3 s before the newest</source>
+        <translation>第 %1 帧，共 %2 帧，比最新帧早 %3 s</translation>
+    </message>
+</context>
+<context>
+    <name>console::CockpitApplication</name>
+    <message>
+        <source>the recording that comes with LiENa is missing; name one with --recording</source>
+        <translation>缺少 LiENa 自带的录制文件；请用 --recording 指定一个</translation>
+    </message>
+    <message>
+        <source>log saved: %1</source>
+        <translation>日志已保存：%1</translation>
+    </message>
+    <message>
+        <source>the unattended run, no person</source>
+        <translation>无人值守运行，并非由人</translation>
+    </message>
+    <message>
+        <source>picture refused: %1</source>
+        <translation>图像被拒绝：%1</translation>
+    </message>
+    <message>
+        <source>picture %1: the line does not carry more</source>
+        <translation>图像：%1；线路无法承载更多</translation>
+    </message>
+    <message>
+        <source>picture as asked for again, in rate and encoding</source>
+        <translation>图像的帧率和编码已恢复到所要求的水平</translation>
+    </message>
+</context>
+<context>
+    <name>console::CockpitControl</name>
+    <message>
+        <source>the audit file is not written: %1</source>
+        <translation>审计文件未能写入：%1</translation>
+    </message>
+    <message>
+        <source>%1 -&gt; %2</source>
+        <translation>%1 -&gt; %2</translation>
+    </message>
+    <message>
+        <source>: %1</source>
+        <translation>：%1</translation>
+    </message>
+</context>
+<context>
+    <name>console::CockpitWindow</name>
+    <message>
+        <source>Live image</source>
+        <translation>实时图像</translation>
+    </message>
+    <message>
+        <source>No picture.</source>
+        <translation>无图像。</translation>
+    </message>
+    <message>
+        <source>Reference image</source>
+        <translation>参考图像</translation>
+    </message>
+    <message>
+        <source>3-D scene</source>
+        <translation>三维场景</translation>
+    </message>
+    <message>
+        <source>No scene.</source>
+        <translation>无场景。</translation>
+    </message>
+    <message>
+        <source>LiENa cockpit — research system, not a medical device</source>
+        <translation>LiENa 驾驶舱 — 研究用系统，非医疗器械</translation>
+    </message>
+    <message>
+        <source>Cockpit</source>
+        <translation>驾驶舱</translation>
+    </message>
+    <message>
+        <source>Esc emergency stop · F12 hold</source>
+        <translation>Esc 急停 · F12 保持</translation>
+    </message>
+    <message>
+        <source>F8 alarm test · F9 audio pause · F1 cockpit · F2 topology · F4 log</source>
+        <translation>F8 报警自检 · F9 暂停报警声 · F1 驾驶舱 · F2 拓扑 · F4 日志</translation>
+    </message>
+</context>
+<context>
+    <name>console::DiagnosisSheet</name>
+    <message>
+        <source>Diagnosis of a lost link</source>
+        <translation>丢失链路的诊断</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>收起</translation>
+    </message>
+    <message>
+        <source>Fold this sheet to a chip in the alarm band</source>
+        <translation>将此提示单收起为报警栏中的标签</translation>
+    </message>
+    <message>
+        <source>Particulars</source>
+        <translation>详情</translation>
+    </message>
+    <message>
+        <source>Is the patient safe?</source>
+        <translation>患者是否安全？</translation>
+    </message>
+    <message>
+        <source>What you see</source>
+        <translation>您所看到的</translation>
+    </message>
+    <message>
+        <source>Likely cause, and what to try</source>
+        <translation>可能原因及处置</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>依据</translation>
+    </message>
+    <message>
+        <source>Re-open channel</source>
+        <translation>重新打开通道</translation>
+    </message>
+    <message>
+        <source>Re-open all lost</source>
+        <translation>重新打开全部丢失的链路</translation>
+    </message>
+    <message>
+        <source>Run checks</source>
+        <translation>运行检查</translation>
+    </message>
+    <message>
+        <source>Give up link…</source>
+        <translation>放弃链路…</translation>
+    </message>
+    <message>
+        <source>Give up this link, because the device will not return</source>
+        <translation>放弃此链路，因为该设备不会恢复</translation>
+    </message>
+    <message>
+        <source>The incident ends and the link stays closed. Give it up?</source>
+        <translation>事件将结束，链路保持关闭。是否放弃？</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Give up link</source>
+        <translation>放弃链路</translation>
+    </message>
+    <message>
+        <source>Re-open all lost (%1)</source>
+        <translation>重新打开全部丢失的链路 (%1)</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>正在检查…</translation>
+    </message>
+</context>
+<context>
+    <name>console::DisplayChain</name>
+    <message>
+        <source>there is no memory for it</source>
+        <translation>内存不足</translation>
+    </message>
+</context>
+<context>
+    <name>console::DisplayMeasurement</name>
+    <message>
+        <source>two words are expected: a level and its light in cd/m², or ambient and its light</source>
+        <translation>应为两个词：灰阶及其亮度 (cd/m²)，或 ambient 及其亮度</translation>
+    </message>
+    <message>
+        <source>the light is not a number from 0 to 100000 cd/m²</source>
+        <translation>亮度不是 0 到 100000 cd/m² 的数</translation>
+    </message>
+    <message>
+        <source>the levels 0 and 255 must be among those measured</source>
+        <translation>所测灰阶中必须包含 0 和 255</translation>
+    </message>
+    <message>
+        <source>the level is not a whole number from 0 to 255</source>
+        <translation>灰阶不是 0 到 255 的整数</translation>
+    </message>
+    <message>
+        <source>level and light must both be greater than on the line before; measure again</source>
+        <translation>灰阶与亮度都必须大于前一行；请重新测量</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. Name a display&apos;s measurement.</source>
+        <translation>无法读取 %1：%2。请指定显示器的测量文件。</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 64 KiB and is no display&apos;s measurement.</source>
+        <translation>%1 大于 64 KiB，不是显示器的测量文件。</translation>
+    </message>
+    <message>
+        <source>%1:%2: %3.</source>
+        <translation>%1:%2：%3。</translation>
+    </message>
+</context>
+<context>
+    <name>console::DisplaySettings</name>
+    <message>
+        <source>as sent</source>
+        <translation>原始窗</translation>
+    </message>
+    <message>
+        <source>AUTO</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>full range</source>
+        <translation>全范围</translation>
+    </message>
+    <message>
+        <source>half width</source>
+        <translation>窗宽减半</translation>
+    </message>
+    <message>
+        <source>twice the width</source>
+        <translation>窗宽加倍</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>手动</translation>
+    </message>
+    <message>
+        <source>no shutter</source>
+        <translation>无遮光器</translation>
+    </message>
+    <message>
+        <source>round shutter</source>
+        <translation>圆形遮光器</translation>
+    </message>
+    <message>
+        <source>square shutter</source>
+        <translation>方形遮光器</translation>
+    </message>
+</context>
+<context>
+    <name>console::DisplayState</name>
+    <message>
+        <source>off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>角度</translation>
+    </message>
+</context>
+<context>
+    <name>console::DosePanel</name>
+    <message>
+        <source>Contrast and dose</source>
+        <translation>造影剂与剂量</translation>
+    </message>
+    <message>
+        <source>Contrast left</source>
+        <translation>剩余造影剂</translation>
+    </message>
+    <message>
+        <source>Last injection</source>
+        <translation>上次注射</translation>
+    </message>
+    <message>
+        <source>Fluoroscopy time</source>
+        <translation>透视时间</translation>
+    </message>
+    <message>
+        <source>Air kerma</source>
+        <translation>空气比释动能</translation>
+    </message>
+    <message>
+        <source>Kerma rate</source>
+        <translation>比释动能率</translation>
+    </message>
+    <message>
+        <source>Dose-area product</source>
+        <translation>剂量面积乘积</translation>
+    </message>
+    <message>
+        <source>Contrast from the robot, never received</source>
+        <translation>机器人的造影剂数据，从未收到</translation>
+    </message>
+    <message>
+        <source>mL</source>
+        <translation>mL</translation>
+    </message>
+    <message>
+        <source>Contrast from the robot, %1</source>
+        <translation>机器人的造影剂数据，%1</translation>
+    </message>
+    <message>
+        <source>mGy</source>
+        <translation>mGy</translation>
+    </message>
+    <message>
+        <source>mGy/min</source>
+        <translation>mGy/min</translation>
+    </message>
+    <message>
+        <source>Gy·cm²</source>
+        <translation>Gy·cm²</translation>
+    </message>
+    <message>
+        <source>Repeat of the X-ray system, %1</source>
+        <translation>X 射线系统数据转示，%1</translation>
+    </message>
+</context>
+<context>
+    <name>console::EglContext</name>
+    <message>
+        <source>EGL offers no OpenGL 3.2 here (EGL error 0x%1). Install a graphics driver; Mesa&apos;s software driver is enough.</source>
+        <translation>此处 EGL 不提供 OpenGL 3.2（EGL 错误 0x%1）。请安装显卡驱动；Mesa 的软件驱动即可。</translation>
+    </message>
+</context>
+<context>
+    <name>console::ForceGauge</name>
+    <message>
+        <source>Force on the guidewire</source>
+        <translation>导丝受力</translation>
+    </message>
+    <message>
+        <source>%1, peak %2, %3</source>
+        <translation>%1，峰值 %2，%3</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>受力</translation>
+    </message>
+    <message>
+        <source>stop 2 N</source>
+        <translation>停止 2 N</translation>
+    </message>
+    <message>
+        <source>warn %1</source>
+        <translation>警告 %1</translation>
+    </message>
+    <message>
+        <source>stop %1</source>
+        <translation>停止 %1</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>无受力</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>阻力</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>拉力</translation>
+    </message>
+    <message>
+        <source>peak %1</source>
+        <translation>峰值 %1</translation>
+    </message>
+</context>
+<context>
+    <name>console::FrameDecoder</name>
+    <message>
+        <source>its size %1 x %2 is not within 1 to 4096</source>
+        <translation>其尺寸 %1 x %2 不在 1 到 4096 之间</translation>
+    </message>
+    <message>
+        <source>%1 bits stored are not within 1 to 16</source>
+        <translation>存储位数 %1 不在 1 到 16 之间</translation>
+    </message>
+    <message>
+        <source>it holds no pixels</source>
+        <translation>其中没有像素</translation>
+    </message>
+    <message>
+        <source>its %1 encoded bytes are more than 16 MiB</source>
+        <translation>其编码后的 %1 字节超过 16 MiB</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels take %3 bytes, and it has %4</source>
+        <translation>%1 x %2 像素需要 %3 字节，而实际为 %4</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS picture is %1 x %2, the message says %3 x %4</source>
+        <translation>JPEG-LS 图像为 %1 x %2，而报文称 %3 x %4</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS picture has %1 bits, the message says %2</source>
+        <translation>JPEG-LS 图像为 %1 位，而报文称 %2 位</translation>
+    </message>
+    <message>
+        <source>its pixels may be off by %1, the message says by at most %2</source>
+        <translation>其像素误差可达 %1，而报文称至多 %2</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS data are damaged</source>
+        <translation>JPEG-LS 数据已损坏</translation>
+    </message>
+    <message>
+        <source>a JPEG picture has 8 bits, the message says %1</source>
+        <translation>JPEG 图像为 8 位，而报文称 %1 位</translation>
+    </message>
+    <message>
+        <source>the JPEG decoder could not start</source>
+        <translation>JPEG 解码器无法启动</translation>
+    </message>
+    <message>
+        <source>the JPEG header cannot be read: %1</source>
+        <translation>无法读取 JPEG 文件头：%1</translation>
+    </message>
+    <message>
+        <source>the JPEG picture is not grey</source>
+        <translation>JPEG 图像不是灰度图</translation>
+    </message>
+    <message>
+        <source>the JPEG picture is %1 x %2, the message says %3 x %4</source>
+        <translation>JPEG 图像为 %1 x %2，而报文称 %3 x %4</translation>
+    </message>
+    <message>
+        <source>the JPEG picture cannot be decoded: %1</source>
+        <translation>无法解码 JPEG 图像：%1</translation>
+    </message>
+    <message>
+        <source>its encoding %1 is unknown</source>
+        <translation>其编码 %1 未知</translation>
+    </message>
+    <message>
+        <source>it cannot be decoded: %1</source>
+        <translation>无法解码：%1</translation>
+    </message>
+</context>
+<context>
+    <name>console::FramePipeline</name>
+    <message>
+        <source>The picture is refused: %1.</source>
+        <translation>图像被拒绝：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>console::GamePadMaster</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 (+%2)</source>
+        <translation>%1 (+%2)</translation>
+    </message>
+    <message>
+        <source>left trigger dead-man · sticks guidewire, catheter · right shoulder clutch · Start arm · cross scale · B hold · F X-ray</source>
+        <translation>左扳机 握持开关 · 摇杆 导丝、导管 · 右肩键 离合 · Start 解锁 · 十字键 运动比例 · B 保持 · F X 射线</translation>
+    </message>
+    <message>
+        <source>there, and not used: %1</source>
+        <translation>已接入而未使用：%1</translation>
+    </message>
+</context>
+<context>
+    <name>console::GuardList</name>
+    <message>
+        <source>Conditions for motion</source>
+        <translation>运动条件</translation>
+    </message>
+    <message>
+        <source>All conditions are met</source>
+        <translation>条件全部满足</translation>
+    </message>
+    <message>
+        <source>Missing: %1</source>
+        <translation>未满足：%1</translation>
+    </message>
+    <message>
+        <source>and %1 more met</source>
+        <translation>另有 %1 项已满足</translation>
+    </message>
+    <message>
+        <source>and %1 more missing</source>
+        <translation>另有 %1 项未满足</translation>
+    </message>
+    <message>
+        <source>and %1 more missing, %2 met</source>
+        <translation>另有 %1 项未满足，%2 项已满足</translation>
+    </message>
+</context>
+<context>
+    <name>console::Guards</name>
+    <message>
+        <source>Robot link is open</source>
+        <translation>机器人链路已打开</translation>
+    </message>
+    <message>
+        <source>Robot link is %1</source>
+        <translation>机器人链路：%1</translation>
+    </message>
+    <message>
+        <source>Heartbeats on time</source>
+        <translation>心跳准时</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heartbeats on time</source>
+        <translation>准时心跳 %1/%2 次</translation>
+    </message>
+    <message>
+        <source>Clock uncertain by ±%1 ms</source>
+        <translation>时钟不确定度 ±%1 ms</translation>
+    </message>
+    <message>
+        <source>Clock not yet compared with the robot&apos;s</source>
+        <translation>时钟尚未与机器人比对</translation>
+    </message>
+    <message>
+        <source>Clocks compared</source>
+        <translation>时钟已比对</translation>
+    </message>
+    <message>
+        <source>Picture: %1</source>
+        <translation>图像：%1</translation>
+    </message>
+    <message>
+        <source>Picture is a recording</source>
+        <translation>图像是录制的</translation>
+    </message>
+    <message>
+        <source>Picture live for %1 s, %2 of %3 pictures a second</source>
+        <translation>图像实时已 %1 s，每秒 %2/%3 幅</translation>
+    </message>
+    <message>
+        <source>Picture is live</source>
+        <translation>图像是实时的</translation>
+    </message>
+    <message>
+        <source>Robot reports %1</source>
+        <translation>机器人报告：%1</translation>
+    </message>
+    <message>
+        <source>Robot&apos;s hold is not known</source>
+        <translation>机器人是否保持未知</translation>
+    </message>
+    <message>
+        <source>Robot has not confirmed its hold</source>
+        <translation>机器人尚未确认保持</translation>
+    </message>
+    <message>
+        <source>Robot has not issued a new permit</source>
+        <translation>机器人尚未签发新许可</translation>
+    </message>
+    <message>
+        <source>Robot holds and is ready</source>
+        <translation>机器人保持且就绪</translation>
+    </message>
+    <message>
+        <source>Force near zero</source>
+        <translation>受力接近零</translation>
+    </message>
+    <message>
+        <source>Force %1 N</source>
+        <translation>受力 %1 N</translation>
+    </message>
+    <message>
+        <source>Force is not known</source>
+        <translation>受力未知</translation>
+    </message>
+    <message>
+        <source>Same system on both sides</source>
+        <translation>两端系统一致</translation>
+    </message>
+    <message>
+        <source>Identity of the robot&apos;s system not confirmed</source>
+        <translation>机器人系统一致性未确认</translation>
+    </message>
+    <message>
+        <source>Robot reports</source>
+        <translation>机器人有报告</translation>
+    </message>
+    <message>
+        <source>No recent report from the robot</source>
+        <translation>近期没有机器人报告</translation>
+    </message>
+    <message>
+        <source>Drives are healthy</source>
+        <translation>驱动器正常</translation>
+    </message>
+    <message>
+        <source>Drives are not healthy, or not known</source>
+        <translation>驱动器不正常或未知</translation>
+    </message>
+    <message>
+        <source>Nothing waits to be sent</source>
+        <translation>无报文待发送</translation>
+    </message>
+    <message>
+        <source>%1 messages wait to be sent</source>
+        <translation>%1 条报文待发送</translation>
+    </message>
+    <message>
+        <source>No incident</source>
+        <translation>无事件</translation>
+    </message>
+    <message>
+        <source>An incident is not resolved</source>
+        <translation>有事件未解决</translation>
+    </message>
+    <message>
+        <source>No high alarm</source>
+        <translation>无高优先级报警</translation>
+    </message>
+    <message>
+        <source>A high alarm is not acknowledged</source>
+        <translation>有高优先级报警未确认</translation>
+    </message>
+    <message>
+        <source>Hand control is there</source>
+        <translation>主手可用</translation>
+    </message>
+    <message>
+        <source>Hand control does not answer</source>
+        <translation>主手无响应</translation>
+    </message>
+    <message>
+        <source>Window has the keyboard</source>
+        <translation>窗口有键盘焦点</translation>
+    </message>
+    <message>
+        <source>Window does not have the keyboard</source>
+        <translation>窗口没有键盘焦点</translation>
+    </message>
+    <message>
+        <source>Dead-man released</source>
+        <translation>握持开关已松开</translation>
+    </message>
+    <message>
+        <source>Let go of the dead-man</source>
+        <translation>请松开握持开关</translation>
+    </message>
+    <message>
+        <source>Alarms were tested</source>
+        <translation>报警自检已完成</translation>
+    </message>
+    <message>
+        <source>Alarm self-test is due (F8)</source>
+        <translation>须做报警自检 (F8)</translation>
+    </message>
+    <message>
+        <source>No interruption is unread</source>
+        <translation>没有未读的中断说明</translation>
+    </message>
+    <message>
+        <source>The interruption is not over</source>
+        <translation>中断尚未结束</translation>
+    </message>
+    <message>
+        <source>Read &quot;While you were away&quot;</source>
+        <translation>请阅读“中断期间”</translation>
+    </message>
+</context>
+<context>
+    <name>console::HandBlock</name>
+    <message>
+        <source>Hand</source>
+        <translation>主手</translation>
+    </message>
+    <message>
+        <source>Dead-man</source>
+        <translation>握持开关</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>已松开</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Guidewire</source>
+        <translation>导丝</translation>
+    </message>
+    <message>
+        <source>advance 00.0 mm/s</source>
+        <translation>推进 00.0 mm/s</translation>
+    </message>
+    <message>
+        <source>FORCE TO HAND</source>
+        <translation>主手力反馈</translation>
+    </message>
+    <message>
+        <source>resistance 0.00 N</source>
+        <translation>阻力 0.00 N</translation>
+    </message>
+    <message>
+        <source>Dead-man sent %1, at the robot %2, clutch %3</source>
+        <translation>握持开关：已发送 %1，机器人端 %2，离合 %3</translation>
+    </message>
+    <message>
+        <source>pressed</source>
+        <translation>已按下</translation>
+    </message>
+    <message>
+        <source>, force to hand %1</source>
+        <translation>，主手力反馈 %1</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>已发送</translation>
+    </message>
+    <message>
+        <source>At the robot</source>
+        <translation>机器人端</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>离合</translation>
+    </message>
+    <message>
+        <source>acts here</source>
+        <translation>本端起作用</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>resistance</source>
+        <translation>阻力</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>拉力</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>运动比例</translation>
+    </message>
+    <message>
+        <source>%1 : 1</source>
+        <translation>%1 : 1</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+    <message>
+        <source>Catheter</source>
+        <translation>导管</translation>
+    </message>
+    <message>
+        <source>Asked by the hand</source>
+        <translation>主手要求</translation>
+    </message>
+</context>
+<context>
+    <name>console::HandDesk</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>hand: %1, %2</source>
+        <translation>主手：%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>console::Interruption</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 min %2 s</translation>
+    </message>
+    <message>
+        <source>unknown: %1 neither before the loss nor now</source>
+        <translation>未知：丢失前与现在均%1</translation>
+    </message>
+    <message>
+        <source>unknown: %1 now</source>
+        <translation>未知：现在%1</translation>
+    </message>
+    <message>
+        <source>unknown: %1 before the loss</source>
+        <translation>未知：丢失前%1</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>丢失</translation>
+    </message>
+    <message>
+        <source>unknown which link</source>
+        <translation>不知是哪条链路</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>头端</translation>
+    </message>
+    <message>
+        <source>no valid tracker position</source>
+        <translation>无有效的跟踪器位置</translation>
+    </message>
+    <message>
+        <source>moved %1 mm (tracker ±%2 mm)</source>
+        <translation>移动 %1 mm（跟踪器 ±%2 mm）</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>受力</translation>
+    </message>
+    <message>
+        <source>%1 N, as before</source>
+        <translation>%1 N，与之前相同</translation>
+    </message>
+    <message>
+        <source>%1 N before, %2 N now (%3%4 N)</source>
+        <translation>之前 %1 N，现在 %2 N（%3%4 N）</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>造影剂</translation>
+    </message>
+    <message>
+        <source>unknown: %1 mL before, %2 mL now; filled up or started anew</source>
+        <translation>未知：之前 %1 mL，现在 %2 mL；已重新装填或重新启动</translation>
+    </message>
+    <message>
+        <source>%1 mL used, %2 mL left</source>
+        <translation>已用 %1 mL，剩余 %2 mL</translation>
+    </message>
+    <message>
+        <source>X-ray time</source>
+        <translation>X 射线时间</translation>
+    </message>
+    <message>
+        <source>%1 s of beam</source>
+        <translation>出束 %1 s</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>none was taken meanwhile</source>
+        <translation>期间未拍摄</translation>
+    </message>
+    <message>
+        <source>%1 of %2 that were taken did not come here</source>
+        <translation>期间拍摄 %2 幅，其中 %1 幅未到达本端</translation>
+    </message>
+    <message>
+        <source>Patient side</source>
+        <translation>患者端</translation>
+    </message>
+    <message>
+        <source>nothing that the robot&apos;s reports tell of</source>
+        <translation>机器人的报告中没有任何变化</translation>
+    </message>
+    <message>
+        <source>no report of the robot</source>
+        <translation>没有机器人的报告</translation>
+    </message>
+    <message>
+        <source>no report of the X-ray system</source>
+        <translation>没有 X 射线系统的报告</translation>
+    </message>
+    <message>
+        <source>unknown: the X-ray system counts anew</source>
+        <translation>未知：X 射线系统已重新计数</translation>
+    </message>
+    <message>
+        <source>robot: %1 before, %2 now</source>
+        <translation>机器人：之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>emergency stop pressed, in force</source>
+        <translation>急停已按下，生效中</translation>
+    </message>
+    <message>
+        <source>emergency stop ended</source>
+        <translation>急停已解除</translation>
+    </message>
+    <message>
+        <source>fault: %1</source>
+        <translation>故障：%1</translation>
+    </message>
+    <message>
+        <source>guidewire</source>
+        <translation>导丝</translation>
+    </message>
+    <message>
+        <source>catheter</source>
+        <translation>导管</translation>
+    </message>
+    <message>
+        <source>guidewire gripper</source>
+        <translation>导丝夹持器</translation>
+    </message>
+    <message>
+        <source>catheter gripper</source>
+        <translation>导管夹持器</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm before, %3 mm now</source>
+        <translation>%1：之前 %2 mm，现在 %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 closed</source>
+        <translation>%1已夹紧</translation>
+    </message>
+    <message>
+        <source>%1 opened</source>
+        <translation>%1已松开</translation>
+    </message>
+    <message>
+        <source>drives: unknown</source>
+        <translation>驱动器：未知</translation>
+    </message>
+    <message>
+        <source>drives enabled: %1 of %3 before, %2 now</source>
+        <translation>已启用的驱动器（共 %3）：之前 %1，现在 %2</translation>
+    </message>
+    <message>
+        <source>Interrupted for %1, since %2</source>
+        <translation>中断 %1，自 %2 起</translation>
+    </message>
+    <message>
+        <source>%1 losses, interrupted for %2 in all, first at %3</source>
+        <translation>丢失 %1 次，共中断 %2，首次于 %3</translation>
+    </message>
+</context>
+<context>
+    <name>console::InterruptionCard</name>
+    <message>
+        <source>Two reports are compared: the last before the loss, and the newest now. What was done and undone between them is not known here: ask the patient side.</source>
+        <translation>此处比较两份报告：丢失前最后一份与现在最新一份。其间做过又撤销的操作在此无从得知：请询问患者端。</translation>
+    </message>
+    <message>
+        <source>I have read this</source>
+        <translation>我已阅读</translation>
+    </message>
+    <message>
+        <source>While you were away</source>
+        <translation>中断期间</translation>
+    </message>
+    <message>
+        <source>I have read what happened while I was away</source>
+        <translation>我已阅读中断期间发生的情况</translation>
+    </message>
+    <message>
+        <source>What changed</source>
+        <translation>有何变化</translation>
+    </message>
+</context>
+<context>
+    <name>console::InterruptionWatch</name>
+    <message>
+        <source>%1 link</source>
+        <translation>%1 链路</translation>
+    </message>
+    <message>
+        <source>link %1 – %2</source>
+        <translation>链路 %1 – %2</translation>
+    </message>
+    <message>
+        <source>account of the interruption read by %1: %2</source>
+        <translation>中断说明已由 %1 阅读：%2</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>操作者</translation>
+    </message>
+</context>
+<context>
+    <name>console::JpegLsHeader</name>
+    <message>
+        <source>the bytes are no JPEG-LS picture</source>
+        <translation>这些字节不是 JPEG-LS 图像</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS header is cut off</source>
+        <translation>JPEG-LS 文件头不完整</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS picture has restart intervals, which are not supported</source>
+        <translation>JPEG-LS 图像含重启间隔，不受支持</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS header has an unknown marker 0x%1</source>
+        <translation>JPEG-LS 文件头含未知标记 0x%1</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS frame header is damaged</source>
+        <translation>JPEG-LS 帧头已损坏</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS picture has %1 components instead of one</source>
+        <translation>JPEG-LS 图像有 %1 个分量，应为一个</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS picture uses an extension that is not supported</source>
+        <translation>JPEG-LS 图像使用了不受支持的扩展</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS scan header is damaged</source>
+        <translation>JPEG-LS 扫描头已损坏</translation>
+    </message>
+    <message>
+        <source>the JPEG-LS coding parameters are out of range</source>
+        <translation>JPEG-LS 编码参数超出范围</translation>
+    </message>
+</context>
+<context>
+    <name>console::KeyboardMaster</name>
+    <message>
+        <source>D, held</source>
+        <translation>D，按住</translation>
+    </message>
+    <message>
+        <source>dead-man: motion only while it is down</source>
+        <translation>握持开关：仅在按住时运动</translation>
+    </message>
+    <message>
+        <source>F, held</source>
+        <translation>F，按住</translation>
+    </message>
+    <message>
+        <source>X-ray pedal</source>
+        <translation>X 射线踏板</translation>
+    </message>
+    <message>
+        <source>R, held 1.5 s</source>
+        <translation>R，按住 1.5 s</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>Up / Down</source>
+        <translation>上 / 下</translation>
+    </message>
+    <message>
+        <source>advance / retract the guidewire</source>
+        <translation>推进 / 后撤导丝</translation>
+    </message>
+    <message>
+        <source>Right / Left</source>
+        <translation>右 / 左</translation>
+    </message>
+    <message>
+        <source>turn the guidewire clockwise / counter-clockwise</source>
+        <translation>顺时针 / 逆时针旋转导丝</translation>
+    </message>
+    <message>
+        <source>I / K</source>
+        <translation>I / K</translation>
+    </message>
+    <message>
+        <source>advance / retract the catheter</source>
+        <translation>推进 / 后撤导管</translation>
+    </message>
+    <message>
+        <source>L / J</source>
+        <translation>L / J</translation>
+    </message>
+    <message>
+        <source>turn the catheter clockwise / counter-clockwise</source>
+        <translation>顺时针 / 逆时针旋转导管</translation>
+    </message>
+    <message>
+        <source>C, held</source>
+        <translation>C，按住</translation>
+    </message>
+    <message>
+        <source>clutch: the hand moves, the robot does not</source>
+        <translation>离合：主手动，机器人不动</translation>
+    </message>
+    <message>
+        <source>Page Up / Page Down</source>
+        <translation>Page Up / Page Down</translation>
+    </message>
+    <message>
+        <source>larger / smaller scale; never larger while engaged</source>
+        <translation>增大 / 减小运动比例；随动时绝不增大</translation>
+    </message>
+    <message>
+        <source>D dead-man · F X-ray · R arm · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale</source>
+        <translation>D 握持开关 · F X 射线 · R 解锁 · 方向键 导丝 · I K J L 导管 · C 离合 · Page Up/Down 运动比例</translation>
+    </message>
+</context>
+<context>
+    <name>console::LinkCard</name>
+    <message>
+        <source>Link to %1</source>
+        <translation>到 %1 的链路</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Re-open</source>
+        <translation>重新打开</translation>
+    </message>
+    <message>
+        <source>%1 the link to %2</source>
+        <translation>%1到 %2 的链路</translation>
+    </message>
+    <message>
+        <source>out</source>
+        <translation>发</translation>
+    </message>
+    <message>
+        <source>in</source>
+        <translation>收</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Heard ago</source>
+        <translation>上次收到</translation>
+    </message>
+    <message>
+        <source>—</source>
+        <translation>—</translation>
+    </message>
+    <message>
+        <source>Round trip</source>
+        <translation>往返</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>抖动</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>丢失率</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+</context>
+<context>
+    <name>console::LinkRow</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>%1, for %2</source>
+        <translation>%1，已 %2</translation>
+    </message>
+    <message>
+        <source>not opened: %1</source>
+        <translation>未打开：%1</translation>
+    </message>
+    <message>
+        <source>%1; not re-opened: %2</source>
+        <translation>%1；未重新打开：%2</translation>
+    </message>
+    <message>
+        <source>%1, took %2</source>
+        <translation>%1，用时 %2</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Re-open</source>
+        <translation>重新打开</translation>
+    </message>
+    <message>
+        <source>%1 the link to %2</source>
+        <translation>%1到 %2 的链路</translation>
+    </message>
+</context>
+<context>
+    <name>console::LinksRail</name>
+    <message>
+        <source>Links</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>Open all</source>
+        <translation>全部打开</translation>
+    </message>
+    <message>
+        <source>Topology  F2</source>
+        <translation>拓扑  F2</translation>
+    </message>
+    <message>
+        <source>Links of this console</source>
+        <translation>本控制台的链路</translation>
+    </message>
+    <message>
+        <source>Open all closed links, one after the other</source>
+        <translation>依次打开所有已关闭的链路</translation>
+    </message>
+    <message>
+        <source>Show the topology</source>
+        <translation>显示拓扑</translation>
+    </message>
+    <message>
+        <source>Link cards</source>
+        <translation>链路卡片</translation>
+    </message>
+    <message>
+        <source>No links</source>
+        <translation>无链路</translation>
+    </message>
+    <message>
+        <source>%1 of %2 open</source>
+        <translation>已打开 %1/%2</translation>
+    </message>
+</context>
+<context>
+    <name>console::LiveImageView</name>
+    <message>
+        <source>Live X-ray image</source>
+        <translation>实时 X 射线图像</translation>
+    </message>
+    <message>
+        <source>Frame %1. %2</source>
+        <translation>第 %1 帧。%2</translation>
+    </message>
+    <message>
+        <source>No picture yet</source>
+        <translation>尚无图像</translation>
+    </message>
+    <message>
+        <source>Open the link to the X-ray system and press its pedal.</source>
+        <translation>请打开到 X 射线系统的链路，并踩下其踏板。</translation>
+    </message>
+    <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2。</translation>
+    </message>
+    <message>
+        <source>The picture is live.</source>
+        <translation>图像是实时的。</translation>
+    </message>
+    <message>
+        <source>Pictures come, but their age is unknown.</source>
+        <translation>有图像到达，但时龄未知。</translation>
+    </message>
+    <message>
+        <source>The picture is frozen; it was taken at %1.</source>
+        <translation>图像已冻结；拍摄于 %1。</translation>
+    </message>
+    <message>
+        <source>Last image hold; the picture was taken at %1.</source>
+        <translation>末帧保持；图像拍摄于 %1。</translation>
+    </message>
+    <message>
+        <source>No picture yet.</source>
+        <translation>尚无图像。</translation>
+    </message>
+</context>
+<context>
+    <name>console::LogFilter</name>
+    <message>
+        <source>of the chosen kinds there is none</source>
+        <translation>所选类别均无</translation>
+    </message>
+    <message>
+        <source># LiENa console, %1, written %2
+</source>
+        <translation># LiENa 控制台，%1，写于 %2
+</translation>
+    </message>
+    <message>
+        <source># %1 of %2 lines
+</source>
+        <translation># %2 行中的 %1 行
+</translation>
+    </message>
+    <message>
+        <source># kinds: %1
+</source>
+        <translation># 类别：%1
+</translation>
+    </message>
+    <message>
+        <source># with the words: %1
+</source>
+        <translation># 含有文字：%1
+</translation>
+    </message>
+</context>
+<context>
+    <name>console::LogSaver</name>
+    <message>
+        <source>No file is named. Write the name of one, for example %1.</source>
+        <translation>未指定文件。请写出文件名，例如 %1。</translation>
+    </message>
+    <message>
+        <source>%1 is there already and stays as it is. Name another file.</source>
+        <translation>%1 已存在，保持不变。请指定另一个文件。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made. Name a file in another one.</source>
+        <translation>无法创建文件夹 %1。请指定其他文件夹中的文件。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Nothing was saved; make room on the disk or name a file in another folder.</source>
+        <translation>无法写入 %1：%2。未保存任何内容；请腾出磁盘空间，或指定其他文件夹中的文件。</translation>
+    </message>
+    <message>
+        <source>A log is still being written. Save again when it is done.</source>
+        <translation>日志仍在写入。完成后请再次保存。</translation>
+    </message>
+</context>
+<context>
+    <name>console::LogView</name>
+    <message>
+        <source>Log view</source>
+        <translation>日志视图</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>事件记录</translation>
+    </message>
+    <message>
+        <source>Show the event log of this run</source>
+        <translation>显示本次运行的事件日志</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Show the alarm log, with what was kept of earlier runs</source>
+        <translation>显示报警日志，含以前运行所保留的部分</translation>
+    </message>
+    <message>
+        <source>F1 closes</source>
+        <translation>F1 关闭</translation>
+    </message>
+    <message>
+        <source>Only</source>
+        <translation>只显示</translation>
+    </message>
+    <message>
+        <source>Only lines with these words</source>
+        <translation>只显示含这些文字的行</translation>
+    </message>
+    <message>
+        <source>with these words</source>
+        <translation>含这些文字</translation>
+    </message>
+    <message>
+        <source>Into the file</source>
+        <translation>写入文件</translation>
+    </message>
+    <message>
+        <source>File that the lines shown are written into</source>
+        <translation>所显示的行要写入的文件</translation>
+    </message>
+    <message>
+        <source>Save lines shown</source>
+        <translation>保存所显示的行</translation>
+    </message>
+    <message>
+        <source>Write the lines shown into the file</source>
+        <translation>将所显示的行写入文件</translation>
+    </message>
+    <message>
+        <source>Event log, oldest first</source>
+        <translation>事件日志，最早的在前</translation>
+    </message>
+    <message>
+        <source>Alarm log, oldest first</source>
+        <translation>报警日志，最早的在前</translation>
+    </message>
+    <message>
+        <source>Only lines of the kind: %1</source>
+        <translation>只显示此类别的行：%1</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 行</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lines</source>
+        <translation>%2 行中的 %1 行</translation>
+    </message>
+    <message>
+        <source>; %1 older ones are gone</source>
+        <translation>；更早的 %1 行已不在</translation>
+    </message>
+    <message>
+        <source>Choose a line to read it whole.</source>
+        <translation>选择一行以阅读全文。</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>正在写入…</translation>
+    </message>
+    <message>
+        <source>event log of this run</source>
+        <translation>本次运行的事件日志</translation>
+    </message>
+    <message>
+        <source>alarm log</source>
+        <translation>报警日志</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+</context>
+<context>
+    <name>console::Loudspeaker</name>
+    <message>
+        <source>the sound output does not answer</source>
+        <translation>声音输出无响应</translation>
+    </message>
+</context>
+<context>
+    <name>console::MasterChip</name>
+    <message>
+        <source>Master in use: %1, %2</source>
+        <translation>正在使用的主手设备：%1，%2</translation>
+    </message>
+    <message>
+        <source>Use %1, %2</source>
+        <translation>使用 %1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>console::MasterRow</name>
+    <message>
+        <source>%1 for %2</source>
+        <translation>%1，已 %2</translation>
+    </message>
+    <message>
+        <source>Masters</source>
+        <translation>主手设备</translation>
+    </message>
+</context>
+<context>
+    <name>console::MasterStatus</name>
+    <message>
+        <source>Keyboard</source>
+        <translation>键盘</translation>
+    </message>
+    <message>
+        <source>3-D mouse</source>
+        <translation>三维鼠标</translation>
+    </message>
+    <message>
+        <source>Game pad</source>
+        <translation>游戏手柄</translation>
+    </message>
+    <message>
+        <source>Haptic, SIMULATED</source>
+        <translation>力反馈主手，模拟</translation>
+    </message>
+    <message>
+        <source>RECORDED hand</source>
+        <translation>录制的主手动作</translation>
+    </message>
+    <message>
+        <source>gone</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>无响应</translation>
+    </message>
+    <message>
+        <source>not heard</source>
+        <translation>未收到数据</translation>
+    </message>
+    <message>
+        <source>let go first</source>
+        <translation>请先松开</translation>
+    </message>
+    <message>
+        <source>alive</source>
+        <translation>正常</translation>
+    </message>
+</context>
+<context>
+    <name>console::Measurement</name>
+    <message>
+        <source>%1 mm @ isocentre plane (geometry)</source>
+        <translation>%1 mm @ 等中心平面（几何）</translation>
+    </message>
+    <message>
+        <source>%1 mm (%2 F catheter)</source>
+        <translation>%1 mm（%2 F 导管）</translation>
+    </message>
+    <message>
+        <source>%1 px (uncalibrated)</source>
+        <translation>%1 px（未校准）</translation>
+    </message>
+    <message>
+        <source>%1° in the picture&apos;s plane</source>
+        <translation>%1°（图像平面内）</translation>
+    </message>
+    <message>
+        <source>no angle: two points are one</source>
+        <translation>无角度：两点重合</translation>
+    </message>
+</context>
+<context>
+    <name>console::ModeMark</name>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+</context>
+<context>
+    <name>console::MotionBar</name>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Arm: hold for one and a half seconds</source>
+        <translation>解锁：按住一秒半</translation>
+    </message>
+    <message>
+        <source>Reset the emergency stop: hold for one and a half seconds</source>
+        <translation>复位急停：按住一秒半</translation>
+    </message>
+    <message>
+        <source>RESET STOP</source>
+        <translation>复位急停</translation>
+    </message>
+    <message>
+        <source>hold 1.5 s</source>
+        <translation>按住 1.5 s</translation>
+    </message>
+    <message>
+        <source>X-ray pedal: fluoroscopy while held</source>
+        <translation>X 射线踏板：按住时透视</translation>
+    </message>
+    <message>
+        <source>ARM</source>
+        <translation>解锁</translation>
+    </message>
+    <message>
+        <source>asking the robot</source>
+        <translation>正在请求机器人</translation>
+    </message>
+    <message>
+        <source>ARMED</source>
+        <translation>已解锁</translation>
+    </message>
+    <message>
+        <source>F12 holds</source>
+        <translation>F12 保持</translation>
+    </message>
+    <message>
+        <source>not ready</source>
+        <translation>未就绪</translation>
+    </message>
+    <message>
+        <source>X-RAY</source>
+        <translation>X 射线</translation>
+    </message>
+    <message>
+        <source>beam is on</source>
+        <translation>正在出束</translation>
+    </message>
+    <message>
+        <source>beam not seen</source>
+        <translation>未见出束</translation>
+    </message>
+    <message>
+        <source>hold to image</source>
+        <translation>按住以成像</translation>
+    </message>
+</context>
+<context>
+    <name>console::MotionPermit</name>
+    <message>
+        <source>OFF</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>STANDBY</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>READY</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>ARMING</source>
+        <translation>正在解锁</translation>
+    </message>
+    <message>
+        <source>ARMED</source>
+        <translation>已解锁</translation>
+    </message>
+    <message>
+        <source>ENGAGED</source>
+        <translation>随动</translation>
+    </message>
+    <message>
+        <source>HOLD</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>INCIDENT</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>VERIFYING</source>
+        <translation>正在核查</translation>
+    </message>
+    <message>
+        <source>a condition for motion was no longer met</source>
+        <translation>某项运动条件不再满足</translation>
+    </message>
+    <message>
+        <source>the robot link was interrupted</source>
+        <translation>机器人链路曾中断</translation>
+    </message>
+    <message>
+        <source>Hold was asked for, or the window lost the hand</source>
+        <translation>有人要求保持，或窗口失去了主手</translation>
+    </message>
+    <message>
+        <source>this console stood still for longer than 100 ms</source>
+        <translation>本控制台停顿超过 100 ms</translation>
+    </message>
+    <message>
+        <source>the robot withdrew its permit</source>
+        <translation>机器人撤回了许可</translation>
+    </message>
+    <message>
+        <source>the robot did not answer the request to arm</source>
+        <translation>机器人未答复解锁请求</translation>
+    </message>
+</context>
+<context>
+    <name>console::PermitBlock</name>
+    <message>
+        <source>Motion permit</source>
+        <translation>运动许可</translation>
+    </message>
+    <message>
+        <source>No session with the robot. Open the links.</source>
+        <translation>与机器人没有会话。请打开链路。</translation>
+    </message>
+    <message>
+        <source>1 condition is missing</source>
+        <translation>1 项条件未满足</translation>
+    </message>
+    <message>
+        <source>%1 conditions are missing</source>
+        <translation>%1 项条件未满足</translation>
+    </message>
+    <message>
+        <source>Hold ARM for 1.5 s to arm</source>
+        <translation>按住“解锁”1.5 s 以解锁</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot&apos;s answer</source>
+        <translation>正在等待机器人答复</translation>
+    </message>
+    <message>
+        <source>Keep holding</source>
+        <translation>请继续按住</translation>
+    </message>
+    <message>
+        <source>Release the dead-man, then press it to move</source>
+        <translation>请先松开握持开关，再按下以运动</translation>
+    </message>
+    <message>
+        <source>Press the dead-man to move. Ends in %1</source>
+        <translation>按下握持开关即可运动。%1 后失效</translation>
+    </message>
+    <message>
+        <source>Instruments follow your hand</source>
+        <translation>器械正跟随您的主手</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot to hold</source>
+        <translation>正在等待机器人保持</translation>
+    </message>
+    <message>
+        <source>Release the dead-man</source>
+        <translation>请松开握持开关</translation>
+    </message>
+    <message>
+        <source>The robot holds</source>
+        <translation>机器人保持中</translation>
+    </message>
+    <message>
+        <source>Stand-by: a link is lost</source>
+        <translation>待机：有链路丢失</translation>
+    </message>
+    <message>
+        <source>Re-opened. Checking for 1 s</source>
+        <translation>已重新打开。核查 1 s</translation>
+    </message>
+    <message>
+        <source>Re-opened. 1 condition is missing</source>
+        <translation>已重新打开。1 项条件未满足</translation>
+    </message>
+    <message>
+        <source>Re-opened. %1 conditions are missing</source>
+        <translation>已重新打开。%1 项条件未满足</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureCanvas</name>
+    <message>
+        <source>Measuring %1: set %2 points</source>
+        <translation>测量%1：请设 %2 个点</translation>
+    </message>
+    <message>
+        <source>Right button or B: it is the width of a catheter of 4 F, 5 F, …</source>
+        <translation>右键或 B：此为 4 F、5 F、… 导管的宽度</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureControls</name>
+    <message>
+        <source>Picture controls</source>
+        <translation>图像控制</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Less %1</source>
+        <translation>减小%1</translation>
+    </message>
+    <message>
+        <source>More %1</source>
+        <translation>增大%1</translation>
+    </message>
+    <message>
+        <source>AUTO</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Automatic window</source>
+        <translation>自动窗</translation>
+    </message>
+    <message>
+        <source>Window from the 1st to the 99th percentile (A)</source>
+        <translation>窗从第 1 到第 99 百分位 (A)</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>窗</translation>
+    </message>
+    <message>
+        <source>Next window</source>
+        <translation>下一个窗</translation>
+    </message>
+    <message>
+        <source>As sent, full range, half width, twice the width (P)</source>
+        <translation>原始窗、全范围、窗宽减半、窗宽加倍 (P)</translation>
+    </message>
+    <message>
+        <source>Invert</source>
+        <translation>反相</translation>
+    </message>
+    <message>
+        <source>Black and white changed over (N)</source>
+        <translation>黑白互换 (N)</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>noise reduction</source>
+        <translation>降噪</translation>
+    </message>
+    <message>
+        <source>edge enhancement</source>
+        <translation>边缘增强</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Reset picture</source>
+        <translation>复位图像</translation>
+    </message>
+    <message>
+        <source>Whole picture, window as sent, no filters</source>
+        <translation>整幅图像，原始窗，无滤波</translation>
+    </message>
+    <message>
+        <source>Shutter</source>
+        <translation>遮光器</translation>
+    </message>
+    <message>
+        <source>None, round, square (H)</source>
+        <translation>无、圆形、方形 (H)</translation>
+    </message>
+    <message>
+        <source>Distance, angle, off (M)</source>
+        <translation>距离、角度、关闭 (M)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图像</translation>
+    </message>
+    <message>
+        <source>As PNG and as DICOM Secondary Capture</source>
+        <translation>存为 PNG 和 DICOM Secondary Capture</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>noise %1</source>
+        <translation>降噪 %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>边缘 %1</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureDesk</name>
+    <message>
+        <source>there is nothing to review yet</source>
+        <translation>尚无可回放的内容</translation>
+    </message>
+    <message>
+        <source>picture saved: %1</source>
+        <translation>图像已保存：%1</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureExport</name>
+    <message>
+        <source>SNAPSHOT</source>
+        <translation>快照</translation>
+    </message>
+    <message>
+        <source>%1%2  picture of %3</source>
+        <translation>%1%2  图像时刻 %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Nothing was saved; make room on the disk or name another folder.</source>
+        <translation>无法写入 %1：%2。未保存任何内容；请腾出磁盘空间或指定其他文件夹。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: there is no picture, or no memory for it. Save again.</source>
+        <translation>无法写入 %1：没有图像或内存不足。请再次保存。</translation>
+    </message>
+    <message>
+        <source>  values are driving levels of a calibrated display, not P-values</source>
+        <translation>  数值为已校准显示器的驱动电平，并非 P 值</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: there is no picture. Save again when one is shown.</source>
+        <translation>无法写入 %1：没有图像。请在显示图像后再次保存。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: the picture could not be encoded as DICOM. Save it as PNG.</source>
+        <translation>无法写入 %1：图像无法编码为 DICOM。请存为 PNG。</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureMarks</name>
+    <message>
+        <source>noise %1 %</source>
+        <translation>降噪 %1 %</translation>
+    </message>
+    <message>
+        <source>noise %1 of %2 %, for latency</source>
+        <translation>降噪 %1/%2 %，因时延受限</translation>
+    </message>
+    <message>
+        <source>noise %1 of %2 %</source>
+        <translation>降噪 %1/%2 %</translation>
+    </message>
+    <message>
+        <source>C %1  W %2</source>
+        <translation>C %1  W %2</translation>
+    </message>
+    <message>
+        <source>  AUTO</source>
+        <translation>  自动</translation>
+    </message>
+    <message>
+        <source>INVERTED</source>
+        <translation>反相</translation>
+    </message>
+    <message>
+        <source>edge %1 %</source>
+        <translation>边缘 %1 %</translation>
+    </message>
+    <message>
+        <source>SHUTTER</source>
+        <translation>遮光器</translation>
+    </message>
+    <message>
+        <source>display calibrated</source>
+        <translation>显示器已校准</translation>
+    </message>
+    <message>
+        <source>display not calibrated</source>
+        <translation>显示器未校准</translation>
+    </message>
+    <message>
+        <source>sides unknown</source>
+        <translation>左右未知</translation>
+    </message>
+    <message>
+        <source>no scale: geometry unknown</source>
+        <translation>无标尺：几何未知</translation>
+    </message>
+    <message>
+        <source>%1 mm @ isocentre plane (geometry)</source>
+        <translation>%1 mm @ 等中心平面（几何）</translation>
+    </message>
+    <message>
+        <source>frame %1  run %2</source>
+        <translation>帧 %1  曝光 %2</translation>
+    </message>
+    <message>
+        <source>ZOOM %1×  </source>
+        <translation>缩放 %1×  </translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureOverlay</name>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 ±%2 ms</source>
+        <translation>%1 ±%2 ms</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>AGE %1  NET %2  PROC %3  %4 fps</source>
+        <translation>时龄 %1  网络 %2  处理 %3  %4 fps</translation>
+    </message>
+    <message>
+        <source>AGE 8888 ±88 ms  NET 888  PROC 888  88 fps</source>
+        <translation>时龄 8888 ±88 ms  网络 888  处理 888  88 fps</translation>
+    </message>
+    <message>
+        <source> %1 s</source>
+        <translation> %1 s</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>图像时刻 %1</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureReduction</name>
+    <message>
+        <source>REDUCED</source>
+        <translation>已降帧</translation>
+    </message>
+    <message>
+        <source>RE-ENCODED</source>
+        <translation>已改编码</translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3 /s</source>
+        <translation>%1 %2，原为 %3 /s</translation>
+    </message>
+    <message>
+        <source>raw</source>
+        <translation>未压缩</translation>
+    </message>
+    <message>
+        <source>lossless</source>
+        <translation>无损</translation>
+    </message>
+    <message>
+        <source>lossy by at most %1</source>
+        <translation>有损，误差至多 %1</translation>
+    </message>
+    <message>
+        <source>lossy %1</source>
+        <translation>有损 %1</translation>
+    </message>
+    <message>
+        <source>encoding %1</source>
+        <translation>编码 %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureSaver</name>
+    <message>
+        <source>A picture is still being saved. Save again when it is done.</source>
+        <translation>图像仍在保存。完成后请再次保存。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made. Name another one with --pictures.</source>
+        <translation>无法创建文件夹 %1。请用 --pictures 指定另一个。</translation>
+    </message>
+</context>
+<context>
+    <name>console::Prompt</name>
+    <message>
+        <source>%1st</source>
+        <translation>第 %1</translation>
+    </message>
+    <message>
+        <source>%1nd</source>
+        <translation>第 %1</translation>
+    </message>
+    <message>
+        <source>%1rd</source>
+        <translation>第 %1</translation>
+    </message>
+    <message>
+        <source>%1th</source>
+        <translation>第 %1</translation>
+    </message>
+    <message>
+        <source>%1 link lost</source>
+        <translation>%1 链路丢失</translation>
+    </message>
+    <message>
+        <source>Link between %1 and %2 lost</source>
+        <translation>%1 与 %2 之间的链路丢失</translation>
+    </message>
+    <message>
+        <source>this console is not part of that link; the devices reported it</source>
+        <translation>本控制台不在该链路上；由设备报告</translation>
+    </message>
+    <message>
+        <source>to %1: unknown · from %1: unknown</source>
+        <translation>去往 %1：未知 · 来自 %1：未知</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>已断开</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>to %1: %2 · from %1: %3</source>
+        <translation>去往 %1：%2 · 来自 %1：%3</translation>
+    </message>
+    <message>
+        <source>No robot in this system</source>
+        <translation>本系统中没有机器人</translation>
+    </message>
+    <message>
+        <source>%1 holds: NOT CONFIRMED. Its own guard should hold it. Ask the patient side now.</source>
+        <translation>%1 保持：【未获确认】。其自身的保护应使其保持。请立即询问患者端。</translation>
+    </message>
+    <message>
+        <source>%1 holds: CONFIRMED %2 ms after the stop</source>
+        <translation>%1 保持：停止后 %2 ms 已确认</translation>
+    </message>
+    <message>
+        <source>%1 holds: CONFIRMED</source>
+        <translation>%1 保持：已确认</translation>
+    </message>
+    <message>
+        <source>Picture: live</source>
+        <translation>图像：实时</translation>
+    </message>
+    <message>
+        <source>Picture: frozen since %1</source>
+        <translation>图像：自 %1 起已冻结</translation>
+    </message>
+    <message>
+        <source>Picture: none</source>
+        <translation>图像：无</translation>
+    </message>
+    <message>
+        <source>Tip position: live</source>
+        <translation>头端位置：实时</translation>
+    </message>
+    <message>
+        <source>Tip position: last known</source>
+        <translation>头端位置：最后已知</translation>
+    </message>
+    <message>
+        <source>Tip position: unknown</source>
+        <translation>头端位置：未知</translation>
+    </message>
+    <message>
+        <source>%1 saw: %2</source>
+        <translation>%1 观察到：%2</translation>
+    </message>
+    <message>
+        <source>Heartbeats in the last second: %1 of %2</source>
+        <translation>最后一秒的心跳：%2 次中收到 %1 次</translation>
+    </message>
+    <message>
+        <source>Last round trip: %1 ms</source>
+        <translation>最后一次往返：%1 ms</translation>
+    </message>
+    <message>
+        <source>Last round trip: unknown</source>
+        <translation>最后一次往返：未知</translation>
+    </message>
+    <message>
+        <source>Silent for %1 ms before it was given up</source>
+        <translation>判定丢失前无数据 %1 ms</translation>
+    </message>
+    <message>
+        <source>Connections: to it %1, from it %2</source>
+        <translation>连接：去往对方%1，来自对方%2</translation>
+    </message>
+    <message>
+        <source>stood</source>
+        <translation>未断</translation>
+    </message>
+    <message>
+        <source>broke</source>
+        <translation>已断</translation>
+    </message>
+    <message>
+        <source>Check: %1</source>
+        <translation>检查：%1</translation>
+    </message>
+    <message>
+        <source>Links of this console: %1 of %2 open</source>
+        <translation>本控制台的链路：已打开 %1/%2</translation>
+    </message>
+    <message>
+        <source>Re-open tried %1 times</source>
+        <translation>已尝试重新打开 %1 次</translation>
+    </message>
+    <message>
+        <source>The device&apos;s computer does not answer; others there do</source>
+        <translation>该设备的计算机无响应；当地其他计算机有响应</translation>
+    </message>
+    <message>
+        <source>Power and network cable of that device</source>
+        <translation>检查该设备的电源和网线</translation>
+    </message>
+    <message>
+        <source>The device&apos;s computer does not answer; others there do not either</source>
+        <translation>该设备的计算机无响应；当地其他计算机也无响应</translation>
+    </message>
+    <message>
+        <source>The site&apos;s network line</source>
+        <translation>检查当地的网络线路</translation>
+    </message>
+    <message>
+        <source>The device&apos;s computer does not answer</source>
+        <translation>该设备的计算机无响应</translation>
+    </message>
+    <message>
+        <source>Power and network cable of that device, or the site&apos;s line</source>
+        <translation>检查该设备的电源和网线，或当地的线路</translation>
+    </message>
+    <message>
+        <source>Not known yet: run the checks</source>
+        <translation>尚不清楚：请运行检查</translation>
+    </message>
+    <message>
+        <source>Run checks</source>
+        <translation>运行检查</translation>
+    </message>
+    <message>
+        <source>This console has no network on that port</source>
+        <translation>本控制台该网口没有网络</translation>
+    </message>
+    <message>
+        <source>Plug, cable and switch at this side</source>
+        <translation>检查本端的插头、网线和交换机</translation>
+    </message>
+    <message>
+        <source>Network up, no way to the hospital</source>
+        <translation>网络正常，但不通往医院</translation>
+    </message>
+    <message>
+        <source>Gateway and VPN</source>
+        <translation>检查网关和 VPN</translation>
+    </message>
+    <message>
+        <source>The computer answers, its program is not running</source>
+        <translation>计算机有响应，其程序未在运行</translation>
+    </message>
+    <message>
+        <source>Restart the program at the patient side</source>
+        <translation>请在患者端重新启动该程序</translation>
+    </message>
+    <message>
+        <source>The device answered but its identity was refused</source>
+        <translation>设备有响应，但其身份被拒绝</translation>
+    </message>
+    <message>
+        <source>Do not bypass this: call service</source>
+        <translation>不要绕过：请联系技术服务</translation>
+    </message>
+    <message>
+        <source>The device&apos;s program hangs or is overloaded</source>
+        <translation>该设备的程序停止响应或过载</translation>
+    </message>
+    <message>
+        <source>Wait 2 s, run the checks, then restart its program</source>
+        <translation>等待 2 s，运行检查，然后重新启动其程序</translation>
+    </message>
+    <message>
+        <source>The device answers again</source>
+        <translation>设备已恢复响应</translation>
+    </message>
+    <message>
+        <source>Re-open the channel</source>
+        <translation>请重新打开通道</translation>
+    </message>
+    <message>
+        <source>heartbeats stopped</source>
+        <translation>心跳停止</translation>
+    </message>
+    <message>
+        <source>the connection broke</source>
+        <translation>连接断开</translation>
+    </message>
+    <message>
+        <source>the device restarted</source>
+        <translation>设备已重新启动</translation>
+    </message>
+    <message>
+        <source>the device broke the protocol</source>
+        <translation>设备违反协议</translation>
+    </message>
+    <message>
+        <source>this console stood still</source>
+        <translation>本控制台曾停顿</translation>
+    </message>
+    <message>
+        <source>All links were lost at once: this console&apos;s side or the line, not a device</source>
+        <translation>所有链路同时丢失：问题在本控制台一侧或线路，而非某台设备</translation>
+    </message>
+    <message>
+        <source>Network port and VPN of this console</source>
+        <translation>检查本控制台的网口和 VPN</translation>
+    </message>
+    <message>
+        <source>Only the pictures are lost: their way, or the X-ray sender</source>
+        <translation>只有图像丢失：问题在其通路或 X 射线发送端</translation>
+    </message>
+    <message>
+        <source>Re-open the picture link alone; motion stays inhibited</source>
+        <translation>请只重新打开图像链路；运动仍被禁止</translation>
+    </message>
+    <message>
+        <source>for %1, since %2</source>
+        <translation>已 %1，自 %2 起</translation>
+    </message>
+    <message>
+        <source>%1 time in 2 min</source>
+        <translation>2 min 内%1 次</translation>
+    </message>
+    <message>
+        <source>Between those two devices; this console&apos;s links are not concerned</source>
+        <translation>问题在那两台设备之间；不涉及本控制台的链路</translation>
+    </message>
+    <message>
+        <source>Re-open it at one of them</source>
+        <translation>请在其中一台上重新打开</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>console::RecordedMaster</name>
+    <message>
+        <source>%1 values instead of 5; write time,x,y,z,buttons</source>
+        <translation>有 %1 个值，应为 5 个；请写 time,x,y,z,buttons</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>“%1”不是数</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a set of buttons; write a whole number</source>
+        <translation>“%1”不是按钮组合；请写整数</translation>
+    </message>
+    <message>
+        <source>the first line must be time,x,y,z,buttons</source>
+        <translation>第一行必须是 time,x,y,z,buttons</translation>
+    </message>
+    <message>
+        <source>time must start at 0 and rise from line to line</source>
+        <translation>time 必须从 0 开始并逐行增大</translation>
+    </message>
+    <message>
+        <source>at least two samples are needed</source>
+        <translation>至少需要两个样本</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2</source>
+        <translation>%1：无法读取：%2</translation>
+    </message>
+    <message>
+        <source>larger than 64 MiB</source>
+        <translation>大于 64 MiB</translation>
+    </message>
+    <message>
+        <source>moves as it was recorded while D is held</source>
+        <translation>按住 D 时按录制动作运动</translation>
+    </message>
+</context>
+<context>
+    <name>console::ReferenceImageView</name>
+    <message>
+        <source>Reference X-ray image</source>
+        <translation>参考 X 射线图像</translation>
+    </message>
+    <message>
+        <source>Picture of %1</source>
+        <translation>图像时刻 %1</translation>
+    </message>
+    <message>
+        <source>No reference picture yet. The last image of a run is held here, and the last minute can be reviewed.</source>
+        <translation>尚无参考图像。每次曝光的末帧保持在此，最近一分钟可以回放。</translation>
+    </message>
+    <message>
+        <source>%1; the picture was taken at %2. It is not the live picture.</source>
+        <translation>%1；图像拍摄于 %2。这不是实时图像。</translation>
+    </message>
+    <message>
+        <source>No reference picture yet.</source>
+        <translation>尚无参考图像。</translation>
+    </message>
+</context>
+<context>
+    <name>console::ReviewControls</name>
+    <message>
+        <source>Reference picture controls</source>
+        <translation>参考图像控制</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>末帧</translation>
+    </message>
+    <message>
+        <source>Last image hold</source>
+        <translation>末帧保持</translation>
+    </message>
+    <message>
+        <source>The last picture of the run</source>
+        <translation>本次曝光的最后一幅图像</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>The last minute</source>
+        <translation>最近一分钟</translation>
+    </message>
+    <message>
+        <source>Oldest picture</source>
+        <translation>最早的图像</translation>
+    </message>
+    <message>
+        <source>To the oldest picture</source>
+        <translation>到最早的图像</translation>
+    </message>
+    <message>
+        <source>One picture back</source>
+        <translation>后退一幅</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>As a film, in the time in which it was taken</source>
+        <translation>按拍摄时的速度连续播放</translation>
+    </message>
+    <message>
+        <source>One picture on</source>
+        <translation>前进一幅</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save reference picture</source>
+        <translation>保存参考图像</translation>
+    </message>
+    <message>
+        <source>As PNG and as DICOM Secondary Capture</source>
+        <translation>存为 PNG 和 DICOM Secondary Capture</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop the film</source>
+        <translation>停止播放</translation>
+    </message>
+</context>
+<context>
+    <name>console::RobotPanel</name>
+    <message>
+        <source>Guidewire</source>
+        <translation>导丝</translation>
+    </message>
+    <message>
+        <source>Catheter</source>
+        <translation>导管</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Tracker ±0.0&#xa0;mm · stale 00.0&#xa0;s</source>
+        <translation>跟踪器 ±0.0 mm · 过时 00.0 s</translation>
+    </message>
+    <message>
+        <source>no report received</source>
+        <translation>未收到报告</translation>
+    </message>
+    <message>
+        <source>last known: %1</source>
+        <translation>最后已知：%1</translation>
+    </message>
+    <message>
+        <source>, stands still</source>
+        <translation>，静止</translation>
+    </message>
+    <message>
+        <source>Drives —</source>
+        <translation>驱动器 —</translation>
+    </message>
+    <message>
+        <source>Drives %1 · warmest %2 · most current %3</source>
+        <translation>驱动器%1 · 最高温度 %2 · 最大电流 %3</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>已启用</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>°C</source>
+        <translation>°C</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Tracker —</source>
+        <translation>跟踪器 —</translation>
+    </message>
+    <message>
+        <source>Tracker ±%1</source>
+        <translation>跟踪器 ±%1</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Tracker does not see the tip</source>
+        <translation>跟踪器看不到头端</translation>
+    </message>
+</context>
+<context>
+    <name>console::RollCall</name>
+    <message>
+        <source>not confirmed</source>
+        <translation>未获确认</translation>
+    </message>
+    <message>
+        <source>holds, after %1</source>
+        <translation>保持，%1 后</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Roll-call: which devices hold</source>
+        <translation>点名：哪些设备保持</translation>
+    </message>
+</context>
+<context>
+    <name>console::Scene</name>
+    <message>
+        <source>OpenGL&apos;s functions could not be loaded. Check the graphics driver.</source>
+        <translation>无法加载 OpenGL 函数。请检查显卡驱动。</translation>
+    </message>
+</context>
+<context>
+    <name>console::SceneRenderer</name>
+    <message>
+        <source>OpenGL drew no picture. Check the graphics driver.</source>
+        <translation>OpenGL 未绘出图像。请检查显卡驱动。</translation>
+    </message>
+</context>
+<context>
+    <name>console::SceneView</name>
+    <message>
+        <source>Three-dimensional scene</source>
+        <translation>三维场景</translation>
+    </message>
+    <message>
+        <source>? LAST KNOWN</source>
+        <translation>? 最后已知</translation>
+    </message>
+    <message>
+        <source>3-D SCENE</source>
+        <translation>三维场景</translation>
+    </message>
+    <message>
+        <source>tip not tracked</source>
+        <translation>头端未跟踪</translation>
+    </message>
+    <message>
+        <source>tip position stale</source>
+        <translation>头端位置过时</translation>
+    </message>
+    <message>
+        <source>no picture</source>
+        <translation>无图像</translation>
+    </message>
+    <message>
+        <source>picture: %1</source>
+        <translation>图像：%1</translation>
+    </message>
+    <message>
+        <source>picture&apos;s place unknown</source>
+        <translation>图像位置未知</translation>
+    </message>
+    <message>
+        <source>3-D not available: %1</source>
+        <translation>三维不可用：%1</translation>
+    </message>
+    <message>
+        <source>No vessel tree is loaded.</source>
+        <translation>未加载血管树。</translation>
+    </message>
+    <message>
+        <source>Vessels, tracked tip and C-arm. Arrows turn, plus and minus zoom, Home shows the vessels, End the C-arm.</source>
+        <translation>血管、所跟踪的头端和 C 形臂。方向键旋转，加减号缩放，Home 显示血管，End 显示 C 形臂。</translation>
+    </message>
+</context>
+<context>
+    <name>console::SdlPads</name>
+    <message>
+        <source>game pads cannot be heard: %1</source>
+        <translation>无法接收游戏手柄：%1</translation>
+    </message>
+    <message>
+        <source> (Bluetooth)</source>
+        <translation>（Bluetooth）</translation>
+    </message>
+</context>
+<context>
+    <name>console::SelfTestBlock</name>
+    <message>
+        <source>Alarm self-test (F8)</source>
+        <translation>报警自检 (F8)</translation>
+    </message>
+    <message>
+        <source>Begin the alarm self-test: three colours and three sounds</source>
+        <translation>开始报警自检：三种颜色和三种声音</translation>
+    </message>
+    <message>
+        <source>All three alarm colours were seen, and the sounds heard</source>
+        <translation>三种报警颜色均已看到，声音均已听到</translation>
+    </message>
+    <message>
+        <source>Test not right</source>
+        <translation>自检不正常</translation>
+    </message>
+    <message>
+        <source>An alarm colour or a sound was missing</source>
+        <translation>缺少某种报警颜色或声音</translation>
+    </message>
+    <message>
+        <source>Test seen and heard</source>
+        <translation>自检已看到并听到</translation>
+    </message>
+    <message>
+        <source>Test seen; no sound here</source>
+        <translation>自检已看到；本端无声音</translation>
+    </message>
+</context>
+<context>
+    <name>console::SessionIntake</name>
+    <message>
+        <source>given up by the operator</source>
+        <translation>操作者已放弃</translation>
+    </message>
+    <message>
+        <source>an unknown device</source>
+        <translation>未知设备</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: opened in %2 ms</source>
+        <translation>%1：已打开，用时 %2 ms</translation>
+    </message>
+    <message>
+        <source>%1: not opened: %2</source>
+        <translation>%1：未打开：%2</translation>
+    </message>
+    <message>
+        <source>%1: lost, %2</source>
+        <translation>%1：丢失，%2</translation>
+    </message>
+    <message>
+        <source>%1: checked: %2</source>
+        <translation>%1：已检查：%2</translation>
+    </message>
+    <message>
+        <source>%1 saw: %2</source>
+        <translation>%1 观察到：%2</translation>
+    </message>
+    <message>
+        <source>incident given up: %1</source>
+        <translation>事件已放弃：%1</translation>
+    </message>
+    <message>
+        <source>incident ended</source>
+        <translation>事件已结束</translation>
+    </message>
+    <message>
+        <source>%1 confirms that it holds</source>
+        <translation>%1 确认其保持</translation>
+    </message>
+    <message>
+        <source>%1 no longer holds</source>
+        <translation>%1 不再保持</translation>
+    </message>
+    <message>
+        <source>the system stands by</source>
+        <translation>系统待机</translation>
+    </message>
+    <message>
+        <source>stand-by ended; motion needs a new ARM</source>
+        <translation>待机已结束；运动须重新解锁</translation>
+    </message>
+    <message>
+        <source>%1: closed in order. %2</source>
+        <translation>%1：已正常关闭。%2</translation>
+    </message>
+    <message>
+        <source>%1: interrupted for %2 ms; motion needs a new ARM</source>
+        <translation>%1：中断 %2 ms；运动须重新解锁</translation>
+    </message>
+    <message>
+        <source>%1: %2 is overdue</source>
+        <translation>%1：%2 逾时未到</translation>
+    </message>
+    <message>
+        <source>%1: %2 message(s) %3 dropped: %4</source>
+        <translation>%1：舍弃 %2 条报文 %3：%4</translation>
+    </message>
+    <message>
+        <source>%1: %2 was not sent: %3</source>
+        <translation>%1：%2 未发送：%3</translation>
+    </message>
+    <message>
+        <source>the identity of %1 was refused: %2</source>
+        <translation>%1 的身份被拒绝：%2</translation>
+    </message>
+    <message>
+        <source>this console stood still for %1 ms</source>
+        <translation>本控制台停顿 %1 ms</translation>
+    </message>
+    <message>
+        <source>no audit file is written, so no new session opens: %1</source>
+        <translation>审计文件未能写入，因此不打开新会话：%1</translation>
+    </message>
+    <message>
+        <source>the audit file is written again</source>
+        <translation>审计文件已恢复写入</translation>
+    </message>
+</context>
+<context>
+    <name>console::SheetDeck</name>
+    <message>
+        <source>Diagnosis</source>
+        <translation>诊断</translation>
+    </message>
+</context>
+<context>
+    <name>console::SpaceMouseMaster</name>
+    <message>
+        <source>left button dead-man · push, twist guidewire · lift, tilt catheter · right button clutch · F X-ray · R arm · Page Up/Down scale</source>
+        <translation>左键 握持开关 · 推、拧 导丝 · 提、倾 导管 · 右键 离合 · F X 射线 · R 解锁 · Page Up/Down 运动比例</translation>
+    </message>
+</context>
+<context>
+    <name>console::SpnavLine</name>
+    <message>
+        <source>spacenavd is too old: it does not say when the mouse is unplugged; install 1.0 or newer</source>
+        <translation>spacenavd 版本过旧：它不报告鼠标被拔出；请安装 1.0 或更新版本</translation>
+    </message>
+</context>
+<context>
+    <name>console::StaleMark</name>
+    <message>
+        <source>age %1</source>
+        <translation>时龄 %1</translation>
+    </message>
+    <message>
+        <source>stale %1</source>
+        <translation>过时 %1</translation>
+    </message>
+    <message>
+        <source>never received</source>
+        <translation>从未收到</translation>
+    </message>
+</context>
+<context>
+    <name>console::StatusStrip</name>
+    <message>
+        <source>STANDBY</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>READY</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>ARMED</source>
+        <translation>已解锁</translation>
+    </message>
+    <message>
+        <source>ENGAGED</source>
+        <translation>随动</translation>
+    </message>
+    <message>
+        <source>HOLD</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>患者</translation>
+    </message>
+    <message>
+        <source>Procedure</source>
+        <translation>手术计时</translation>
+    </message>
+    <message>
+        <source>System</source>
+        <translation>系统</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>Recorder</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Local time</source>
+        <translation>当地时间</translation>
+    </message>
+    <message>
+        <source>Status strip</source>
+        <translation>状态条</translation>
+    </message>
+    <message>
+        <source>RESEARCH SYSTEM
+NOT A MEDICAL DEVICE</source>
+        <translation>研究用系统
+非医疗器械</translation>
+    </message>
+    <message>
+        <source>Research system, not a medical device</source>
+        <translation>研究用系统，非医疗器械</translation>
+    </message>
+    <message>
+        <source>No patient selected</source>
+        <translation>未选择患者</translation>
+    </message>
+    <message>
+        <source>Not recording</source>
+        <translation>未记录</translation>
+    </message>
+    <message>
+        <source>None loaded</source>
+        <translation>未加载</translation>
+    </message>
+    <message>
+        <source>Not signed in</source>
+        <translation>未登录</translation>
+    </message>
+    <message>
+        <source>REHEARSAL, RECORDED PICTURE
+NOT A MEDICAL DEVICE</source>
+        <translation>演练，录制图像
+非医疗器械</translation>
+    </message>
+    <message>
+        <source>Rehearsal with a recorded picture, not a medical device</source>
+        <translation>使用录制图像的演练，非医疗器械</translation>
+    </message>
+    <message>
+        <source>Not started</source>
+        <translation>未开始</translation>
+    </message>
+</context>
+<context>
+    <name>console::StopButton</name>
+    <message>
+        <source>E-STOP</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>Emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>STOPPED</source>
+        <translation>已急停</translation>
+    </message>
+    <message>
+        <source>The robot reports an emergency stop</source>
+        <translation>机器人报告急停</translation>
+    </message>
+</context>
+<context>
+    <name>console::SystemLink</name>
+    <message>
+        <source>pictures do not have the fields that this console knows: %1</source>
+        <translation>图像缺少本控制台所知的字段：%1</translation>
+    </message>
+    <message>
+        <source>re-open %1</source>
+        <translation>重新打开 %1</translation>
+    </message>
+    <message>
+        <source>give an incident up: %1</source>
+        <translation>放弃事件：%1</translation>
+    </message>
+    <message>
+        <source>permit request not sent: %1</source>
+        <translation>许可请求未发送：%1</translation>
+    </message>
+    <message>
+        <source>EMERGENCY STOP: %1</source>
+        <translation>急停：%1</translation>
+    </message>
+    <message>
+        <source>EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.</source>
+        <translation>急停【未发出】：%1。请使用患者端的急停。</translation>
+    </message>
+    <message>
+        <source>emergency stop reset</source>
+        <translation>急停已复位</translation>
+    </message>
+    <message>
+        <source>emergency stop not reset: %1</source>
+        <translation>急停未复位：%1</translation>
+    </message>
+    <message>
+        <source>Esc key on the console</source>
+        <translation>控制台的 Esc 键</translation>
+    </message>
+    <message>
+        <source>Button on the console&apos;s screen</source>
+        <translation>控制台屏幕上的按钮</translation>
+    </message>
+</context>
+<context>
+    <name>console::TopologyCanvas</name>
+    <message>
+        <source>no site given</source>
+        <translation>未给出地点</translation>
+    </message>
+    <message>
+        <source>%1 side</source>
+        <translation>%1 端</translation>
+    </message>
+    <message>
+        <source>Small topology; choose it to see the whole</source>
+        <translation>小拓扑图；选择它以查看全图</translation>
+    </message>
+    <message>
+        <source>Topology</source>
+        <translation>拓扑</translation>
+    </message>
+    <message>
+        <source>Link of %1 and %2</source>
+        <translation>%1 与 %2 的链路</translation>
+    </message>
+</context>
+<context>
+    <name>console::TopologyView</name>
+    <message>
+        <source>Open all</source>
+        <translation>全部打开</translation>
+    </message>
+    <message>
+        <source>this console</source>
+        <translation>本控制台</translation>
+    </message>
+    <message>
+        <source>lost,
+in stand-by</source>
+        <translation>丢失，
+待机</translation>
+    </message>
+    <message>
+        <source>state not
+known here</source>
+        <translation>此处状态
+未知</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>%1 · out %2/s · in %3/s</source>
+        <translation>%1 · 发 %2/s · 收 %3/s</translation>
+    </message>
+    <message>
+        <source>Topology view</source>
+        <translation>拓扑视图</translation>
+    </message>
+    <message>
+        <source>Open all closed links, one after the other</source>
+        <translation>依次打开所有已关闭的链路</translation>
+    </message>
+    <message>
+        <source>%1 %2 · hash %3 · %4</source>
+        <translation>%1 %2 · 哈希 %3 · %4</translation>
+    </message>
+    <message>
+        <source>encrypted, identities checked</source>
+        <translation>已加密，身份已核验</translation>
+    </message>
+    <message>
+        <source>NOT ENCRYPTED, identities not checked</source>
+        <translation>【未加密】，身份未核验</translation>
+    </message>
+    <message>
+        <source>Choose a link with the mouse, or with Tab and Enter.</source>
+        <translation>请用鼠标，或用 Tab 和 Enter 选择链路。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>%1: these two talk without this console. Their state is not known here.</source>
+        <translation>%1：这两台设备不经本控制台通信。其状态在此未知。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2, message set %3, at %4</source>
+        <translation>%1：%2，报文集 %3，位于 %4</translation>
+    </message>
+</context>
+<context>
+    <name>console::TrendsPane</name>
+    <message>
+        <source>Round trip</source>
+        <translation>往返</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <translation>抖动</translation>
+    </message>
+    <message>
+        <source>Loss</source>
+        <translation>丢失率</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>受力</translation>
+    </message>
+    <message>
+        <source>Picture age</source>
+        <translation>图像时龄</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>60 s</source>
+        <translation>60 s</translation>
+    </message>
+    <message>
+        <source>Span of the trends</source>
+        <translation>趋势的时间跨度</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+</context>
+<context>
+    <name>console::VesselTree</name>
+    <message>
+        <source>seven numbers are expected: number, kind, x, y, z, radius, parent</source>
+        <translation>应有七个数：编号、类型、x、y、z、半径、父点</translation>
+    </message>
+    <message>
+        <source>a number cannot be read, or is out of range</source>
+        <translation>某个数无法读取或超出范围</translation>
+    </message>
+    <message>
+        <source>the point number is used twice</source>
+        <translation>点编号重复使用</translation>
+    </message>
+    <message>
+        <source>there are more than 200 000 points</source>
+        <translation>点数超过 200 000</translation>
+    </message>
+    <message>
+        <source>the parent must stand before its children</source>
+        <translation>父点必须位于其子点之前</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. Name a vessel tree (SWC) in the settings.</source>
+        <translation>无法读取 %1：%2。请在设置中指定血管树 (SWC)。</translation>
+    </message>
+    <message>
+        <source>%1 is larger than 32 MiB and is not read.</source>
+        <translation>%1 大于 32 MiB，不予读取。</translation>
+    </message>
+    <message>
+        <source>%1:%2: %3.</source>
+        <translation>%1:%2：%3。</translation>
+    </message>
+    <message>
+        <source>%1 holds no vessel point.</source>
+        <translation>%1 中没有血管点。</translation>
+    </message>
+</context>
+<context>
+    <name>console::WatchdogProcess</name>
+    <message>
+        <source>%1 was not started: %2</source>
+        <translation>%1 未能启动：%2</translation>
+    </message>
+    <message>
+        <source>its watchdog has ended</source>
+        <translation>其看门狗已结束</translation>
+    </message>
+    <message>
+        <source>its watchdog does not answer</source>
+        <translation>其看门狗无响应</translation>
+    </message>
+</context>
+<context>
+    <name>console::Words</name>
+    <message>
+        <source>closed</source>
+        <translation>已关闭</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>正在打开</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>已打开</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>可疑</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>已中断</translation>
+    </message>
+    <message>
+        <source>stand-by</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>re-opening</source>
+        <translation>正在重新打开</translation>
+    </message>
+    <message>
+        <source>closing</source>
+        <translation>正在关闭</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>LAST IMAGE HOLD</source>
+        <translation>末帧保持</translation>
+    </message>
+    <message>
+        <source>REVIEW</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>armed</source>
+        <translation>已解锁</translation>
+    </message>
+    <message>
+        <source>engaged</source>
+        <translation>随动</translation>
+    </message>
+    <message>
+        <source>emergency stop</source>
+        <translation>急停</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>无故障</translation>
+    </message>
+    <message>
+        <source>force stop</source>
+        <translation>力超限停止</translation>
+    </message>
+    <message>
+        <source>drive fault</source>
+        <translation>驱动器故障</translation>
+    </message>
+    <message>
+        <source>watchdog</source>
+        <translation>看门狗</translation>
+    </message>
+    <message>
+        <source>command stream lost</source>
+        <translation>指令流丢失</translation>
+    </message>
+    <message>
+        <source>fault %1</source>
+        <translation>故障 %1</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>已接受</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>已完成</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>fluoroscopy</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>acquisition</source>
+        <translation>采集</translation>
+    </message>
+    <message>
+        <source>spin</source>
+        <translation>旋转采集</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>NO PICTURE</source>
+        <translation>无图像</translation>
+    </message>
+    <message>
+        <source>AGE UNKNOWN</source>
+        <translation>时龄未知</translation>
+    </message>
+    <message>
+        <source>FROZEN</source>
+        <translation>已冻结</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>低</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>中</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>高</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>permit</source>
+        <translation>许可</translation>
+    </message>
+    <message>
+        <source>alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>trouble</source>
+        <translation>异常</translation>
+    </message>
+</context>
+<context>
+    <name>console::XrayMark</name>
+    <message>
+        <source>X-ray beam</source>
+        <translation>X 射线束</translation>
+    </message>
+    <message>
+        <source>X-RAY ON</source>
+        <translation>X 射线开</translation>
+    </message>
+    <message>
+        <source>X-ray off</source>
+        <translation>X 射线关</translation>
+    </message>
+    <message>
+        <source>X-ray unknown</source>
+        <translation>X 射线未知</translation>
+    </message>
+</context>
+</TS>
