@@ -715,6 +715,14 @@
         <source>Checking…</source>
         <translation>正在检查…</translation>
     </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close this sheet</source>
+        <translation>关闭此提示单</translation>
+    </message>
 </context>
 <context>
     <name>console::DisplayChain</name>
@@ -2883,6 +2891,42 @@
         <source>%1, %2</source>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>%1 link interrupted</source>
+        <translation>%1 链路已中断</translation>
+    </message>
+    <message>
+        <source>%1 link was interrupted</source>
+        <translation>%1 链路曾中断</translation>
+    </message>
+    <message>
+        <source>to %1: open · from %1: open</source>
+        <translation>去往 %1：已打开 · 来自 %1：已打开</translation>
+    </message>
+    <message>
+        <source>for %1 ms, at %2</source>
+        <translation>持续 %1 ms，于 %2</translation>
+    </message>
+    <message>
+        <source>Motion needs a new ARM.</source>
+        <translation>运动须重新解锁。</translation>
+    </message>
+    <message>
+        <source>What motion waits for stands in the motion bar.</source>
+        <translation>运动所等待的条件列在运动栏中。</translation>
+    </message>
+    <message>
+        <source>It healed by itself. If it comes again, run a line check.</source>
+        <translation>已自行恢复。若再次出现，请做线路检查。</translation>
+    </message>
+    <message>
+        <source>%1 holds: not confirmed yet. Its own guard stops it.</source>
+        <translation>%1 保持：尚未确认。其自身的保护会使其停止。</translation>
+    </message>
+    <message>
+        <source>Not known yet. LiENa connects again by itself; if it cannot, the system stands by and this prompt says more.</source>
+        <translation>尚不清楚。LiENa 正自行重新连接；若不成功，系统将待机，本提示单会给出更多说明。</translation>
+    </message>
 </context>
 <context>
     <name>console::RecordedMaster</name>
@@ -3033,7 +3077,7 @@
     </message>
     <message>
         <source>Tracker ±0.0&#xa0;mm · stale 00.0&#xa0;s</source>
-        <translation>跟踪器 ±0.0 mm · 过时 00.0 s</translation>
+        <translation>跟踪器 ±0.0&#xa0;mm · 过时 00.0&#xa0;s</translation>
     </message>
     <message>
         <source>no report received</source>
@@ -3170,6 +3214,14 @@
     <message>
         <source>Vessels, tracked tip and C-arm. Arrows turn, plus and minus zoom, Home shows the vessels, End the C-arm.</source>
         <translation>血管、所跟踪的头端和 C 形臂。方向键旋转，加减号缩放，Home 显示血管，End 显示 C 形臂。</translation>
+    </message>
+    <message>
+        <source>BEFORE</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>NOW</source>
+        <translation>现在</translation>
     </message>
 </context>
 <context>
