@@ -231,7 +231,6 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room, std::size_t fi
 void AlarmBand::paintQuiet(QPainter& painter, double right) const
 {
     using Step = AlarmSelfTest::Step;
-    painter.setFont(theme::font(TextRole::Title, theme::scaleOf(this)));
     painter.setPen(ink());
     QString text = tr("No alarms");
     if (m_testStep == Step::Asking)
@@ -241,15 +240,28 @@ void AlarmBand::paintQuiet(QPainter& painter, double right) const
     else if (m_testStep == Step::NotDone)
         text = tr("No alarms. The alarm self-test is to be done before arming");
     const double left = theme::px(this, 20);
+    painter.setFont(fitting(text, right - left, {TextRole::Title, TextRole::Strong, TextRole::Body, TextRole::Caption}));
     const QString shown = QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, right - left);
     painter.drawText(QRectF(left, 0, right - left, height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
+}
+
+/// The first of `roles` in which `text` is whole: smaller letters are better than none.
+QFont AlarmBand::fitting(const QString& text, double room, std::initializer_list<TextRole> roles) const
+{
+    QFont face = font();
+    for (const TextRole role : roles) {
+        face = theme::font(role, theme::scaleOf(this));
+        if (QFontMetricsF(face).horizontalAdvance(text) <= room)
+            break;
+    }
+    return face;
 }
 
 /// The text of the test or of the highest alarm; returns where it ends.
 double AlarmBand::paintText(QPainter& painter, const QString& text, double left, double most) const
 {
-    painter.setFont(font());
-    const QFontMetricsF metrics(font());
+    painter.setFont(fitting(text, most, {TextRole::Alarm, TextRole::Title, TextRole::Strong}));
+    const QFontMetricsF metrics(painter.font());
     const QString shown = metrics.elidedText(text, Qt::ElideRight, most);
     painter.setPen(ink());
     painter.drawText(QRectF(left, 0, most, height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
@@ -264,9 +276,14 @@ void AlarmBand::paintAlarms(QPainter& painter, double right) const
     const double end = paintText(painter, top.text, left, m_alarms.size() > 1 ? room * 0.62 : room);
     if (m_alarms.size() > 1)
         return paintChips(painter, QRectF(end, 0, right - end, height()), 1);
-    painter.setFont(theme::font(TextRole::Body, theme::scaleOf(this)));
-    const QString remedy = QFontMetricsF(painter.font()).elidedText(top.remedy, Qt::ElideRight, right - end);
-    painter.drawText(QRectF(end, 0, right - end, height()), Qt::AlignLeft | Qt::AlignVCenter, remedy);
+    paintRemedy(painter, top.remedy, QRectF(end, 0, right - end, height()));
+}
+
+/// One line, or two of smaller letters.
+void AlarmBand::paintRemedy(QPainter& painter, const QString& remedy, const QRectF& room) const
+{
+    painter.setFont(fitting(remedy, room.width(), {TextRole::Body, TextRole::Caption}));
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, remedy);
 }
 
 double AlarmBand::freeRight() const

@@ -3,9 +3,11 @@
 
 #include "model/alarm_self_test.hpp"
 #include "widgets/alarm_colours.hpp"
+#include "widgets/theme.hpp"
 
 #include <QFrame>
 
+#include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,7 +58,9 @@ private:
     std::optional<AlarmPriority> testSignal() const { return m_testSignal; }
     double freeRight() const;
     int paintBadge(QPainter& painter, AlarmPriority priority, bool acknowledged) const;
+    QFont fitting(const QString& text, double room, std::initializer_list<theme::TextRole> roles) const;
     double paintText(QPainter& painter, const QString& text, double left, double most) const;
+    void paintRemedy(QPainter& painter, const QString& remedy, const QRectF& room) const;
     void paintChips(QPainter& painter, const QRectF& room, std::size_t first) const;
     void paintQuiet(QPainter& painter, double right) const;
     void paintAlarms(QPainter& painter, double right) const;

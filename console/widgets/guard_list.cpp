@@ -8,6 +8,8 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 namespace console {
@@ -51,15 +53,52 @@ int GuardList::columnCount() const
     return std::clamp(int(width() / (QFontMetricsF(font()).averageCharWidth() * 22)), 1, int(guardCount) / rows);
 }
 
-// Each column as wide as its longest line asks for; all give way alike when that is too much.
-std::vector<double> GuardList::columnWidths(int columns) const
+std::vector<double> GuardList::askedWidths(int columns, const QFont& font) const
 {
-    const QFontMetricsF metrics(font());
-    std::vector<double> widths(std::size_t(columns), metrics.height());
-    for (std::size_t i = 0; i < std::min(m_lines.size(), std::size_t(columns * rows)); ++i)
-        widths[i / rows] = std::max(widths[i / rows], figuresWidth(font(), m_lines[i].text) + metrics.height() * 1.8);
+    const double mark = QFontMetricsF(font).height() * 1.8;
+    std::vector<double> widths(std::size_t(columns), mark);
+    const std::size_t room = std::size_t(columns * rows);
+    for (std::size_t i = 0; i < std::min(m_lines.size(), room); ++i) {
+        const bool last = i + 1 == room && room < m_lines.size();
+        widths[i / rows] = std::max(widths[i / rows], figuresWidth(font, last ? overflowText(i) : m_lines[i].text) + mark);
+    }
+    return widths;
+}
+
+// No condition is cut short: letters become a little smaller, then fewer columns hold what is missing and the rest is counted.
+GuardList::Plan GuardList::plan() const
+{
+    constexpr std::array shares{1.0, 0.88, 0.76};
+    constexpr int leastPixels = 10;
+    const auto missing = std::size_t(std::count_if(m_lines.begin(), m_lines.end(), [](const GuardLine& line) { return !line.met; }));
+    const auto smaller = [this](double share) {
+        QFont face = font();
+        face.setPixelSize(std::max(leastPixels, int(std::lround(face.pixelSize() * share))));
+        return face;
+    };
+    const auto fits = [this](int columns, const QFont& face) {
+        const auto asked = askedWidths(columns, face);
+        return std::accumulate(asked.begin(), asked.end(), 0.0) <= width();
+    };
+    for (const bool all : {true, false})
+        for (int columns = columnCount(); columns > 0; --columns) {
+            const std::size_t room = std::size_t(columns * rows);
+            if (all && missing > (room < m_lines.size() ? room - 1 : room))
+                continue;
+            for (const double share : shares)
+                if (fits(columns, smaller(share)))
+                    return {columns, smaller(share)};
+        }
+    return {1, smaller(shares.back())};
+}
+
+// Each column as wide as its longest line asks for; what is over goes to all alike.
+std::vector<double> GuardList::columnWidths(const Plan& plan) const
+{
+    const QFontMetricsF metrics(plan.font);
+    auto widths = askedWidths(plan.columns, plan.font);
     const double asked = std::accumulate(widths.begin(), widths.end(), 0.0);
-    const double spare = (width() - asked) / columns;
+    const double spare = (width() - asked) / plan.columns;
     for (double& wide : widths)
         wide = spare >= 0 ? wide + std::min(spare, metrics.height() * 2) : wide * width() / asked;
     return widths;
@@ -79,11 +118,11 @@ void GuardList::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setFont(font());
-    const QFontMetricsF metrics(font());
-    const int columns = columnCount();
-    const std::size_t room = std::size_t(columns * rows);
-    const std::vector<double> widths = columnWidths(columns);
+    const Plan how = plan();
+    painter.setFont(how.font);
+    const QFontMetricsF metrics(how.font);
+    const std::size_t room = std::size_t(how.columns * rows);
+    const std::vector<double> widths = columnWidths(how);
     const double tall = double(height()) / rows;
     const double box = metrics.capHeight();
     double left = 0;

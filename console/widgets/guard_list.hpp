@@ -22,8 +22,15 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    struct Plan {
+        int columns;
+        QFont font;
+    };
+
     int columnCount() const;
-    std::vector<double> columnWidths(int columns) const;
+    Plan plan() const;
+    std::vector<double> askedWidths(int columns, const QFont& font) const;
+    std::vector<double> columnWidths(const Plan& plan) const;
     QString overflowText(std::size_t from) const;
 
     static constexpr int rows = 5;

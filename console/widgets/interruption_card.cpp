@@ -28,6 +28,7 @@ InterruptionCard::InterruptionCard(const InterruptionAccount& account, QWidget* 
     setAccessibleName(tr("While you were away"));
     setAttribute(Qt::WA_StyledBackground);
     setInk(m_notice, colour::secondary);
+    m_headline->setWordWrap(true);
     m_notice->setWordWrap(true);
     m_read->setAccessibleName(tr("I have read what happened while I was away"));
     m_read->setProperty("emphasis", true);

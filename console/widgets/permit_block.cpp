@@ -38,7 +38,7 @@ QSize PermitBlock::sizeHint() const
     int widest = theme::px(this, 330);
     for (int phase = 0; phase < permitPhaseCount; ++phase)
         widest = std::max(widest, word.horizontalAdvance(console::word(PermitPhase(phase))));
-    return {widest + theme::px(this, 36), word.height() + 2 * line.height()};
+    return {widest + theme::px(this, 44), word.height() + 2 * line.height()};
 }
 
 QString PermitBlock::explanation(const PermitModel& permit, Instant now)

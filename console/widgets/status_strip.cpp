@@ -108,7 +108,9 @@ void XrayMark::setBeam(Beam beam)
 QSize XrayMark::sizeHint() const
 {
     const QFontMetrics metrics(font());
-    return {metrics.horizontalAdvance(tr("X-ray unknown")) + 2 * metrics.height() + theme::px(this, 20), metrics.height() * 2};
+    const int words = std::max({metrics.horizontalAdvance(tr("X-RAY ON")), metrics.horizontalAdvance(tr("X-ray off")),
+                                metrics.horizontalAdvance(tr("X-ray unknown"))});
+    return {words + 2 * metrics.height() + theme::px(this, 20), metrics.height() * 2};
 }
 
 void XrayMark::paintEvent(QPaintEvent*)
@@ -148,9 +150,10 @@ void ModeMark::setMode(Mode mode)
 QSize ModeMark::sizeHint() const
 {
     const QFontMetrics metrics(font());
-    return {std::max(metrics.horizontalAdvance(modeWord(Mode::Engaged)), metrics.horizontalAdvance(modeWord(Mode::Standby))) +
-                theme::px(this, 44),
-            metrics.height()};
+    int widest = 0;
+    for (const Mode mode : {Mode::Standby, Mode::Ready, Mode::Armed, Mode::Engaged, Mode::Hold})
+        widest = std::max(widest, metrics.horizontalAdvance(modeWord(mode)));
+    return {widest + theme::px(this, 44), metrics.height()};
 }
 
 void ModeMark::paintEvent(QPaintEvent*)

@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>Robot&apos;s hold NOT CONFIRMED</source>
-        <translation>机器人保持【未获确认】</translation>
+        <translation>机器人保持未获确认</translation>
     </message>
     <message>
         <source>Ask the patient side now whether the robot stands still.</source>
@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Contrast EMPTY during an injection</source>
-        <translation>注射期间造影剂已【用空】</translation>
+        <translation>注射期间造影剂已用空</translation>
     </message>
     <message>
         <source>Have the patient side refill the injector and look for air.</source>
@@ -2677,7 +2677,7 @@
     </message>
     <message>
         <source>%1 holds: NOT CONFIRMED. Its own guard should hold it. Ask the patient side now.</source>
-        <translation>%1 保持：【未获确认】。其自身的保护应使其保持。请立即询问患者端。</translation>
+        <translation>%1 保持：未获确认。其自身的保护应使其保持。请立即询问患者端。</translation>
     </message>
     <message>
         <source>%1 holds: CONFIRMED %2 ms after the stop</source>
@@ -3535,7 +3535,7 @@ NOT A MEDICAL DEVICE</source>
     </message>
     <message>
         <source>EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.</source>
-        <translation>急停【未发出】：%1。请使用患者端的急停。</translation>
+        <translation>急停未发出：%1。请使用患者端的急停。</translation>
     </message>
     <message>
         <source>emergency stop reset</source>
@@ -3625,7 +3625,7 @@ known here</source>
     </message>
     <message>
         <source>NOT ENCRYPTED, identities not checked</source>
-        <translation>【未加密】，身份未核验</translation>
+        <translation>未加密，身份未核验</translation>
     </message>
     <message>
         <source>Choose a link with the mouse, or with Tab and Enter.</source>

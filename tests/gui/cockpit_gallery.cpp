@@ -1,187 +1,24 @@
-// Paints the cockpit in its main states with invented values into PNG files: `cockpit_gallery <folder>`.
-#include "editor/topology_canvas.hpp"
-#include "editor/topology_view.hpp"
-#include "imaging/live_image_view.hpp"
-#include "imaging/reference_image_view.hpp"
-#include "invented_cockpit.hpp"
-#include "widgets/cockpit_window.hpp"
-#include "widgets/log_view.hpp"
-#include "widgets/picture_controls.hpp"
-#include "widgets/picture_pane.hpp"
-#include "widgets/review_controls.hpp"
+// Paints the cockpit in its main states with invented values into PNG files: `cockpit_gallery <folder> [<state> or all] [<language>]`.
+#include "app/language.hpp"
+#include "gallery_scene.hpp"
+#include "pseudo_language.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
 #include <QDir>
-#include <QPainter>
-#include <QTest>
 
 #include <cstdio>
-#include <functional>
 
 namespace {
 
-using console::CockpitWindow;
-using console::PermitPhase;
-using console::test::InventedCockpit;
+using console::test::GalleryState;
 
-/// A grey field with a word, so that nobody takes the gallery for a patient.
-class Stand : public QWidget {
-public:
-    explicit Stand(const QString& text) : m_text(text) { setAccessibleName(text); }
-
-protected:
-    void paintEvent(QPaintEvent*) override
-    {
-        QPainter painter(this);
-        QLinearGradient shade(0, 0, width(), height());
-        shade.setColorAt(0, QColor(58, 58, 58));
-        shade.setColorAt(1, QColor(120, 120, 120));
-        painter.fillRect(rect(), shade);
-        painter.setPen(Qt::white);
-        painter.drawText(rect(), Qt::AlignCenter, m_text);
-    }
-
-private:
-    QString m_text;
-};
-
-/// The invented picture as the newest that the models know: nobody takes it for a patient, and no book counts it twice.
-console::DisplayPicture inventedPicture(const console::PictureStamp& newest, console::PictureRole role)
+bool paint(const GalleryState& state, const QSize& size, const QDir& folder)
 {
-    console::DisplayPicture picture;
-    picture.role = role;
-    picture.about.frame = newest.frame;
-    picture.about.acquisition = newest.acquisition;
-    picture.about.captureNs = newest.captureNs;
-    picture.about.source = newest.source;
-    picture.about.rows = picture.about.columns = 1024;
-    picture.about.imagerPixelSpacing = 0.3;
-    picture.about.geometry.sourceDetectorDistance = 1100;
-    picture.about.geometry.sourceObjectDistance = 750;
-    picture.window = {2048, 4096};
-    picture.image = QImage(1024, 1024, QImage::Format_RGB32);
-    Stand stand(QStringLiteral("INVENTED"));
-    stand.resize(picture.image.size());
-    stand.render(&picture.image);
-    return picture;
-}
-
-/// Region D and region E with their controls.
-struct PicturePanes {
-    PicturePanes(CockpitWindow& window, InventedCockpit& cockpit) : live(new console::LiveImageView(cockpit.models.picture))
-    {
-        live->setDisplay(&display);
-        reference->setDisplay(&display);
-        window.setLiveView(new console::PicturePane(live, new console::PictureControls(display)));
-        window.setReferenceView(new console::PicturePane(reference, new console::ReviewControls));
-    }
-
-    /// As it is at `at`, for as long as the gallery takes.
-    void show(const console::PictureState& state, console::Instant at) const
-    {
-        live->setClock([at] { return at; });
-        if (!state.newest())
-            return;
-        live->showPicture(inventedPicture(*state.newest(), console::PictureRole::Live));
-        reference->showPicture(inventedPicture(*state.newest(), console::PictureRole::Hold));
-    }
-
-    console::DisplayState display;
-    console::LiveImageView* live;
-    console::ReferenceImageView* reference = new console::ReferenceImageView;
-};
-
-/// As a person does: the test first, and arming uses it up.
-void arm(InventedCockpit& cockpit)
-{
-    cockpit.testAlarms();
-    cockpit.arm();
-    cockpit.models.selfTest.follow(PermitPhase::Armed, cockpit.now);
-}
-
-struct State {
-    const char* name;
-    std::function<void(InventedCockpit&, CockpitWindow&)> bring;
-};
-
-std::vector<State> states()
-{
-    return {
-        {"idle", [](InventedCockpit&, CockpitWindow&) {}},
-        {"haptic", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.feelForce(); }},
-        {"masters",
-         [](InventedCockpit& c, CockpitWindow& w) {
-             c.openAll(), c.losePad();
-             w.setKeyLegend(
-                 QStringLiteral("left trigger dead-man \u00B7 sticks guidewire, catheter \u00B7 right shoulder clutch \u00B7 Start arm "
-                                "\u00B7 cross scale \u00B7 B hold \u00B7 F X-ray"));
-         }},
-        {"selftest",
-         [](InventedCockpit& c, CockpitWindow&) {
-             c.openAll();
-             c.models.selfTest.begin(c.now);
-         }},
-        {"open", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.testAlarms(); }},
-        {"armed", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c); }},
-        {"engaged", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(); }},
-        {"frozen", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.freezePicture(); }},
-        {"standby", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.loseXray(), c.loseRobot(); }},
-        {"reopened",
-         [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), c.engage(), c.loseXray(), c.loseRobot(), c.reopenAll(); }},
-        {"log",
-         [](InventedCockpit& c, CockpitWindow& w) {
-             c.openAll(), c.testAlarms(), c.logEvents();
-             w.showView(console::View::Log);
-         }},
-        {"alarmlog",
-         [](InventedCockpit& c, CockpitWindow& w) {
-             c.openAll(), c.testAlarms(), c.logEvents();
-             w.showView(console::View::Log);
-             auto* view = w.findChild<console::LogView*>();
-             view->showLog(console::LogView::Log::Alarms);
-             view->showFailure(
-                 QStringLiteral("/media/stick/liena/alarms.txt cannot be written: No space left on device. Nothing was saved; make "
-                                "room on the disk or name a file in another folder."));
-         }},
-        {"topology",
-         [](InventedCockpit& c, CockpitWindow& w) {
-             c.openAll(), c.loseXray();
-             c.models.incidents.setFolded(0xf1a9, true);
-             w.showView(console::View::Topology);
-         }},
-    };
-}
-
-bool paint(const State& state, const QSize& size, const QDir& folder)
-{
-    InventedCockpit cockpit;
-    CockpitWindow window(cockpit.models);
-    const PicturePanes panes(window, cockpit);
-    window.setSceneView(new Stand(QStringLiteral("INVENTED: 3-D scene")));
-    auto* mini = new console::TopologyCanvas(cockpit.models.sessions, console::TopologyCanvas::Size::Mini);
-    auto* topology = new console::TopologyView(cockpit.models.sessions);
-    window.setMiniTopology(mini);
-    window.setTopologyView(topology);
-    auto* log = new console::LogView(cockpit.models.log, cockpit.models.alarmLog);
-    log->setPathSuggestion(
-        [](const QString& name) { return QStringLiteral("/home/operator/Documents/liena/%1_2026-03-02T12-03-41.txt").arg(name); });
-    window.setLogView(log);
-    window.setKeyLegend(QStringLiteral(
-        "D dead-man \u00B7 F X-ray \u00B7 C clutch \u00B7 R arm \u00B7 \u2191 \u2193 \u2190 \u2192 guidewire \u00B7 I K J L catheter"));
-    window.resize(size);
-    window.show();
-    if (!QTest::qWaitForWindowActive(&window))
+    console::test::GalleryScene scene(size);
+    if (!scene.bring(state, 250))
         return false;
-    state.bring(cockpit, window);
-    cockpit.models.selfTest.follow(cockpit.models.permit.phase(), cockpit.now);
-    const console::Instant brought = cockpit.now;
-    QTest::qWait(250);
-    cockpit.renew();
-    panes.show(cockpit.models.picture, brought);
-    window.refresh(cockpit.now);
-    const QString file = folder.filePath(QStringLiteral("%1_%2.png").arg(QString::fromLatin1(state.name)).arg(size.height()));
-    return window.grab().save(file);
+    return scene.window().grab().save(folder.filePath(QStringLiteral("%1_%2.png").arg(QString::fromLatin1(state.name)).arg(size.height())));
 }
 
 } // namespace
@@ -191,10 +28,16 @@ int main(int argc, char* argv[])
     QApplication application(argc, argv);
     console::theme::apply(application);
     const QDir folder(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QDir::currentPath());
-    const QString only = argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString();
-    for (const State& state : states())
+    const QString only = argc > 2 ? QString::fromLocal8Bit(argv[2]) : QStringLiteral("all");
+    const QString language = argc > 3 ? QString::fromLocal8Bit(argv[3]) : console::sourceLanguage();
+    console::test::PseudoLanguage pseudo;
+    if (language == QLatin1String("pseudo"))
+        QApplication::installTranslator(&pseudo);
+    else if (!console::languages().contains(language) || !console::speak(language).isEmpty())
+        return std::fprintf(stderr, "%s: not spoken\n", qPrintable(language)), 2;
+    for (const GalleryState& state : console::test::galleryStates())
         for (const QSize& size : {QSize(2560, 1440), QSize(1920, 1080), QSize(1366, 768)})
-            if ((only.isEmpty() || only == QLatin1String(state.name)) && !paint(state, size, folder)) {
+            if ((only == QLatin1String("all") || only == QLatin1String(state.name)) && !paint(state, size, folder)) {
                 std::fprintf(stderr, "%s: cannot be painted into %s\n", state.name, qPrintable(folder.path()));
                 return 1;
             }

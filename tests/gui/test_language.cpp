@@ -1,0 +1,162 @@
+// Every state of the gallery in a language that takes 40 % more room, and in Chinese: nothing clipped, nothing painted over.
+#include "app/language.hpp"
+#include "gallery_scene.hpp"
+#include "model/alarm_rules.hpp"
+#include "pseudo_language.hpp"
+#include "shown_texts.hpp"
+#include "widgets/alarm_band.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QLabel>
+#include <QTest>
+
+using namespace console;
+using namespace console::test;
+
+class TestLanguage : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void seesWhatIsClipped()
+    {
+        QWidget window;
+        auto* label = new QLabel(QStringLiteral("a text that is longer than its label"), &window);
+        label->setGeometry(0, 0, 60, 30);
+        window.resize(400, 100);
+        window.show();
+        QCOMPARE(unreadableTexts(window).size(), 2); // by its size, and by what the painter lets through
+        label->resize(label->sizeHint());
+        QCOMPARE(unreadableTexts(window), QStringList());
+    }
+
+    void longerTextsFit_data() { states(); }
+
+    void longerTextsFit()
+    {
+        PseudoLanguage pseudo;
+        QVERIFY(QApplication::installTranslator(&pseudo));
+        lookAt();
+    }
+
+    void everyAlarmIsWholeInTheBand_data()
+    {
+        QTest::addColumn<QSize>("band");
+        QTest::newRow("at 1440") << QSize(2560, 56);
+        QTest::newRow("at 1080") << QSize(1920, 42);
+    }
+
+    void everyAlarmIsWholeInTheBand()
+    {
+        PseudoLanguage pseudo;
+        QVERIFY(QApplication::installTranslator(&pseudo));
+        lookAtAlarms();
+    }
+
+    void systemsLanguageIsFoundByItsScript()
+    {
+        QCOMPARE(spokenOf({QStringLiteral("zh-Hans-CN")}), QStringLiteral("zh_CN"));
+        QCOMPARE(spokenOf({QStringLiteral("zh-SG")}), QStringLiteral("zh_CN"));
+        QCOMPARE(spokenOf({QStringLiteral("zh-TW")}), QStringLiteral("en"));
+        QCOMPARE(spokenOf({QStringLiteral("de-DE"), QStringLiteral("zh-CN")}), QStringLiteral("zh_CN"));
+        QCOMPARE(spokenOf({QStringLiteral("en-GB"), QStringLiteral("zh-CN")}), QStringLiteral("en"));
+        QCOMPARE(spokenOf({QStringLiteral("C")}), QStringLiteral("en"));
+        QCOMPARE(spokenOf({}), QStringLiteral("en"));
+    }
+
+    // From here on the program speaks Chinese.
+    void speaksChinese()
+    {
+        QVERIFY2(!QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty(),
+                 "no typeface with Chinese: packaging/install-dependencies installs one");
+        QCOMPARE(languages(), QStringList({QStringLiteral("en"), QStringLiteral("zh_CN")}));
+        QCOMPARE(speak(QStringLiteral("zh_CN")), QString());
+        QCOMPARE(word(LinkState::StandBy), QStringLiteral("\u5F85\u673A"));
+        QCOMPARE(word(PermitPhase::Armed), word(RobotState::Armed));
+    }
+
+    void chineseFits_data() { states(); }
+    void chineseFits() { lookAt(); }
+
+    void everyAlarmIsWholeInChinese_data() { everyAlarmIsWholeInTheBand_data(); }
+    void everyAlarmIsWholeInChinese() { lookAtAlarms(); }
+
+private:
+    /// As bad as it can be, and each alarm alone: with its remedy.
+    static void lookAtAlarms()
+    {
+        QFETCH(QSize, band);
+        AlarmBand shown;
+        theme::applyScale(&shown, band.width() / 2560.0);
+        shown.resize(band);
+        shown.show();
+        const auto reports = presentAlarms(everythingWrong());
+        QVERIFY(reports.size() > 15);
+        for (const AlarmReport& report : reports) {
+            Alarm alarm;
+            alarm.id = 1;
+            alarm.condition = report.condition;
+            alarm.priority = report.priority;
+            alarm.text = report.text;
+            alarm.remedy = report.remedy;
+            shown.setAlarms({alarm});
+            shown.setSound(true, std::nullopt);
+            QStringList wrong;
+            const bool whole = QTest::qWaitFor([&] { return (wrong = unreadableTexts(shown)).isEmpty(); }, 200);
+            QVERIFY2(whole, qPrintable(alarm.text + QStringLiteral(": ") + wrong.join(QLatin1Char('\n'))));
+        }
+    }
+
+    static AlarmReadings everythingWrong()
+    {
+        AlarmReadings bad;
+        bad.armed = bad.engaged = bad.robotFresh = bad.drivesKnown = bad.emergencyStop = bad.trackerOverdue = bad.injecting = true;
+        AlarmLinkReading link{1, QStringLiteral("Vascular robot"), LinkState::StandBy, 9, true, true, true, QStringLiteral("RobotStatus")};
+        link.images = link.systemDiffers = true;
+        link.commandRoundTrip = std::chrono::milliseconds(900);
+        bad.links = {link, link};
+        bad.links[1].state = LinkState::Open;
+        bad.awaitingHold = std::chrono::seconds(1);
+        bad.picture.condition = PictureCondition::Frozen;
+        bad.pictureLimit = std::chrono::milliseconds(250);
+        bad.force = 9;
+        bad.faultCode = 2;
+        bad.drivesHealthy = false;
+        bad.limitSwitches = 0xFFFF;
+        bad.airKerma = 5000;
+        bad.painting = PaintingReading{15, 3};
+        bad.recorderTroubles = QStringList{QStringLiteral("alarms-0x40018208.jsonl: No space left on device")};
+        bad.soundTrouble = QCoreApplication::translate("console::BurstPlayer", "the sound output does not take what is sent to it");
+        bad.watchdogTrouble = QCoreApplication::translate("console::WatchdogProcess", "its watchdog does not answer");
+        return bad;
+    }
+
+    static void states()
+    {
+        QTest::addColumn<QSize>("screen");
+        QTest::addColumn<int>("state");
+        int row = 0;
+        for (const GalleryState& state : galleryStates()) {
+            for (const QSize& screen : {QSize(2560, 1440), QSize(1920, 1080)})
+                QTest::newRow(qPrintable(QStringLiteral("%1 at %2").arg(QString::fromLatin1(state.name)).arg(screen.height())))
+                    << screen << row;
+            ++row;
+        }
+    }
+
+    static void lookAt()
+    {
+        QFETCH(QSize, screen);
+        QFETCH(int, state);
+        GalleryScene scene(screen);
+        QVERIFY(scene.bring(galleryStates().at(std::size_t(state)), 0));
+        QStringList wrong;
+        const bool whole = QTest::qWaitFor([&] { return (wrong = unreadableTexts(scene.window())).isEmpty(); }, 500);
+        QVERIFY2(whole, qPrintable(wrong.join(QLatin1Char('\n'))));
+    }
+};
+
+QTEST_MAIN(TestLanguage)
+#include "test_language.moc"
