@@ -48,6 +48,9 @@ void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState&
 
 QSize GuardList::sizeHint() const { return {theme::px(this, 660), rows * QFontMetrics(font()).height()}; }
 
+// It gives way first: with less room its letters become smaller, and what is missing still comes before what is met.
+QSize GuardList::minimumSizeHint() const { return {theme::px(this, 520), sizeHint().height()}; }
+
 int GuardList::columnCount() const
 {
     return std::clamp(int(width() / (QFontMetricsF(font()).averageCharWidth() * 22)), 1, int(guardCount) / rows);
@@ -69,7 +72,7 @@ std::vector<double> GuardList::askedWidths(int columns, const QFont& font) const
 GuardList::Plan GuardList::plan() const
 {
     constexpr std::array shares{1.0, 0.88, 0.76};
-    constexpr int leastPixels = 10;
+    static constexpr int leastPixels = 10;
     const auto missing = std::size_t(std::count_if(m_lines.begin(), m_lines.end(), [](const GuardLine& line) { return !line.met; }));
     const auto smaller = [this](double share) {
         QFont face = font();

@@ -16,7 +16,7 @@ public:
     /// While armed or engaged only the conditions that must stay true are listed.
     void setChecklist(const GuardChecklist& checklist, const PermitState& permit);
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -113,7 +113,13 @@ private:
     {
         AlarmReadings bad;
         bad.armed = bad.engaged = bad.robotFresh = bad.drivesKnown = bad.emergencyStop = bad.trackerOverdue = bad.injecting = true;
-        AlarmLinkReading link{1, QStringLiteral("Vascular robot"), LinkState::StandBy, 9, true, true, true, QStringLiteral("RobotStatus")};
+        AlarmLinkReading link;
+        link.peer = 1;
+        link.title = QStringLiteral("Vascular robot");
+        link.state = LinkState::StandBy;
+        link.suspectsInMinute = 9;
+        link.deadlineMissed = QStringLiteral("RobotStatus");
+        link.jittery = link.lossy = link.clockUncertain = true;
         link.images = link.systemDiffers = true;
         link.commandRoundTrip = std::chrono::milliseconds(900);
         bad.links = {link, link};
