@@ -28,11 +28,23 @@ class Photographer {
 public:
     Photographer(const QDir& folder, const QSize& size, AlarmVoice& voice) : m_folder(folder), m_theatre(wishes(size, voice)) {}
 
-    /// False at the first state that is not reached; the pictures before it are there.
-    bool work()
+    /// False at the first state that is not reached.
+    bool work() { return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views(); }
+
+    /// What was taken until now.
+    bool save() const
     {
-        return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views();
+        for (const auto& [state, picture] : m_taken) {
+            const auto path = m_folder.filePath(QStringLiteral("%1-%2.png").arg(state).arg(picture.height()));
+            const bool saved = picture.save(path, "PNG", 0);
+            std::printf("%s\n", qPrintable(saved ? path : QStringLiteral("cannot write ") + path));
+            if (!saved)
+                return false;
+        }
+        return true;
     }
+
+    QString story() const { return m_theatre.story(); }
 
 private:
     static Theatre::Wishes wishes(const QSize& size, AlarmVoice& voice)
@@ -49,14 +61,13 @@ private:
 
     static bool until(const std::function<bool()>& reached) { return QTest::qWaitFor(reached, Theatre::patience); }
 
+    /// Written later: a console that compresses pictures stands still, and says so.
     bool take(const char* state)
     {
         m_theatre.window().refresh(std::chrono::steady_clock::now());
         QCoreApplication::processEvents();
-        const auto path = m_folder.filePath(QStringLiteral("%1-%2.png").arg(QString::fromLatin1(state)).arg(m_theatre.window().height()));
-        const bool saved = m_theatre.window().grab().save(path, "PNG", 0);
-        std::printf("%s\n", qPrintable(saved ? path : QStringLiteral("cannot write ") + path));
-        return saved;
+        m_taken.emplace_back(QString::fromLatin1(state), m_theatre.window().grab().toImage());
+        return true;
     }
 
     PictureCondition picture() const { return m_theatre.models().picture.reading(std::chrono::steady_clock::now()).condition; }
@@ -130,6 +141,7 @@ private:
     }
 
     QDir m_folder;
+    std::vector<std::pair<QString, QImage>> m_taken;
     Theatre m_theatre;
 };
 
@@ -156,8 +168,11 @@ int main(int argc, char* argv[])
     }
     SilentVoice voice;
     Photographer photographer(QDir(QString::fromLocal8Bit(argv[1])), size, voice);
-    if (photographer.work())
+    const bool whole = photographer.work();
+    if (!photographer.save())
+        return 1;
+    if (whole)
         return 0;
-    std::fprintf(stderr, "guide_pictures: the state after the last picture was not reached\n");
+    std::fprintf(stderr, "guide_pictures: the state after the last picture was not reached: %s\n", qPrintable(photographer.story()));
     return 1;
 }

@@ -137,6 +137,10 @@ bool Theatre::armOnce(const Hand& hand)
 {
     releaseAll();
     hand.letGo();
+    // Without pictures the permit is back at its conditions; one that is still there from before would be armed on a run that just begins.
+    const auto isBack = [this] { return phase() < PermitPhase::Ready || phase() > PermitPhase::Engaged; };
+    if (!QTest::qWaitFor(isBack, patience))
+        return false;
     acknowledgeAlarms();
     readAccount();
     testAlarms();
