@@ -69,7 +69,10 @@ void TopologyCanvas::rebuild()
         m_links.push_back(new LinkItem(*m_sessions.link(place.a, place.b), place, mini));
         m_scene->addItem(m_links.back());
     }
-    m_scene->setSceneRect(plan.bounds);
+    QRectF bounds = plan.bounds;
+    for (const LinkItem* item : m_links)
+        bounds.setRight(std::max(bounds.right(), item->roomBeside()));
+    m_scene->setSceneRect(bounds);
     fit();
 }
 
@@ -78,7 +81,7 @@ void TopologyCanvas::fit()
     if (m_scene->sceneRect().isEmpty())
         return;
     fitInView(m_scene->sceneRect(), Qt::KeepAspectRatio);
-    const double factor = std::clamp(leastTextPixels / (sceneTextPixels * transform().m11()), 1.0, 1.35);
+    const double factor = std::clamp(leastTextPixels / (sceneTextPixels * transform().m11()), 1.0, largestTextFactor);
     for (DeviceItem* item : m_devices)
         item->setTextFactor(factor);
     for (LinkItem* item : m_links)

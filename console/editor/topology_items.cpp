@@ -113,6 +113,18 @@ void LinkItem::setTextFactor(double factor)
     update();
 }
 
+double LinkItem::roomBeside() const
+{
+    if (!m_place.besideLane || m_mini)
+        return 0;
+    const QFont largest = stateFont(largestTextFactor);
+    double wide = 0;
+    for (const QString& words : {TopologyView::tr("lost,\nin stand-by"), TopologyView::tr("state not\nknown here")})
+        for (const QString& line : words.split(QLatin1Char('\n')))
+            wide = std::max(wide, figuresWidth(largest, line));
+    return m_place.label.x() + wide + 20;
+}
+
 QString LinkItem::stateText() const
 {
     if (m_link.stateKnown())

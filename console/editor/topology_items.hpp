@@ -7,6 +7,9 @@
 
 namespace console {
 
+/// Texts grow by at most this where the whole is shown small.
+inline constexpr double largestTextFactor = 1.35;
+
 class DeviceItem : public QGraphicsItem {
 public:
     DeviceItem(const DeviceNode& device, const QRectF& box, bool mini);
@@ -31,6 +34,8 @@ public:
     quint32 b() const { return m_link.b; }
     void setCurrent(bool current);
     void setLink(const LinkNode& link, Instant now);
+    /// Where the widest label beside a lane ends, in any state; 0 for a link whose label stands on its line.
+    double roomBeside() const;
     void setTextFactor(double factor);
     QPointF labelCentre() const { return labelBox().center(); }
     QRectF boundingRect() const override;

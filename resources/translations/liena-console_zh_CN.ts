@@ -2352,7 +2352,7 @@
     </message>
     <message>
         <source>Window</source>
-        <translation>窗</translation>
+        <translation>调窗</translation>
     </message>
     <message>
         <source>Next window</source>

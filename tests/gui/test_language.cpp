@@ -9,6 +9,8 @@
 
 #include <QApplication>
 #include <QFontDatabase>
+#include <QGraphicsScene>
+#include <QGraphicsView>
 #include <QLabel>
 #include <QTest>
 
@@ -161,6 +163,14 @@ private:
         QStringList wrong;
         const bool whole = QTest::qWaitFor([&] { return (wrong = unreadableTexts(scene.window())).isEmpty(); }, 500);
         QVERIFY2(whole, qPrintable(wrong.join(QLatin1Char('\n'))));
+        for (const QGraphicsView* canvas : scene.window().findChildren<QGraphicsView*>()) {
+            const QRectF shown = canvas->sceneRect().adjusted(-16, -16, 16, 16); // the room that a link asks for around its line
+            const QRectF items = canvas->scene()->itemsBoundingRect();
+            QVERIFY2(shown.contains(items), qPrintable(QStringLiteral("%1: the items end at %2, the scene at %3")
+                                                           .arg(canvas->accessibleName())
+                                                           .arg(items.right())
+                                                           .arg(shown.right())));
+        }
     }
 };
 
