@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFontDatabase>
-#include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
 
@@ -22,10 +21,11 @@ bool canBeDrawn(const QString& language)
     return !language.startsWith(QLatin1String("zh")) || !QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty();
 }
 
-bool install(const QString& name, const QString& place)
+/// Of Qt's own texts none is shown.
+bool install(const QString& language)
 {
     auto translator = std::make_unique<QTranslator>(QCoreApplication::instance());
-    return translator->load(name, place) && QCoreApplication::installTranslator(translator.release());
+    return translator->load(prefix + language, folder) && QCoreApplication::installTranslator(translator.release());
 }
 
 } // namespace
@@ -63,8 +63,7 @@ QString speak(const QString& language)
         return QStringLiteral("no typeface on this computer has the characters of %1, so the screen speaks English; "
                               "install one, for example the package fonts-wqy-microhei")
             .arg(chosen);
-    install(QStringLiteral("qtbase_") + chosen, QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    if (!install(prefix + chosen, folder))
+    if (!install(chosen))
         return QStringLiteral("the catalogue of %1 cannot be read, so the screen speaks English; install LiENa anew").arg(chosen);
     return {};
 }

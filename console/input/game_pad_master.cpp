@@ -21,7 +21,7 @@ QString GamePadMaster::note() const
 {
     if (!m_pads->trouble().isEmpty())
         return m_pads->trouble();
-    return m_pads->others().isEmpty() ? QString() : tr("there, and not used: %1").arg(m_pads->others().join(QStringLiteral(", ")));
+    return m_pads->others().isEmpty() ? QString() : tr("there, and not used: %1").arg(m_pads->others().join(tr(", ")));
 }
 
 void GamePadMaster::take(Instant)

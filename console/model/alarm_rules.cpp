@@ -114,9 +114,8 @@ void Rules::addUnsteady(const AlarmLinkReading& link)
     addCause(link.lossy, 4, Text::tr("more than %1 % lost").arg(m_readings.line.lossPercent, 0, 'f', 0));
     if (what.isEmpty())
         return;
-    add(AlarmCondition::LinkUnsteady, Priority::Low, false,
-        Text::tr("%1: link unsteady, %2").arg(link.title, what.join(QStringLiteral(", "))), Text::tr("Check the line before you arm."),
-        link.peer);
+    add(AlarmCondition::LinkUnsteady, Priority::Low, false, Text::tr("%1: link unsteady, %2").arg(link.title, what.join(Text::tr(", "))),
+        Text::tr("Check the line before you arm."), link.peer);
     addCauses(causes);
 }
 
@@ -237,7 +236,7 @@ void Rules::addConsole()
 {
     if (!m_readings.recorderTroubles.isEmpty()) {
         add(AlarmCondition::RecorderStopped, Priority::Low, true,
-            Text::tr("Recording: %1").arg(m_readings.recorderTroubles.join(QStringLiteral("; "))),
+            Text::tr("Recording: %1").arg(m_readings.recorderTroubles.join(Text::tr("; "))),
             Text::tr("Make room on the disk, or have the computer looked at."));
         addCauses((quint64{1} << m_readings.recorderTroubles.size()) - 1);
     }

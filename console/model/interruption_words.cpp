@@ -46,7 +46,7 @@ public:
 private:
     AccountLine lost() const
     {
-        return {Text::tr("Lost"), m_account.lost().isEmpty() ? Text::tr("unknown which link") : m_account.lost().join(QStringLiteral(", ")),
+        return {Text::tr("Lost"), m_account.lost().isEmpty() ? Text::tr("unknown which link") : m_account.lost().join(Text::tr(", ")),
                 m_account.lost().isEmpty()};
     }
 
@@ -128,7 +128,7 @@ private:
         addDrives(deeds);
         if (deeds.isEmpty())
             return {name, Text::tr("nothing that the robot's reports tell of"), false};
-        return {name, deeds.join(QStringLiteral("; ")), true};
+        return {name, deeds.join(Text::tr("; ")), true};
     }
 
     QString noRobot() const { return missing(m_before.robot.has_value(), m_now.robot.has_value(), Text::tr("no report of the robot")); }

@@ -34,7 +34,7 @@ QString kindsText(const LogFilter& filter)
         if (filter.kinds().contains(index.data(LogKindRole).toInt()) && !words.contains(word))
             words << word;
     }
-    return words.isEmpty() ? Text::tr("of the chosen kinds there is none") : words.join(QStringLiteral(", "));
+    return words.isEmpty() ? Text::tr("of the chosen kinds there is none") : words.join(Text::tr(", "));
 }
 
 } // namespace

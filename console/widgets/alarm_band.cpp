@@ -107,7 +107,10 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
     if (next) {
         constexpr qsizetype mostCharacters = 24;
         const bool shown = next == &m_alarms.front();
-        m_acknowledge->setText(shown ? tr("Acknowledge") : tr("Acknowledge: %1").arg(next->text.left(mostCharacters)));
+        const bool whole = next->text.size() <= mostCharacters;
+        const QString text = whole ? next->text : next->text.left(mostCharacters - 1) + QChar(0x2026);
+        m_acknowledge->setText(shown ? tr("Acknowledge") : tr("Acknowledge: %1").arg(text));
+        m_acknowledge->setToolTip(next->text.toHtmlEscaped());
         m_acknowledge->setAccessibleDescription(next->text);
     }
     QStringList lines;

@@ -41,7 +41,7 @@ void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState&
     for (const GuardLine& line : m_lines)
         if (!line.met)
             missing << line.text;
-    setAccessibleDescription(missing.isEmpty() ? tr("All conditions are met") : tr("Missing: %1").arg(missing.join(QStringLiteral("; "))));
+    setAccessibleDescription(missing.isEmpty() ? tr("All conditions are met") : tr("Missing: %1").arg(missing.join(tr("; "))));
     setToolTip(missing.join(QLatin1Char('\n')).toHtmlEscaped());
     update();
 }

@@ -399,6 +399,14 @@
         <source>Watch the liveness mark; start the console anew before the next procedure.</source>
         <translation>请留意图像活动标记；下一台手术前重新启动控制台。</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>；</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>
@@ -1029,6 +1037,10 @@
         <source>there, and not used: %1</source>
         <translation>已接入而未使用：%1</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
 </context>
 <context>
     <name>console::GuardList</name>
@@ -1055,6 +1067,10 @@
     <message>
         <source>and %1 more missing, %2 met</source>
         <translation>另有 %1 项未满足，%2 项已满足</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>；</translation>
     </message>
 </context>
 <context>
@@ -1508,6 +1524,14 @@
         <source>%1 losses, interrupted for %2 in all, first at %3</source>
         <translation>丢失 %1 次，共中断 %2，首次于 %3</translation>
     </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>；</translation>
+    </message>
 </context>
 <context>
     <name>console::InterruptionCard</name>
@@ -1878,6 +1902,10 @@
 </source>
         <translation># 含有文字：%1
 </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
     </message>
 </context>
 <context>

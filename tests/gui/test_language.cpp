@@ -5,6 +5,7 @@
 #include "pseudo_language.hpp"
 #include "shown_texts.hpp"
 #include "widgets/alarm_band.hpp"
+#include "widgets/stop_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -12,6 +13,7 @@
 #include <QGraphicsScene>
 #include <QGraphicsView>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace console;
@@ -77,6 +79,22 @@ private Q_SLOTS:
         QCOMPARE(speak(QStringLiteral("zh_CN")), QString());
         QCOMPARE(word(LinkState::StandBy), QStringLiteral("\u5F85\u673A"));
         QCOMPARE(word(PermitPhase::Armed), word(RobotState::Armed));
+    }
+
+    // What goes over the wire: a robot's log and its limit of length know one language.
+    void emergencyStopIsToldInEnglish()
+    {
+        GalleryScene scene(QSize(1920, 1080));
+        QVERIFY(scene.bring(galleryStates().front(), 0));
+        const QSignalSpy told(&scene.window(), &CockpitWindow::emergencyStopRequested);
+        QTest::keyClick(&scene.window(), Qt::Key_Escape);
+        QTest::mousePress(scene.window().findChild<StopButton*>(), Qt::LeftButton);
+        QCOMPARE(told.size(), 2);
+        for (const auto& stop : told) {
+            const auto reason = stop.front().toString();
+            QCOMPARE(QString::fromLatin1(reason.toLatin1()), reason);
+            QVERIFY2(reason.size() <= 40, qPrintable(reason));
+        }
     }
 
     void chineseFits_data() { states(); }

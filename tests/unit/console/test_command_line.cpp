@@ -1,4 +1,4 @@
-// Which master liena-console is told to begin with.
+// Which master and which language liena-console is told to begin with.
 #include "app/command_line.hpp"
 
 #include <QTest>
@@ -41,6 +41,23 @@ private Q_SLOTS:
         const auto line = read(options);
         QVERIFY2(line.outcome == CommandLine::Outcome::Run, qPrintable(line.text));
         QCOMPARE(line.options.master, master);
+    }
+
+    void takesALanguage()
+    {
+        QCOMPARE(read({}).options.language, QString());
+        QCOMPARE(read(QStringLiteral("--language zh_CN")).options.language, QStringLiteral("zh_CN"));
+        QCOMPARE(read(QStringLiteral("--language en")).options.language, QStringLiteral("en"));
+    }
+
+    void refusesALanguageItDoesNotSpeak()
+    {
+        for (const char* name : {"klingon", "zh", "en_GB", "../en"}) {
+            const auto line = read(QStringLiteral("--language %1").arg(QString::fromLatin1(name)));
+            QCOMPARE(line.outcome, CommandLine::Outcome::Mistake);
+            QVERIFY2(line.text.startsWith(QStringLiteral("--language '%1': choose en or zh_CN").arg(QString::fromLatin1(name))),
+                     qPrintable(line.text));
+        }
     }
 
     void refusesAMaster_data()
