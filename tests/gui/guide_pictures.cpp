@@ -1,7 +1,7 @@
 // Takes the pictures of the user's guide from the running console and real devices: `guide_pictures FOLDER WIDTHxHEIGHT`.
 //
 // The console is the whole one, on Qt's offscreen platform; robot, arm and X-ray system are liena-devices in processes of their own. The
-// patient side's timing is slower than a real one, so that a moment lasts long enough for its picture.
+// links' timing is slower than a real one, so that a moment lasts long enough for its picture.
 #include "theatre.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/theme.hpp"
@@ -55,6 +55,8 @@ private:
         wishes.user = QStringLiteral("Dr. Example");
         wishes.voice = &voice;
         wishes.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
+        wishes.system.timing = R"(heartbeat="20ms" suspect="150ms" lost="250ms" reconnect="800ms")";
+        wishes.pictureTiming = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")"; // a frozen picture, and the link stands
         wishes.system.name = R"(name="cerebrovascular" title="Remote vascular intervention")";
         return wishes;
     }
@@ -103,7 +105,8 @@ private:
         if (!m_theatre.armAndMove())
             return false;
         m_theatre.robot->freeze();
-        return until([this] { return m_theatre.link("robot") == LinkState::Reconnecting; }) && take("interrupted");
+        const auto* sheet = m_theatre.window().findChild<DiagnosisSheet*>();
+        return until([sheet] { return sheet->isVisible() && sheet->pos().isNull(); }) && take("interrupted");
     }
 
     bool lost()
