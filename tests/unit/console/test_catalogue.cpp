@@ -2,6 +2,7 @@
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
+#include <QMap>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -173,6 +174,27 @@ private Q_SLOTS:
             qPrintable(
                 wrong.join(QLatin1Char('\n')) +
                 QStringLiteral("\nBuild the target `translations`, then translate what is unfinished in %1.").arg(folder() + catalogue)));
+    }
+
+    void oneStateHasOneWord_data() { catalogueIsWhole_data(); }
+
+    void oneStateHasOneWord()
+    {
+        QFETCH(QString, catalogue);
+        // A line carries nothing, a master answers nothing; and lists of causes and of names differ.
+        const QStringList differing{QStringLiteral("silent"), QStringLiteral(", ")};
+        QMap<QString, Entry> first;
+        QStringList wrong;
+        for (const Entry& entry : readCatalogue(folder() + catalogue)) {
+            const auto known = first.constFind(entry.source);
+            if (known == first.constEnd())
+                first.insert(entry.source, entry);
+            else if (known->translation != entry.translation && !differing.contains(entry.source))
+                wrong << QStringLiteral("\"%1\" is \"%2\" in %3 and \"%4\" in %5")
+                             .arg(entry.source, known->translation, known->context, entry.translation, entry.context);
+        }
+        QVERIFY(first.size() > 500);
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
     }
 
     // It takes more than four figures behind \u, and the text that it writes down is then never shown.
