@@ -78,6 +78,7 @@ void CockpitApplication::buildWindow()
     m_window->setSceneView(m_scene);
     buildTopology();
     buildLog();
+    m_views.build(*m_window);
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
@@ -200,6 +201,7 @@ void CockpitApplication::showWindow()
         m_window->showFullScreen();
     }
     m_window->activateWindow();
+    m_window->showView(View::Start);
 }
 
 void CockpitApplication::show()

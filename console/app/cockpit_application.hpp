@@ -8,6 +8,7 @@
 #include "app/log_saver.hpp"
 #include "app/picture_desk.hpp"
 #include "app/unattended_run.hpp"
+#include "app/view_desk.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -64,6 +65,7 @@ private:
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;
     LogSaver m_logSaver;
+    ViewDesk m_views{m_options, m_models};
     std::unique_ptr<CockpitWindow> m_window;
     SceneView* m_scene = nullptr; ///< the window's
     QTimer m_sceneClock;

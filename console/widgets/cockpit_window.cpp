@@ -56,6 +56,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     connectIntents();
     connectModels();
     addKeys();
+    addViewKeys();
     m_clock.setInterval(clockMs);
     m_clock.setTimerType(Qt::PreciseTimer);
     connect(&m_clock, &QTimer::timeout, this, &CockpitWindow::tick);
@@ -152,6 +153,7 @@ void CockpitWindow::setKeyLegend(const QString& legend)
     if (!legend.isEmpty())
         keys << legend;
     keys << tr("F8 alarm test \u00B7 F9 audio pause \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F4 log");
+    keys << tr("F6 preferences");
     m_motion->setKeyLegend(keys.join(QStringLiteral(" \u00B7 ")));
 }
 

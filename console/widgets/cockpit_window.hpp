@@ -25,9 +25,10 @@ class TrendsPane;
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F4 log, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is.
-/// All other keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has
-/// none, and `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
+/// Keys: F1 cockpit, F2 topology, F4 log, F6 preferences, F7 screens, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency
+/// stop, wherever the focus is. All other keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another
+/// window has it, the hand has none, and `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never
+/// handed on.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -42,9 +43,13 @@ public:
     void setTopologyView(QWidget* view);
     void setLogView(QWidget* view);
 
+    /// Over E, F and G when it is asked for; takes the widget.
+    void addView(View view, QWidget* widget);
+
     void setOperator(const QString& user);
     void setRehearsal(bool rehearsal);
     void setKeyLegend(const QString& legend);
+    void setTrendSpan(TrendSpan span);
 
     /// Everything as of `now`. The window's own clock renews what moves twenty times a second, the rest four times.
     void refresh(Instant now);
@@ -98,8 +103,8 @@ private:
     void addKeys();
     void replace(Region region, QWidget*& present, QWidget* view);
     void stack();
+    void addViewKeys();
     void toggleView(View view);
-    void addView(View view, QWidget* widget);
     void updateHandKeys();
     void tick();
     void refreshStrip(Instant now);

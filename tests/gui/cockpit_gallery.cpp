@@ -4,11 +4,13 @@
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
 #include "invented_cockpit.hpp"
+#include "widgets/about_view.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
 #include "widgets/review_controls.hpp"
+#include "widgets/start_view.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -150,7 +152,17 @@ std::vector<State> states()
              c.models.incidents.setFolded(0xf1a9, true);
              w.showView(console::View::Topology);
          }},
+        {"start", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Start); }},
+        {"about", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::About); }},
     };
+}
+
+void addViews(CockpitWindow& window, InventedCockpit& cockpit)
+{
+    const console::ProgramFacts program{QStringLiteral("0.9.0"), QStringLiteral("Dr Invented"),
+                                        QStringLiteral("/usr/share/doc/liena/OPERATING.md")};
+    window.addView(console::View::Start, new console::StartView(cockpit.models, program));
+    window.addView(console::View::About, new console::AboutView(cockpit.models, program));
 }
 
 bool paint(const State& state, const QSize& size, const QDir& folder)
@@ -167,6 +179,7 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
     log->setPathSuggestion(
         [](const QString& name) { return QStringLiteral("/home/operator/Documents/liena/%1_2026-03-02T12-03-41.txt").arg(name); });
     window.setLogView(log);
+    addViews(window, cockpit);
     window.setKeyLegend(QStringLiteral(
         "D dead-man \u00B7 F X-ray \u00B7 C clutch \u00B7 R arm \u00B7 \u2191 \u2193 \u2190 \u2192 guidewire \u00B7 I K J L catheter"));
     window.resize(size);
