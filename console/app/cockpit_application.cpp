@@ -79,6 +79,7 @@ void CockpitApplication::buildWindow()
     buildTopology();
     buildLog();
     m_views.build(*m_window);
+    m_preferences.build(*m_window);
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);

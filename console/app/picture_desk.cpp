@@ -20,17 +20,17 @@ namespace {
 
 constexpr double zoomStep = 1.25;
 
-QString folderFor(const Options& options)
+QString folderFor(const QString& named)
 {
-    if (!options.pictures.isEmpty())
-        return options.pictures;
+    if (!named.isEmpty())
+        return named;
     return QDir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)).filePath(QStringLiteral("liena"));
 }
 
 } // namespace
 
 PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject* parent)
-    : QObject(parent), m_displayFile(options.display), m_models(models), m_review(m_ring), m_saver(folderFor(options))
+    : QObject(parent), m_displayFile(options.display), m_models(models), m_review(m_ring), m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
 }
@@ -49,6 +49,8 @@ bool PictureDesk::prepare(QString* error)
     m_review.setGreyScale(scale);
     return true;
 }
+
+void PictureDesk::setFolder(const QString& folder) { m_saver.setFolder(folderFor(folder)); }
 
 void PictureDesk::build(CockpitWindow& window)
 {

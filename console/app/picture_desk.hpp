@@ -33,6 +33,9 @@ public:
     /// Gives the window its live and its reference pane.
     void build(CockpitWindow& window);
 
+    /// Folder of saved pictures, from the next one on; empty: the person's own.
+    void setFolder(const QString& folder);
+
     FramePipeline& pipeline() { return m_pipeline; }
     DisplayState& display() { return m_display; }
 
