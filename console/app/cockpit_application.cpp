@@ -189,6 +189,8 @@ void CockpitApplication::refreshScene()
     const auto& tip = m_models.instrument.tip();
     const auto& xray = m_models.xray;
     m_scene->showTip(tip.known() ? std::optional<TipPose>(tip.value) : std::nullopt, !m_models.instrument.tipFresh(now));
+    const auto& account = m_models.interruption;
+    m_scene->showTipBefore(account.stage() == InterruptionAccount::Stage::Unread ? account.before().tip : std::nullopt);
     m_scene->showCArm(xray.fresh(now) ? std::optional<XrayGeometry>(xray.status().value.geometry) : std::nullopt);
     m_scene->showCondition(m_models.picture.reading(now).condition);
 }

@@ -1,10 +1,21 @@
 // The frames of the last minute, for review.
 #include "imaging/cine_ring.hpp"
 
+#include <algorithm>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
 namespace console {
+
+std::size_t CineRing::usualBytes()
+{
+    constexpr std::size_t mebibyte = std::size_t(1) << 20U;
+    const auto pages = ::sysconf(_SC_PHYS_PAGES);
+    const auto pageSize = ::sysconf(_SC_PAGESIZE);
+    const auto memory = pages > 0 && pageSize > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(pageSize) : 0;
+    return std::clamp(memory / 4, 512 * mebibyte, 4096 * mebibyte);
+}
 
 void CineRing::add(const XrayFrame& frame)
 {

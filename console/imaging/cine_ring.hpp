@@ -17,9 +17,13 @@ namespace console {
 class CineRing {
 public:
     static constexpr std::chrono::seconds longest{60};
-    static constexpr std::size_t defaultBytes = std::size_t(512) << 20U;
 
-    explicit CineRing(std::size_t mostBytes = defaultBytes) : m_mostBytes(mostBytes) {}
+    /// A quarter of the computer's memory, from 512 MiB to 4 GiB: a minute of 1024 x 1024 pixels of 16 bits at 30 pictures a second takes
+    /// 3.5 GiB. It is taken as frames come.
+    static std::size_t usualBytes();
+
+    CineRing() : CineRing(usualBytes()) {}
+    explicit CineRing(std::size_t mostBytes) : m_mostBytes(mostBytes) {}
 
     /// A frame larger than the whole ring is not kept.
     void add(const XrayFrame& frame);

@@ -23,6 +23,12 @@ constexpr int largestTexture = 512;
 constexpr double wholeCArm = 800; // mm from the isocentre to its farthest part
 
 // The tracker's quaternion turns +z to the tip's direction.
+QVector3D positionOf(const TipPose& pose)
+{
+    const auto& p = pose.position;
+    return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
+}
+
 QVector3D directionOf(const std::array<double, 4>& q)
 {
     const QQuaternion turn(static_cast<float>(q[0]), static_cast<float>(q[1]), static_cast<float>(q[2]), static_cast<float>(q[3]));
@@ -74,15 +80,21 @@ void SceneView::loadVessels(const QString& path)
 void SceneView::showTip(const std::optional<TipPose>& pose, bool isStale)
 {
     std::optional<TrackedTip> tip;
-    if (pose && pose->valid) {
-        const auto& p = pose->position;
-        tip = {QVector3D(static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])), directionOf(pose->quaternion),
-               static_cast<float>(pose->error), isStale};
-    }
+    if (pose && pose->valid)
+        tip = {positionOf(*pose), directionOf(pose->quaternion), static_cast<float>(pose->error), isStale};
     if (tip == m_state.tip)
         return;
     m_state.tip = tip;
     requestDrawing();
+}
+
+void SceneView::showTipBefore(const std::optional<TipPose>& pose)
+{
+    const auto place = pose && pose->valid ? std::optional(positionOf(*pose)) : std::nullopt;
+    if (place == m_tipBefore)
+        return;
+    m_tipBefore = place;
+    update();
 }
 
 void SceneView::showCArm(const std::optional<XrayGeometry>& geometry)
@@ -169,6 +181,7 @@ void SceneView::paintEvent(QPaintEvent*)
     if (!m_drawn.image.isNull()) {
         painter.drawImage(rect(), m_drawn.image);
         paintLetters(painter);
+        paintTipBefore(painter);
         paintTipMark(painter);
     }
     paintNotice(painter);
@@ -198,7 +211,7 @@ void SceneView::paintTipMark(QPainter& painter) const
 {
     if (!m_state.tip || !m_state.tip->isStale)
         return;
-    const auto place = m_drawn.camera.project(toScene(m_state.tip->position) - m_focus, size());
+    const auto place = placeOf(m_state.tip->position);
     if (!place)
         return;
     QFont mark = font();
@@ -207,6 +220,36 @@ void SceneView::paintTipMark(QPainter& painter) const
     painter.setFont(mark);
     painter.setPen(pane_colours::text);
     painter.drawText(*place + QPointF(14, -10), tr("? LAST KNOWN"));
+}
+
+std::optional<QPointF> SceneView::placeOf(const QVector3D& inPatient) const
+{
+    return m_drawn.camera.project(toScene(inPatient) - m_focus, size());
+}
+
+/// A ring where it was, and a dashed line to where it is now.
+void SceneView::paintTipBefore(QPainter& painter) const
+{
+    constexpr double radius = 9;
+    const auto before = m_tipBefore ? placeOf(*m_tipBefore) : std::nullopt;
+    if (!before)
+        return;
+    QFont mark = font();
+    mark.setPixelSize(16);
+    mark.setWeight(QFont::DemiBold);
+    painter.setFont(mark);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(pane_colours::text, 2));
+    painter.drawEllipse(*before, radius, radius);
+    painter.drawText(*before + QPointF(-radius, -radius - 6), tr("BEFORE"));
+    const auto now = m_state.tip ? placeOf(m_state.tip->position) : std::nullopt;
+    if (!now)
+        return;
+    painter.drawText(*now + QPointF(radius, 2 * radius + 6), tr("NOW"));
+    painter.setPen(QPen(pane_colours::text, 2, Qt::DashLine));
+    if (const QLineF way(*before, *now); way.length() > radius)
+        painter.drawLine(way.pointAt(radius / way.length()), *now);
 }
 
 void SceneView::paintWords(QPainter& painter) const

@@ -26,6 +26,9 @@ public:
     /// Nothing, and a pose that is not valid: no tip is drawn. `isStale`: drawn hollow, in grey, with a mark.
     void showTip(const std::optional<TipPose>& pose, bool isStale);
 
+    /// Where the tip was before an interruption that nobody has read about yet; nothing when there is none, or it was not known.
+    void showTipBefore(const std::optional<TipPose>& pose);
+
     /// Where the C-arm is now; nothing when it is not known. Its detector is as large as the newest picture's.
     void showCArm(const std::optional<XrayGeometry>& geometry);
 
@@ -67,6 +70,8 @@ private:
     OrbitCamera viewOfCArm() const;
     void paintLetters(QPainter& painter) const;
     void paintTipMark(QPainter& painter) const;
+    void paintTipBefore(QPainter& painter) const;
+    std::optional<QPointF> placeOf(const QVector3D& inPatient) const;
     void paintWords(QPainter& painter) const;
     void paintFrame(QPainter& painter) const;
     void paintNotice(QPainter& painter) const;
@@ -78,6 +83,7 @@ private:
     QVector3D m_focus;
     QSizeF m_detectorSize;
     std::optional<XrayGeometry> m_cArm;
+    std::optional<QVector3D> m_tipBefore; ///< in the patient frame
     PictureCondition m_condition = PictureCondition::None;
     SceneImage m_drawn;
     quint64 m_drawings = 0;

@@ -35,6 +35,7 @@ void SessionIntake::take(const liena::SessionEvent& event)
     case Kind::StateChanged:
         log(LogKind::Link, tr("%1: %2").arg(peerName(event), word(linkState(event.to))));
         m_models.sessions.setLinkState(peer, linkState(event.to), event.at);
+        takeChange(event);
         break;
     case Kind::Opened:
     case Kind::ReOpened:
@@ -64,6 +65,28 @@ void SessionIntake::take(const liena::SessionEvent& event)
     default:
         takeRemark(event);
         break;
+    }
+}
+
+/// An interruption has its sheet before it is known whether it heals: that takes as long as the topology's `reconnect`.
+void SessionIntake::takeChange(const liena::SessionEvent& event)
+{
+    using State = liena::SessionState;
+    const auto peer = event.peer.value();
+    auto& incidents = m_models.incidents;
+    const auto* self = m_models.sessions.self();
+    if (event.to == State::Reconnecting && self != nullptr) {
+        IncidentRecord interruption;
+        interruption.a = std::min(self->id, peer);
+        interruption.b = std::max(self->id, peer);
+        interruption.peer = peer;
+        interruption.since = event.at;
+        interruption.sinceWallMs = QDateTime::currentMSecsSinceEpoch();
+        incidents.interrupt(std::move(interruption), event.at);
+    } else if (event.to == State::Open || event.to == State::Suspect) {
+        incidents.heal(peer, event.at);
+    } else if (event.to == State::Closing || event.to == State::Closed) {
+        incidents.forgetInterruption(peer);
     }
 }
 

@@ -32,6 +32,7 @@ Q_SIGNALS:
 
 private:
     void takeIncident(const liena::SessionEvent& event);
+    void takeChange(const liena::SessionEvent& event);
     void takeLoss(const liena::SessionEvent& event);
     void takeRemark(const liena::SessionEvent& event);
     IncidentRecord record(const liena::Incident& incident, Instant at) const;

@@ -25,6 +25,13 @@ enum class ProbeFinding : std::uint8_t {
     Reachable,
 };
 
+/// How far a loss of one link has come.
+enum class LossStage : std::uint8_t {
+    Lost,        ///< it will not heal by itself: an incident is held, and the system stands by
+    Interrupted, ///< it may heal by itself, until the topology's `reconnect` is over
+    Healed,      ///< it was interrupted, and is open again
+};
+
 /// What was heard, counted and found by a probe.
 struct LinkDiagnosis {
     LossKind cause = LossKind::None;
@@ -50,6 +57,7 @@ struct HoldLine {
 
 struct IncidentRecord {
     quint64 id = 0;
+    LossStage stage = LossStage::Lost;
     quint32 a = 0;
     quint32 b = 0;
     quint32 peer = 0;                ///< the other end when this console is one of the pair, else 0
@@ -57,6 +65,7 @@ struct IncidentRecord {
     LossKind causeOfA = LossKind::None;
     LossKind causeOfB = LossKind::None;
     Instant since;               ///< when this console learnt of it
+    Instant healed;              ///< when it was open again, of one that healed
     qint64 sinceWallMs = 0;      ///< Unix time, milliseconds, on the clock of the end that first said so
     std::vector<HoldLine> holds; ///< every device of the system, in the topology's order
     std::optional<LinkDiagnosis> diagnosis;

@@ -14,17 +14,15 @@ constexpr std::size_t mostFlaps = 10'000;
 
 IncidentModel::IncidentModel(QObject* parent) : QObject(parent) {}
 
-IncidentRecord* IncidentModel::find(quint64 id)
-{
-    const auto place = std::find_if(m_incidents.begin(), m_incidents.end(), [id](const IncidentRecord& record) { return record.id == id; });
-    return place == m_incidents.end() ? nullptr : &*place;
-}
-
 const IncidentRecord* IncidentModel::incident(quint64 id) const
 {
-    const auto place = std::find_if(m_incidents.begin(), m_incidents.end(), [id](const IncidentRecord& record) { return record.id == id; });
-    return place == m_incidents.end() ? nullptr : &*place;
+    for (const auto* records : {&m_incidents, &m_interruptions})
+        if (const auto place = std::ranges::find(*records, id, &IncidentRecord::id); place != records->end())
+            return &*place;
+    return nullptr;
 }
+
+IncidentRecord* IncidentModel::find(quint64 id) { return const_cast<IncidentRecord*>(incident(id)); }
 
 const IncidentRecord* IncidentModel::ofPair(quint32 a, quint32 b) const
 {
@@ -56,10 +54,73 @@ void IncidentModel::raise(const IncidentRecord& incident, Instant now)
         Q_EMIT incidentChanged(incident.id);
         return;
     }
+    const auto interruption = incident.peer != 0 ? takeInterruption(incident.peer) : std::nullopt;
+    const bool counted = interruption && interruption->stage == LossStage::Interrupted;
     m_incidents.push_back(incident);
-    m_incidents.back().flaps = countFlaps(incident.a, incident.b, now);
+    m_incidents.back().flaps = counted ? interruption->flaps : countFlaps(incident.a, incident.b, now);
     ++m_raised;
+    if (interruption)
+        Q_EMIT interruptionDecided(interruption->id, incident.id);
     Q_EMIT incidentRaised(incident.id);
+}
+
+IncidentRecord* IncidentModel::interruptionOf(quint32 peer)
+{
+    const auto place = std::ranges::find(m_interruptions, peer, &IncidentRecord::peer);
+    return place == m_interruptions.end() ? nullptr : &*place;
+}
+
+std::optional<IncidentRecord> IncidentModel::takeInterruption(quint32 peer)
+{
+    const auto* known = interruptionOf(peer);
+    if (known == nullptr)
+        return std::nullopt;
+    const auto taken = *known;
+    m_interruptions.erase(m_interruptions.begin() + (known - m_interruptions.data()));
+    return taken;
+}
+
+void IncidentModel::interrupt(IncidentRecord interruption, Instant now)
+{
+    if (ofPair(interruption.a, interruption.b) != nullptr)
+        return;
+    const auto before = takeInterruption(interruption.peer);
+    // An incident's number is drawn from 64 bits; a device's id is none of them but by a chance that is met here.
+    interruption.id = before ? before->id : interruption.peer;
+    while (find(interruption.id) != nullptr)
+        ++interruption.id;
+    interruption.stage = LossStage::Interrupted;
+    interruption.folded = before && before->folded;
+    interruption.flaps = countFlaps(interruption.a, interruption.b, now);
+    const auto id = interruption.id;
+    m_interruptions.push_back(std::move(interruption));
+    Q_EMIT interruptionBegan(id);
+}
+
+void IncidentModel::heal(quint32 peer, Instant now)
+{
+    auto* record = interruptionOf(peer);
+    if (record == nullptr || record->stage == LossStage::Healed)
+        return;
+    record->stage = LossStage::Healed;
+    record->healed = now;
+    Q_EMIT incidentChanged(record->id);
+}
+
+void IncidentModel::forgetInterruption(quint32 peer)
+{
+    if (const auto taken = takeInterruption(peer))
+        Q_EMIT interruptionEnded(taken->id);
+}
+
+void IncidentModel::forgetHealed(Instant now)
+{
+    const auto isOver = [now](const IncidentRecord& record) {
+        return record.stage == LossStage::Healed && now - record.healed >= healedShown;
+    };
+    for (auto over = std::ranges::find_if(m_interruptions, isOver); over != m_interruptions.end();
+         over = std::ranges::find_if(m_interruptions, isOver))
+        forgetInterruption(over->peer);
 }
 
 void IncidentModel::end(quint64 id)

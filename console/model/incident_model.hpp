@@ -44,6 +44,8 @@ struct PromptContent {
     QString tryFirst;
     QString lastTry;        ///< why the last re-opening failed; empty
     QString folded;         ///< the one line of the chip
+    bool decided = true;    ///< an incident stands: there is something to do about it
+    bool healed = false;    ///< there is nothing left to do but to close the sheet
     bool canReopen = false; ///< this console is one end of the pair
     int lostLinks = 0;      ///< `Re-open all lost (2)` when more than one
 };
@@ -63,14 +65,22 @@ ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& 
 /// `heartbeats stopped`, `connection broke`, …
 QString word(LossKind kind);
 
-/// GUI thread only.
+/// Incidents, and losses of this console's links that may become some: an interruption has its sheet at once, and holds nobody up. Only an
+/// incident keeps the system in stand-by and is asked for by permit, guards and accounts. GUI thread only.
 class IncidentModel : public QObject {
     Q_OBJECT
 public:
     explicit IncidentModel(QObject* parent = nullptr);
 
+    static constexpr std::chrono::seconds healedShown{10};
+
     /// Those that have not ended, oldest first.
     const std::vector<IncidentRecord>& incidents() const { return m_incidents; }
+
+    /// Of links that are interrupted, or were within the last `healedShown`; one for each link at the most, none where an incident is.
+    const std::vector<IncidentRecord>& interruptions() const { return m_interruptions; }
+
+    /// An incident or an interruption.
     const IncidentRecord* incident(quint64 id) const;
     const IncidentRecord* ofPair(quint32 a, quint32 b) const;
     bool empty() const { return m_incidents.empty(); }
@@ -84,12 +94,20 @@ public:
     void setHolds(quint64 id, std::vector<HoldLine> holds);
     void setDiagnosis(quint64 id, const LinkDiagnosis& diagnosis);
     void setReopenFailure(quint64 id, const QString& reason);
+    /// A link of this console may be lost; its number in the record is given here.
+    void interrupt(IncidentRecord interruption, Instant now);
+    void heal(quint32 peer, Instant now);
+    void forgetInterruption(quint32 peer);
 
     // For widgets: the sheet's own state.
     void setProbing(quint64 id, bool probing);
     void setFolded(quint64 id, bool folded);
+    void forgetHealed(Instant now);
 
 Q_SIGNALS:
+    void interruptionBegan(quint64 id);                               ///< or began again, after it had healed
+    void interruptionEnded(quint64 id);                               ///< its sheet is no longer wanted
+    void interruptionDecided(quint64 interruption, quint64 incident); ///< before incidentRaised
     void incidentRaised(quint64 id);
     void incidentChanged(quint64 id);
     void incidentEnded(quint64 id);
@@ -97,6 +115,8 @@ Q_SIGNALS:
 private:
     IncidentRecord* find(quint64 id);
     int countFlaps(quint32 a, quint32 b, Instant now);
+    IncidentRecord* interruptionOf(quint32 peer);
+    std::optional<IncidentRecord> takeInterruption(quint32 peer);
 
     struct Flap {
         quint32 a = 0;
@@ -105,6 +125,7 @@ private:
     };
 
     std::vector<IncidentRecord> m_incidents;
+    std::vector<IncidentRecord> m_interruptions;
     std::deque<Flap> m_flaps;
     quint64 m_raised = 0;
 };

@@ -42,6 +42,10 @@ QString ordinal(int count)
 
 QString headline(const IncidentRecord& incident, const SessionModel& sessions)
 {
+    if (incident.stage == LossStage::Interrupted)
+        return Text::tr("%1 link interrupted").arg(sessions.titleOf(incident.peer));
+    if (incident.stage == LossStage::Healed)
+        return Text::tr("%1 link was interrupted").arg(sessions.titleOf(incident.peer));
     if (incident.peer != 0)
         return Text::tr("%1 link lost").arg(sessions.titleOf(incident.peer));
     return Text::tr("Link between %1 and %2 lost").arg(sessions.titleOf(incident.a), sessions.titleOf(incident.b));
@@ -53,6 +57,8 @@ QString directions(const IncidentRecord& incident, const SessionModel& sessions)
     if (incident.peer == 0)
         return Text::tr("this console is not part of that link; the devices reported it");
     const auto name = sessions.titleOf(incident.peer);
+    if (incident.stage == LossStage::Healed)
+        return Text::tr("to %1: open · from %1: open").arg(name);
     if (!incident.diagnosis)
         return Text::tr("to %1: unknown · from %1: unknown").arg(name);
     const auto to = incident.diagnosis->toPeerConnected ? Text::tr("unknown") : Text::tr("broken");
@@ -105,6 +111,33 @@ void addSeen(PromptContent& content, const PromptSurroundings& around)
         content.tip = Text::tr("Tip position: live");
     else
         content.tip = around.tipKnown ? Text::tr("Tip position: last known") : Text::tr("Tip position: unknown");
+}
+
+QString since(const IncidentRecord& incident, Instant now)
+{
+    const auto begin = clockTime(incident.sinceWallMs, false);
+    if (incident.stage == LossStage::Healed)
+        return Text::tr("for %1 ms, at %2").arg(milliseconds(incident.healed - incident.since), 0, 'f', 0).arg(begin);
+    return Text::tr("for %1, since %2").arg(runningTime(now - incident.since), begin);
+}
+
+/// Nothing is decided yet, or no longer: there is nothing for a person to mend.
+void addInterruption(PromptContent& content, const IncidentRecord& incident, const SessionModel& sessions, quint32 robot)
+{
+    content.decided = false;
+    content.tryFirst.clear();
+    content.rollCall.clear(); // nobody was asked
+    content.healed = incident.stage == LossStage::Healed;
+    if (content.healed) {
+        content.patient =
+            incident.peer == robot ? Text::tr("Motion needs a new ARM.") : Text::tr("What motion waits for stands in the motion bar.");
+        content.likelyCause = Text::tr("It healed by itself. If it comes again, run a line check.");
+        return;
+    }
+    if (robot != 0)
+        content.patient = Text::tr("%1 holds: not confirmed yet. Its own guard stops it.").arg(sessions.titleOf(robot));
+    content.likelyCause =
+        Text::tr("Not known yet. LiENa connects again by itself; if it cannot, the system stands by and this prompt says more.");
 }
 
 QStringList evidence(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around)
@@ -226,7 +259,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     PromptContent content;
     content.headline = headline(incident, sessions);
     content.directions = directions(incident, sessions);
-    content.since = Text::tr("for %1, since %2").arg(runningTime(now - incident.since), clockTime(incident.sinceWallMs, false));
+    content.since = since(incident, now);
     if (incident.flaps > 1)
         content.flaps = Text::tr("%1 time in 2 min").arg(ordinal(incident.flaps));
     content.rollCall = rollCall(incident, sessions);
@@ -247,6 +280,8 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     content.folded = Text::tr("%1, %2").arg(content.headline, runningTime(now - incident.since));
     content.canReopen = incident.peer != 0;
     content.lostLinks = around.lostLinks;
+    if (incident.stage != LossStage::Lost)
+        addInterruption(content, incident, sessions, around.robot);
     return content;
 }
 

@@ -84,7 +84,7 @@ void CockpitWindow::placeRegions()
     m_layout->place(Region::Dose, m_dose);
     m_layout->place(Region::Trends, m_trends);
     m_layout->place(Region::Motion, m_motion);
-    m_layout->place(Region::Sheet, m_away);
+    m_layout->place(Region::Reference, m_away); // the scene beside it shows the tip before and now
     m_layout->place(Region::Sheet, m_deck);
     setTabOrder(this, m_away->readButton()); // one step from the cockpit itself
 }

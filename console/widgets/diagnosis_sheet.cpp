@@ -162,6 +162,9 @@ void DiagnosisSheet::focusChecks() { m_checks->setFocus(Qt::OtherFocusReason); }
 
 void DiagnosisSheet::setActions(const IncidentRecord& incident, const PromptContent& content)
 {
+    m_fold->setText(content.healed ? tr("Close") : tr("Fold"));
+    m_fold->setAccessibleName(content.healed ? tr("Close this sheet") : tr("Fold this sheet to a chip in the alarm band"));
+    m_actions->setVisible(content.decided && m_giveUpRow->isHidden());
     m_reopen->setVisible(content.canReopen);
     m_reopenAll->setVisible(content.lostLinks > 1);
     m_reopenAll->setText(tr("Re-open all lost (%1)").arg(content.lostLinks));
@@ -172,6 +175,8 @@ void DiagnosisSheet::setActions(const IncidentRecord& incident, const PromptCont
 
 void DiagnosisSheet::setContent(const IncidentRecord& incident, const PromptContent& content)
 {
+    if (m_incident != incident.id)
+        m_giveUpRow->hide(); // the question was about another link
     m_incident = incident.id;
     m_peer = incident.peer;
     m_headline->setText(content.headline);

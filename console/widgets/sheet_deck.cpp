@@ -4,6 +4,7 @@
 #include "model/device_node.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 
+#include <QApplication>
 #include <QPropertyAnimation>
 #include <QResizeEvent>
 
@@ -21,7 +22,10 @@ SheetDeck::SheetDeck(IncidentModel& incidents, QWidget* parent)
     setAccessibleName(tr("Diagnosis"));
     hide();
     m_slide->setDuration(slideMs);
-    connect(m_sheet, &DiagnosisSheet::foldRequested, this, [this](quint64 id) { m_incidents.setFolded(id, true); });
+    connect(m_sheet, &DiagnosisSheet::foldRequested, this, &SheetDeck::fold);
+    connect(&m_incidents, &IncidentModel::interruptionBegan, this, &SheetDeck::take);
+    connect(&m_incidents, &IncidentModel::interruptionEnded, this, &SheetDeck::choose);
+    connect(&m_incidents, &IncidentModel::interruptionDecided, this, &SheetDeck::decide);
     connect(&m_incidents, &IncidentModel::incidentRaised, this, &SheetDeck::take);
     connect(&m_incidents, &IncidentModel::incidentEnded, this, &SheetDeck::choose);
     connect(&m_incidents, &IncidentModel::incidentChanged, this, &SheetDeck::choose);
@@ -35,7 +39,8 @@ int SheetDeck::urgency(quint64 incident) const
     if (record == nullptr)
         return 0;
     const bool robots = kindOf(record->a) == DeviceKind::Hand || kindOf(record->b) == DeviceKind::Hand;
-    return 1 + (record->peer != 0 ? 2 : 0) + (robots ? 1 : 0);
+    const int stage = record->stage == LossStage::Lost ? 8 : record->stage == LossStage::Interrupted ? 4 : 0;
+    return 1 + stage + (record->peer != 0 ? 2 : 0) + (robots ? 1 : 0);
 }
 
 void SheetDeck::take(quint64 incident)
@@ -51,17 +56,39 @@ void SheetDeck::choose()
     const IncidentRecord* open = m_incidents.incident(m_open);
     if (open && !open->folded)
         return;
-    const auto& all = m_incidents.incidents();
     m_open = 0;
-    for (const IncidentRecord& record : all)
-        if (!record.folded && (m_open == 0 || urgency(record.id) > urgency(m_open)))
-            m_open = record.id;
+    for (const auto* records : {&m_incidents.incidents(), &m_incidents.interruptions()})
+        for (const IncidentRecord& record : *records)
+            if (!record.folded && (m_open == 0 || urgency(record.id) > urgency(m_open)))
+                m_open = record.id;
     if (m_open != 0) {
         slideOut();
     } else if (isVisible()) {
+        const bool hadKeys = isAncestorOf(QApplication::focusWidget());
         hide();
-        Q_EMIT closed();
+        if (hadKeys)
+            Q_EMIT closed();
     }
+}
+
+/// The sheet of an interruption that did not heal is now the incident's: it stays where it is, and takes the keys.
+void SheetDeck::decide(quint64 interruption, quint64 incident)
+{
+    if (m_open != interruption || !isVisible())
+        return;
+    m_open = incident;
+    Q_EMIT opened();
+    m_sheet->focusChecks();
+}
+
+/// One that healed has nothing left to say.
+void SheetDeck::fold(quint64 incident)
+{
+    const auto* record = m_incidents.incident(incident);
+    if (record != nullptr && record->stage == LossStage::Healed)
+        m_incidents.forgetInterruption(record->peer);
+    else
+        m_incidents.setFolded(incident, true);
 }
 
 void SheetDeck::open(quint64 incident)
@@ -83,22 +110,26 @@ void SheetDeck::slideOut()
     m_slide->setStartValue(QPoint(0, -height()));
     m_slide->setEndValue(QPoint(0, 0));
     m_slide->start();
-    m_sheet->focusChecks();
     Q_EMIT opened();
+    // While it may heal there is nothing to do, and the hand keeps the keys.
+    if (const auto* record = m_incidents.incident(m_open); record != nullptr && record->stage == LossStage::Lost)
+        m_sheet->focusChecks();
 }
 
 void SheetDeck::resizeEvent(QResizeEvent* event) { m_sheet->resize(event->size()); }
 
 void SheetDeck::refresh(const SessionModel& sessions, const PromptSurroundings& around, Instant now)
 {
+    m_incidents.forgetHealed(now);
     std::vector<std::pair<quint64, QString>> chips;
-    for (const IncidentRecord& record : m_incidents.incidents()) {
-        const PromptContent content = promptContent(record, sessions, around, now);
-        if (record.id == m_open)
-            m_sheet->setContent(record, content);
-        else
-            chips.emplace_back(record.id, content.folded);
-    }
+    for (const auto* records : {&m_incidents.incidents(), &m_incidents.interruptions()})
+        for (const IncidentRecord& record : *records) {
+            const PromptContent content = promptContent(record, sessions, around, now);
+            if (record.id == m_open)
+                m_sheet->setContent(record, content);
+            else
+                chips.emplace_back(record.id, content.folded);
+        }
     Q_EMIT chipsChanged(chips);
 }
 

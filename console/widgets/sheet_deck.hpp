@@ -14,7 +14,8 @@ namespace console {
 
 class DiagnosisSheet;
 
-/// One sheet is open at a time. It stays until its incident ends or it is folded; it never vanishes.
+/// One sheet is open at a time. It stays until its incident ends or it is folded; it never vanishes. That of an interruption comes before
+/// it is known whether the link heals, and goes some seconds after it did.
 class SheetDeck : public QWidget {
     Q_OBJECT
 public:
@@ -30,8 +31,8 @@ public:
 
 Q_SIGNALS:
     void chipsChanged(const std::vector<std::pair<quint64, QString>>& chips);
-    void opened(); ///< a sheet came out and wants the keys
-    void closed();
+    void opened(); ///< a sheet came out, or has become an incident's
+    void closed(); ///< the last sheet went, and had the keys
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -39,6 +40,8 @@ protected:
 private:
     void take(quint64 incident);
     void choose();
+    void decide(quint64 interruption, quint64 incident);
+    void fold(quint64 incident);
     int urgency(quint64 incident) const;
     void slideOut();
 

@@ -8,15 +8,25 @@ namespace console::test {
 
 class FlappingLink {
 public:
-    explicit FlappingLink(SessionIntake& intake) : m_intake(intake) {}
+    explicit FlappingLink(SessionIntake& intake, quint32 peer = robotId) : m_intake(intake), m_peer(peer) {}
 
     void lose(Instant at)
     {
-        m_incident.id = ++m_number;
-        m_incident.a = liena::DeviceId(robotId);
-        m_incident.b = liena::DeviceId(cockpitId);
+        interrupt(at);
+        decide(at);
+    }
+
+    /// It may heal by itself.
+    void interrupt(Instant at) { enter(liena::SessionState::Reconnecting, at); }
+    void heal(Instant at) { enter(liena::SessionState::Open, at); }
+    void close(Instant at) { enter(liena::SessionState::Closed, at); }
+
+    void decide(Instant at)
+    {
+        m_incident.id = (quint64(m_peer) << 32U) + ++m_number;
+        m_incident.a = liena::DeviceId(std::min(m_peer, cockpitId));
+        m_incident.b = liena::DeviceId(std::max(m_peer, cockpitId));
         m_incident.cause = liena::LossCause::HeartbeatLost;
-        enter(liena::SessionState::Reconnecting, at);
         enter(liena::SessionState::StandBy, at);
         auto lost = event(Kind::Lost, at);
         lost.diagnosis.cause = liena::LossCause::HeartbeatLost;
@@ -42,7 +52,7 @@ private:
     {
         liena::SessionEvent e;
         e.kind = kind;
-        e.peer = liena::DeviceId(robotId);
+        e.peer = liena::DeviceId(m_peer);
         e.at = at;
         e.incident = m_incident;
         return e;
@@ -57,6 +67,7 @@ private:
     }
 
     SessionIntake& m_intake;
+    quint32 m_peer;
     liena::Incident m_incident;
     liena::IncidentId m_number = 0;
     liena::SessionState m_state = liena::SessionState::Open;

@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(stage.ready());
         stage.cockpit.reopenAll();
         stage.refresh();
-        QCOMPARE(stage.seen(stage.card()), stage.window.regionGeometry(Region::Sheet));
+        QCOMPARE(stage.seen(stage.card()), stage.window.regionGeometry(Region::Reference));
         QCOMPARE(stage.seen(stage.live), stage.window.regionGeometry(Region::Live));
         const QRect button = stage.seen(stage.button());
         QVERIFY(stage.seen(stage.card()).contains(button));
@@ -178,7 +178,7 @@ private Q_SLOTS:
         stage.cockpit.reopenAll();
         stage.refresh();
         stage.window.showView(View::Topology);
-        QCOMPARE(stage.seen(stage.card()), stage.window.regionGeometry(Region::Sheet));
+        QCOMPARE(stage.seen(stage.card()), stage.window.regionGeometry(Region::Reference));
     }
 };
 

@@ -269,6 +269,23 @@ void TestScene::viewShowsWhatTheSceneDraws()
     view.showTip(pose, false);
     QTRY_COMPARE(pixelsThat(view.drawing(), isTipGreen), 0);
     QVERIFY(view.grab().toImage().size() == pane);
+    const auto without = view.grab().toImage();
+    view.showTipBefore(pose); // not valid: no place is claimed
+    QCOMPARE(view.grab().toImage(), without);
+    pose.valid = true;
+    pose.position = {0, 0, 30};
+    view.showTipBefore(pose);
+    const auto with = view.grab().toImage();
+    const auto place = view.camera().project(toScene({0, 0, 30}), pane);
+    QVERIFY(place);
+    const QRectF ring(*place - QPointF(11, 11), QSizeF(22, 22));
+    int changed = 0;
+    for (int y = 0; y < pane.height(); ++y)
+        for (int x = 0; x < pane.width(); ++x)
+            changed += ring.contains(x, y) && with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+    QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
+    view.showTipBefore(std::nullopt);
+    QCOMPARE(view.grab().toImage(), without);
 }
 
 void TestScene::viewTurnsByMouseAndKeyboard()

@@ -54,12 +54,12 @@ std::uint16_t freePort()
 
 TestSystem::TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links, Options options) : m_devices(std::move(devices))
 {
-    std::string xml = "<topology xmlns=\"urn:liena:topology:1\" name=\"test\" version=\"1.0\">\n  <timing " + options.timing +
+    std::string xml = "<topology xmlns=\"urn:liena:topology:1\" " + options.name + " version=\"1.0\">\n  <timing " + options.timing +
                       "/>\n  <security mode=\"" + options.mode + "\"/>\n";
     for (const auto& device : m_devices) {
         m_ports.push_back(freePort());
         xml += "  <device name=\"" + device.name + "\" id=\"" + device.id + "\" message-set=\"" + device.set +
-               "\" host=\"127.0.0.1\" port=\"" + std::to_string(m_ports.back()) + "\"/>\n";
+               "\" host=\"127.0.0.1\" port=\"" + std::to_string(m_ports.back()) + "\" " + device.place + "/>\n";
     }
     for (const auto& link : links)
         xml += linkElement(link);

@@ -31,6 +31,7 @@ struct DeviceSpec {
     std::string name;
     std::string id;
     std::string set;
+    std::string place = {}; ///< attributes of the topology that say what and where it is
 };
 
 namespace reference {
@@ -46,6 +47,7 @@ public:
     struct Options {
         std::string mode = "tls";
         /// Slower than a real system: sanitizers and a busy machine must not look like a lost peer.
+        std::string name = R"(name="test")"; ///< of the topology, and what else its first element says
         std::string timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
     };
 

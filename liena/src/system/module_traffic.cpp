@@ -58,7 +58,7 @@ Result<void> DistributedModule::send(Message&& message)
         encoded.part = MessageAccess::takeFields(message);
     }
     if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded, m_host.now().mono)) {
-        m_books.sent();
+        m_books.sentInPacket(encoded.part.size());
         return ok();
     }
     if (definition.lifespan)

@@ -48,6 +48,13 @@ public:
     void sent() { ++m_sent; }
     void superseded() { ++m_superseded; }
 
+    /// By UDP, so many bytes of information part.
+    void sentInPacket(std::size_t bytes)
+    {
+        ++m_sent;
+        m_sentInPackets += bytes;
+    }
+
     /// A session opens: what was counted before belongs to no report of it.
     void beginWindow(Instant now);
 
@@ -65,6 +72,7 @@ public:
     std::uint64_t messagesDropped() const { return m_dropped; }
     std::uint64_t messagesSent() const { return m_sent; }
     std::uint64_t messagesSuperseded() const { return m_superseded; }
+    std::uint64_t bytesSentInPackets() const { return m_sentInPackets; }
 
 private:
     base::CauseBooks m_causes{4096}; // some twenty causes, and the messages of two sets
@@ -72,6 +80,7 @@ private:
     std::uint64_t m_dropped = 0;
     std::uint64_t m_sent = 0;
     std::uint64_t m_superseded = 0;
+    std::uint64_t m_sentInPackets = 0;
     protocol::LinkReport m_window;
     std::vector<std::chrono::nanoseconds> m_latencies;
     std::optional<Instant> m_windowBegan;

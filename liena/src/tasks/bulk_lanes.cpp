@@ -80,6 +80,7 @@ std::size_t BulkLanes::addLane()
     handlers.up = [] {};
     handlers.failed = [again](const transport::ConnectionFailure&) { again(); };
     handlers.lost = [this, number, again](const std::string& detail, bool) {
+        m_arrivals.restart();
         m_handlers.lost(number, detail);
         again();
     };
@@ -123,6 +124,7 @@ void BulkLanes::close()
     for (auto& lane : m_lanes)
         lane->close(0ns);
     m_streams.clear();
+    m_arrivals.restart();
 }
 
 std::size_t BulkLanes::connected() const
@@ -155,6 +157,37 @@ std::optional<double> BulkLanes::knownRate() const
         if (const auto rate = lane->knownRate())
             sum = sum.value_or(0) + *rate;
     return sum;
+}
+
+OutputQueue::Left BulkLanes::left() const
+{
+    OutputQueue::Left sum;
+    for (const auto& lane : m_lanes) {
+        sum.bytes += lane->queue().left().bytes;
+        sum.largest += lane->queue().left().largest;
+    }
+    return sum;
+}
+
+void BulkLanes::arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, std::uint64_t sentBesides,
+                                 std::chrono::nanoseconds roundTrip)
+{
+    const auto ours = left();
+    std::uint64_t held = 0;
+    for (const auto& lane : m_lanes)
+        held += lane->channel() != nullptr ? lane->channel()->unacknowledged() : 0;
+    m_arrivals.reported({window, received, ours.bytes + sentBesides, held, ours.largest, roundTrip});
+    shareLimit();
+}
+
+/// Each lane as much of it as it has of what all together would send.
+void BulkLanes::shareLimit()
+{
+    const auto limit = m_arrivals.bytesPerSecond();
+    const double sum =
+        std::accumulate(m_lanes.begin(), m_lanes.end(), 0.0, [](double so, const auto& lane) { return so + lane->steadyRate(); });
+    for (auto& lane : m_lanes)
+        lane->limitRate(limit && sum > 0 ? std::optional(*limit * lane->steadyRate() / sum) : std::nullopt);
 }
 
 } // namespace liena::tasks

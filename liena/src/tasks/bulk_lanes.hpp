@@ -1,6 +1,7 @@
 // The bulk lanes of our output channel: added while streams would wait for each other, retired when they are idle (protocol section 6).
 #pragma once
 
+#include "tasks/arrival_limit.hpp"
 #include "tasks/load_balancer.hpp"
 #include "tasks/output_lane.hpp"
 #include "transport/timer.hpp"
@@ -57,6 +58,13 @@ public:
     /// Bytes per second that the lanes together are known to carry.
     std::optional<double> knownRate() const;
 
+    /// What left whole on all lanes, and the largest message of each, added.
+    OutputQueue::Left left() const;
+
+    /// The peer says what arrived, whichever way it came; `sentBesides` left for it on other ways, counted as in OutputQueue::Left.
+    void arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, std::uint64_t sentBesides,
+                          std::chrono::nanoseconds roundTrip);
+
 private:
     static constexpr std::chrono::seconds pauseLimit{2}; ///< of a stream, before it may change its lane
 
@@ -69,6 +77,7 @@ private:
     std::size_t placeFor(std::uint16_t number, Instant now);
     std::size_t choosePlace(Instant now);
     std::size_t addLane();
+    void shareLimit();
     bool isInUse(std::size_t place, Instant now) const;
     std::size_t streamsInUse(Instant now) const;
 
@@ -80,6 +89,7 @@ private:
     std::vector<std::unique_ptr<OutputLane>> m_lanes; ///< lane 1 first
     std::map<std::uint16_t, Stream> m_streams;        ///< by message number
     ElasticCount m_wanted = laneCount();
+    ArrivalLimit m_arrivals;
     transport::Timer m_retry;
 };
 

@@ -52,6 +52,10 @@ public:
     /// Bytes per second that the path is known to carry; nothing on a lane that is not paced, or before it was filled once.
     std::optional<double> knownRate() const { return m_task && m_paced ? m_rate.known() : std::nullopt; }
 
+    /// Of a lane that is paced: what the path seems to carry, and not more than this of it.
+    double steadyRate() const { return m_task && m_paced ? m_rate.steady() : 0; }
+    void limitRate(std::optional<double> bytesPerSecond) { m_rate.limit(bytesPerSecond); }
+
     std::uint64_t bytesSent() const { return m_bytesSent + (m_task ? m_task->bytesSent() : 0); }
 
     /// Ends the connection and any attempt. Session management that waits may still leave within `grace`; nothing else does.

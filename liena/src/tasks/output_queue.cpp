@@ -140,6 +140,10 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
     place(out, segment, front.begun);
     stream.credit -= static_cast<std::ptrdiff_t>(segment.header.size() + segment.body.size());
     if (segment.last) {
+        if (!front.entry.message.header.message.isSessionManagement()) {
+            m_left.bytes += part.size();
+            m_left.largest = std::max(m_left.largest, part.size());
+        }
         m_bytes -= part.size();
         --m_count;
         stream.waiting.pop_front();

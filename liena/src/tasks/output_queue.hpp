@@ -71,6 +71,13 @@ public:
     /// Everything but session management; what was begun is abandoned.
     void discardApplication();
 
+    /// Application messages that left whole.
+    struct Left {
+        std::uint64_t bytes = 0; ///< of their information parts
+        std::size_t largest = 0;
+    };
+    const Left& left() const { return m_left; }
+
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }
     std::size_t bytes() const { return m_bytes; }
@@ -118,6 +125,7 @@ private:
     std::array<Class, 5> m_classes;
     std::size_t m_count = 0;
     std::size_t m_bytes = 0;
+    Left m_left;
 };
 
 } // namespace liena::tasks

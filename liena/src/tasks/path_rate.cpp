@@ -20,7 +20,11 @@ constexpr double margin = 0.93;              // of what was delivered while a qu
 constexpr double quickest = 1.25;            // a step while nothing is known
 constexpr double gentle = 1.01;              // a step near the ceiling
 constexpr double nearCeiling = 0.9;          // gently from here
+constexpr double leastBoldest = 1.08;        // of the steps on a slow path, which must not be as bold as on others
 constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
+constexpr double inOnePiece = 2896;          // bytes: two packets, which the kernel sends and acknowledges together
+constexpr double noticing = 12;              // such pieces, until the smoothed round trip shows a queue
+constexpr double burst = 0.001;              // seconds of the rate that a fast kernel sends at once
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 constexpr std::size_t smallestSegment = 4096;
 constexpr std::size_t largestSegment = 16384;
@@ -80,11 +84,11 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
         return; // nothing of it is acknowledged yet
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
-    const double delivered = static_cast<double>(facts.bytesAcknowledged - ended.acknowledged) / secondsOf(elapsed);
+    m_delivered = static_cast<double>(facts.bytesAcknowledged - ended.acknowledged) / secondsOf(elapsed);
     if (hasQueue(facts)) {
-        if (isEffective(facts) || delivered * margin < m_rate * used)
-            meetQueue(facts, delivered, now);
-    } else if (!receiverLimits && delivered > m_rate * used) {
+        if (isEffective(facts) || m_delivered * margin < m_rate * used)
+            meetQueue(facts, m_delivered, now);
+    } else if (!receiverLimits && m_delivered > m_rate * used) {
         grow(now);
     }
 }
@@ -98,7 +102,7 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     const double seconds = std::max(secondsOf(m_burst->end.value_or(now) - m_burst->begin), bytes / m_rate);
     if (bytes < leastBytes || !isEffective(facts))
         return;
-    if (hasQueue(facts))
+    if (hasWaited(facts))
         meetQueue(facts, bytes / (seconds + secondsOf(facts.roundTrip - facts.leastRoundTrip)), now);
     else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof)
         grow(now);
@@ -107,14 +111,24 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
 
 bool PathRate::isEffective(const transport::PathFacts& facts) const { return facts.bytesAcknowledged >= m_effective; }
 
-bool PathRate::hasQueue(const transport::PathFacts& facts) const { return facts.roundTrip - facts.leastRoundTrip > tolerated(facts); }
+bool PathRate::hasWaited(const transport::PathFacts& facts) const { return facts.roundTrip - facts.leastRoundTrip > tolerated(facts); }
 
-/// A path's own unrest, and two of our segments.
+/// The round trip is smoothed over many acknowledgements, which on a slow path takes long: it goes on telling of a queue that is gone. What
+/// is under way knows better, and at once.
+bool PathRate::hasQueue(const transport::PathFacts& facts) const
+{
+    if (!hasWaited(facts))
+        return false;
+    const double underWay = static_cast<double>(facts.bytesSent - facts.bytesAcknowledged);
+    return underWay > m_delivered * secondsOf(facts.leastRoundTrip) + std::max(1.25 * inOnePiece, rate() * burst);
+}
+
+/// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
-    const std::chrono::duration<double> segments(2 * static_cast<double>(segment()) / m_rate);
-    return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(segments) +
-           std::min<Nanoseconds>(facts.leastRoundTrip / 16, mostUnrest);
+    const double segments = 2 * static_cast<double>(segment()) / m_rate;
+    const std::chrono::duration<double> own(std::min(segments, inOnePiece / m_rate + 0.001));
+    return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(own) + std::min<Nanoseconds>(facts.leastRoundTrip / 16, mostUnrest);
 }
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, Instant now)
@@ -123,7 +137,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, In
     m_rate = std::clamp(std::min(m_rate, delivered) * margin, least, most);
     m_draining = true;
     m_step = gentle;
-    m_nextStep = now + gentlePause;
+    m_nextStep = now + pauseBetweenSteps();
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
     if (m_share)
         m_share->even(*this);
@@ -145,14 +159,31 @@ void PathRate::grow(Instant now)
     if (now < m_nextStep)
         return;
     m_rate = std::min(m_rate * m_step, most);
+    const auto pause = pauseBetweenSteps();
+    const double shorter = gentlePause / std::chrono::duration<double>(pause);
+    const double boldest = std::max(1 + (quickest - 1) * shorter * shorter, leastBoldest);
     if (m_rate > *m_ceiling)
-        m_step = std::min(1 + (m_step - 1) * bolder, quickest);
-    m_nextStep = m_step < quickest ? now + gentlePause : now;
+        m_step = std::min(1 + (m_step - 1) * bolder, boldest);
+    m_nextStep = m_step < boldest || pause > gentlePause ? now + pause : now;
+}
+
+/// A step too far must show before the next one.
+PathRate::Nanoseconds PathRate::pauseBetweenSteps() const
+{
+    return std::max<Nanoseconds>(gentlePause,
+                                 std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(noticing * inOnePiece / m_rate)));
+}
+
+std::optional<double> PathRate::known() const
+{
+    if (m_limit && *m_limit < m_rate)
+        return m_limit;
+    return m_ceiling ? std::optional(m_rate) : std::nullopt;
 }
 
 std::size_t PathRate::segment() const
 {
-    const auto half = static_cast<std::size_t>(m_rate * 0.0005);
+    const auto half = static_cast<std::size_t>(std::min(m_rate, m_limit.value_or(most)) * 0.0005);
     return std::clamp(half / smallestSegment * smallestSegment, smallestSegment, largestSegment);
 }
 

@@ -4,6 +4,7 @@
 #include "tasks/fair_share.hpp"
 #include "transport/path_facts.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -45,7 +46,10 @@ public:
     void pause(Instant now);
 
     /// Bytes per second at which to send.
-    double rate() const { return m_draining ? m_rate * drain : m_rate; }
+    double rate() const { return std::min(m_draining ? m_rate * drain : m_rate, m_limit.value_or(most)); }
+
+    /// Not more than this, whatever the path seems to carry; nothing: no limit.
+    void limit(std::optional<double> bytesPerSecond) { m_limit = bytesPerSecond; }
 
     /// The rate without the moments in which a queue drains.
     double steady() const { return m_rate; }
@@ -57,7 +61,7 @@ public:
     Nanoseconds waiting() const { return m_waiting; }
 
     /// Bytes per second that the path is known to carry; nothing until it was filled once.
-    std::optional<double> known() const { return m_ceiling ? std::optional(m_rate) : std::nullopt; }
+    std::optional<double> known() const;
 
     /// The largest segment in bytes that a control message should wait for: half a millisecond of the path, within bounds.
     std::size_t segment() const;
@@ -81,7 +85,9 @@ private:
 
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool isEffective(const transport::PathFacts& facts) const;
+    bool hasWaited(const transport::PathFacts& facts) const;
     bool hasQueue(const transport::PathFacts& facts) const;
+    Nanoseconds pauseBetweenSteps() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, Instant now);
     void grow(Instant now);
@@ -89,7 +95,9 @@ private:
     std::shared_ptr<FairShare> m_share;
     Nanoseconds m_waiting{};
     double m_rate = first;
+    std::optional<double> m_limit;
     std::optional<double> m_ceiling; ///< delivered when a queue was met last
+    double m_delivered = 0;          ///< bytes per second, in the last window
     bool m_draining = false;
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
     double m_step = 1;             ///< the next one near the ceiling

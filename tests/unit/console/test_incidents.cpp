@@ -58,6 +58,14 @@ IncidentRecord lost(quint32 peer)
     return record;
 }
 
+IncidentRecord interrupted(quint32 peer)
+{
+    auto record = lost(peer);
+    record.cause = LossKind::None;
+    record.diagnosis.reset();
+    return record;
+}
+
 PromptSurroundings around()
 {
     PromptSurroundings value;
@@ -228,6 +236,83 @@ private Q_SLOTS:
         SessionModel sessions;
         fill(sessions);
         QCOMPARE(promptContent(*model.incident(4), sessions, around(), start).flaps, QStringLiteral("2nd time in 2 min"));
+    }
+
+    void anInterruptionIsNoIncident()
+    {
+        IncidentModel model;
+        QSignalSpy raised(&model, &IncidentModel::incidentRaised);
+        model.interrupt(interrupted(robot), start);
+        QVERIFY(model.empty());
+        QVERIFY(model.ofPair(cockpit, robot) == nullptr);
+        QCOMPARE(model.interruptions().size(), std::size_t(1));
+        model.heal(robot, start + 300ms);
+        model.forgetHealed(start + 300ms + IncidentModel::healedShown - 1ms);
+        QCOMPARE(model.interruptions().size(), std::size_t(1));
+        QSignalSpy ended(&model, &IncidentModel::interruptionEnded);
+        model.forgetHealed(start + 300ms + IncidentModel::healedShown);
+        QVERIFY(model.interruptions().empty());
+        QCOMPARE(ended.size(), 1);
+        QCOMPARE(raised.size(), 0);
+        QCOMPARE(model.raisedInAll(), quint64(0));
+    }
+
+    void anInterruptionThatDoesNotHealBecomesTheIncident()
+    {
+        IncidentModel model;
+        model.interrupt(interrupted(robot), start);
+        const auto interruption = model.interruptions().front().id;
+        QSignalSpy decided(&model, &IncidentModel::interruptionDecided);
+        model.raise(lost(robot), start + 500ms);
+        QCOMPARE(decided.size(), 1);
+        QCOMPARE(decided.front().at(0).toULongLong(), interruption);
+        QCOMPARE(decided.front().at(1).toULongLong(), quint64(11));
+        QVERIFY(model.interruptions().empty());
+        QCOMPARE(model.incident(11)->flaps, 1);             // one loss, told twice
+        model.interrupt(interrupted(robot), start + 600ms); // told late
+        QVERIFY(model.interruptions().empty());
+    }
+
+    void everyInterruptionCounts()
+    {
+        IncidentModel model;
+        for (int i = 1; i <= 5; ++i) {
+            model.interrupt(interrupted(robot), start + i * 1s);
+            QCOMPARE(model.interruptions().size(), std::size_t(1));
+            QCOMPARE(model.interruptions().front().flaps, i);
+            model.heal(robot, start + i * 1s + 200ms);
+        }
+        model.raise(lost(robot), start + 7s); // without an interruption that this console saw
+        QCOMPARE(model.incident(11)->flaps, 6);
+    }
+
+    void anInterruptionNeverHasTheNumberOfAnIncident()
+    {
+        IncidentModel model;
+        auto other = lost(xray);
+        other.id = robot;
+        model.raise(other, start);
+        model.interrupt(interrupted(robot), start);
+        QVERIFY(model.interruptions().front().id != other.id);
+        QCOMPARE(model.incident(robot)->peer, xray);
+    }
+
+    void anInterruptionSaysThatNothingIsDecided()
+    {
+        SessionModel sessions;
+        fill(sessions);
+        IncidentModel model;
+        model.interrupt(interrupted(robot), start);
+        auto content = promptContent(model.interruptions().front(), sessions, around(), start + 200ms);
+        QCOMPARE(content.headline, QStringLiteral("Robot link interrupted"));
+        QVERIFY(!content.decided && !content.healed && !content.holdConfirmed);
+        QVERIFY(content.patient.contains(QStringLiteral("not confirmed yet")));
+        model.heal(robot, start + 312ms);
+        content = promptContent(model.interruptions().front(), sessions, around(), start + 5s);
+        QCOMPARE(content.headline, QStringLiteral("Robot link was interrupted"));
+        QVERIFY(content.since.startsWith(QStringLiteral("for 312 ms, at ")));
+        QCOMPARE(content.patient, QStringLiteral("Motion needs a new ARM."));
+        QVERIFY(content.healed && !content.decided);
     }
 
     void staysUntilItEnds()

@@ -46,6 +46,8 @@ class LienaLink final : public Transport {
 public:
     explicit LienaLink(const Options& options)
         : m_client(options.role == Role::Client),
+          m_command(options.packets ? "Nudge" : "Move"),
+          m_echo(options.packets ? "Nudged" : "Moved"),
           m_frame(options.workload == WorkloadKind::Load ? "Frame" : "Block"),
           m_pixels(options.frameBytes),
           m_system(valueOf(DistributedSystem::create(settingsOf(options)))),
@@ -70,7 +72,7 @@ public:
     /// The client gives commands, the echo reports.
     void sendCommand(const Command& command) override
     {
-        auto message = valueOf(m_client ? m_system->command(m_peer, "Move") : m_system->report("Moved"));
+        auto message = valueOf(m_client ? m_system->command(m_peer, m_command) : m_system->report(m_echo));
         message.set(numberField, command.stamp.number).set(sentField, command.stamp.sentNs);
         for (std::size_t i = 0; i < command.values.size(); ++i)
             message.set(bodyField + i, command.values[i]);
@@ -85,7 +87,7 @@ public:
     }
 
 private:
-    // Places in the definitions of `Move`, `Moved`, `Frame` and `Block`.
+    // Places in the definitions of `Move`, `Nudge`, their echoes, `Frame` and `Block`.
     static constexpr std::size_t numberField = 0;
     static constexpr std::size_t sentField = 1;
     static constexpr std::size_t bodyField = 2;
@@ -111,7 +113,7 @@ private:
         const auto frame = [this](const Message& message) {
             m_events->frameReceived(stampOf(message), message.get<std::span<const std::byte>>(bodyField).size());
         };
-        for (const auto* name : {"Move", "Moved"})
+        for (const auto& name : {m_command, m_echo})
             valueOf(m_system->subscribe(name, command));
         for (const auto* name : {"Frame", "Block"})
             valueOf(m_system->subscribe(name, frame));
@@ -144,6 +146,8 @@ private:
     bool m_ready = false;
     std::atomic<bool> m_refused = false;
     LinkEvents* m_events = nullptr;
+    std::string m_command;
+    std::string m_echo;
     std::string m_frame;
     std::vector<std::byte> m_pixels;
     std::unique_ptr<DistributedSystem> m_system;

@@ -6,6 +6,7 @@ from . import measuring
 
 WARM_UP = 1.0  # seconds, of the programs
 STARTING = 2.0  # in which they have connected
+SECOND = 1000  # ms
 LATE = 2  # times the frames' median before the collapse: such a frame is not as it was
 
 
@@ -46,17 +47,18 @@ def figures(timeline, narrowed, healed):
 
 
 def frames_back(frames, narrowed, healed):
-    """Seconds from the healing to the first frame since which none was left out or late; infinite when that never came."""
+    """Seconds from the healing to the first frame since which no second had more frames left out or late than the worst second before the
+    collapse; infinite when that never came."""
     before = [(due, late) for due, late in frames if due < narrowed]
     period = quantile([b[0] - a[0] for a, b in zip(before, before[1:])], 0.5)
     usual = quantile([late for _, late in before], 0.5)
-    back = math.inf
-    previous = -math.inf
-    for due, late in frames:
-        if due < healed:
-            previous = due
-            continue
-        whole = due - previous < 1.5 * period and late < LATE * usual
-        back = (due if back == math.inf else back) if whole else math.inf
-        previous = due
-    return (back - healed) / 1000
+    amiss = [due for (previous, _), (due, late) in zip(frames, frames[1:]) if due - previous > 1.5 * period or late > LATE * usual]
+
+    def worst(begin, end):
+        return max((sum(at <= due < at + SECOND for due in amiss) for at in amiss if begin <= at < end), default=0)
+
+    allowed = worst(-math.inf, narrowed - SECOND)
+    for due, _ in frames:
+        if due >= healed and worst(due, math.inf) <= allowed:
+            return (due - healed) / 1000
+    return math.inf

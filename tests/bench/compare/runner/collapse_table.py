@@ -30,5 +30,5 @@ def sections(medians, transports):
                 f"### A link that falls from {path.link.name} to {path.narrow.name}", "",
                 f"Commands at 500 Hz beside 15 frames/s of {path.link.frame_bytes // 1024} KiB, which the narrow link cannot carry: "
                 f"{before} s, {narrow} s narrow, {after} s healed. µs. Limit: p99 before the fall, the time of a 4 KiB segment on the narrow link and "
-                f"{STALL_US} µs. *Again*: since then no frame was left out or took more than twice what it took before the fall.", "",
+                f"{STALL_US} µs. *Again*: since then no second had more frames left out, or late by a factor of two, than the worst one before the fall.", "",
                 HEAD, *lines])

@@ -24,7 +24,7 @@ def cell_of(medians, measurement, transport, base):
 
 def base_of(transport):
     """Plain transports are held against plain Asio, and what never sleeps against a plain socket that never does."""
-    if transport.arguments:
+    if "--spin" in transport.arguments:
         return "raw-spin"
     return "asio" if transport.mode == "none" else "asio-tls"
 

@@ -59,6 +59,8 @@ class ReportTest(unittest.TestCase):
         left_out_in_between = frames(healthy, narrow, (15000, 17000, 66, 20), (17132, 25000, 66, 20))
         self.assertAlmostEqual(collapse.frames_back(left_out_in_between, 5000, 15000), 2.2, delta=0.2)
         self.assertEqual(collapse.frames_back(frames(healthy, narrow, (15000, 25000, 132, 20)), 5000, 15000), float("inf"))
+        sometimes_late = [(due, 50 if due % 19 == 0 and not 5000 <= due < 15000 else late) for due, late in at_once]
+        self.assertLess(collapse.frames_back(sometimes_late, 5000, 15000), 0.2)  # as before the collapse
 
     def test_spans_of_a_collapse_are_those_of_the_link(self):
         timeline = {"command_due_ms": [10, 60, 110], "command_late_ms": [1, 7, 2], "frame_due_ms": [20, 70, 120], "frame_late_ms": [5, 9, 5]}

@@ -36,6 +36,8 @@ TARGETS = [
     *(Target(f"Round trip {how} ÷ Asio TLS", key, "round_trip_p50", "liena", "asio-tls", AT_MOST, 1.15) for key, how in ROUND_TRIPS),
     *(Target(f"Round trip {how} ÷ {title}, which has no TLS", key, "round_trip_p50", "liena", other, BELOW, 1)
       for key, how in ROUND_TRIPS for other, title in OTHERS),
+    *(Target(f"Round trip {how} as sealed UDP packets ÷ {title}, which seals nothing", key, "round_trip_p50", "liena-udp", other, BELOW, 1)
+      for key, how in ROUND_TRIPS for other, title in OTHERS if other != "zeromq"),
     Target("Round trip, never asleep ÷ raw TCP, never asleep", "roundtrip", "round_trip_p50", "liena-spin", "raw-spin", AT_MOST, 2.5),
     Target("1 MiB frames ÷ Asio TLS", "frames", "megabytes_per_second", "liena", "asio-tls", AT_LEAST, 0.9),
     Target("1 MiB frames in mode none ÷ Asio", "frames", "megabytes_per_second", "liena-none", "asio", AT_LEAST, 0.85),

@@ -16,6 +16,7 @@ TRANSPORTS = [
     Transport("liena", "LiENa, TLS", "peer_liena", "tls"),
     Transport("asio-tls", "Asio TLS", "peer_asio_tls", "tls"),
     Transport("raw", "raw TCP", "peer_raw_tcp", "none"),
+    Transport("liena-udp", "LiENa, sealed UDP packets", "peer_liena", "tls", ("--packets",), True),
     Transport("liena-spin", "LiENa, TLS, never asleep", "peer_liena", "tls", ("--spin",), True),
     Transport("raw-spin", "raw TCP, never asleep", "peer_raw_tcp", "none", ("--spin",), True),
     Transport("liena-none", "LiENa, mode none", "peer_liena", "none"),

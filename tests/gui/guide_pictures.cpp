@@ -1,0 +1,163 @@
+// Takes the pictures of the user's guide from the running console and real devices: `guide_pictures FOLDER WIDTHxHEIGHT`.
+//
+// The console is the whole one, on Qt's offscreen platform; robot, arm and X-ray system are liena-devices in processes of their own. The
+// patient side's timing is slower than a real one, so that a moment lasts long enough for its picture.
+#include "theatre.hpp"
+#include "widgets/diagnosis_sheet.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QDir>
+#include <QTest>
+
+#include <cstdio>
+#include <functional>
+
+using namespace console;
+using console::test::Theatre;
+
+namespace {
+
+class SilentVoice : public AlarmVoice {
+public:
+    void play(AlarmPriority) override {}
+    void silence() override {}
+};
+
+class Photographer {
+public:
+    Photographer(const QDir& folder, const QSize& size, AlarmVoice& voice) : m_folder(folder), m_theatre(wishes(size, voice)) {}
+
+    /// False at the first state that is not reached; the pictures before it are there.
+    bool work()
+    {
+        return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views();
+    }
+
+private:
+    static Theatre::Wishes wishes(const QSize& size, AlarmVoice& voice)
+    {
+        Theatre::Wishes wishes;
+        wishes.window = size;
+        wishes.pictureSize = 1024;
+        wishes.user = QStringLiteral("Dr. Example");
+        wishes.voice = &voice;
+        wishes.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
+        wishes.system.name = R"(name="cerebrovascular" title="Remote vascular intervention")";
+        return wishes;
+    }
+
+    static bool until(const std::function<bool()>& reached) { return QTest::qWaitFor(reached, Theatre::patience); }
+
+    bool take(const char* state)
+    {
+        m_theatre.window().refresh(std::chrono::steady_clock::now());
+        QCoreApplication::processEvents();
+        const auto path = m_folder.filePath(QStringLiteral("%1-%2.png").arg(QString::fromLatin1(state)).arg(m_theatre.window().height()));
+        const bool saved = m_theatre.window().grab().save(path, "PNG", 0);
+        std::printf("%s\n", qPrintable(saved ? path : QStringLiteral("cannot write ") + path));
+        return saved;
+    }
+
+    PictureCondition picture() const { return m_theatre.models().picture.reading(std::chrono::steady_clock::now()).condition; }
+    quint32 robotId() const { return m_theatre.files.idOf("robot").value(); }
+
+    bool idle() { return QTest::qWaitForWindowActive(&m_theatre.window()) && take("idle"); }
+
+    bool open()
+    {
+        if (!m_theatre.openAll())
+            return false;
+        m_theatre.testAlarms();
+        m_theatre.hold(Qt::Key_F);
+        return until([this] { return picture() == PictureCondition::Live; }) && m_theatre.reaches(PermitPhase::Ready) && take("open");
+    }
+
+    bool armed() { return m_theatre.arm() && take("armed"); }
+
+    bool engaged() { return m_theatre.armAndMove() && take("engaged"); }
+
+    /// The link stands longer than a picture may be old.
+    bool frozen()
+    {
+        m_theatre.xray->freeze();
+        const bool seen = until([this] { return picture() == PictureCondition::Frozen; }) && take("frozen");
+        m_theatre.xray->thaw();
+        m_theatre.releaseAll();
+        return seen && until([this] { return m_theatre.models().sessions.allOpen(); });
+    }
+
+    bool interrupted()
+    {
+        if (!m_theatre.armAndMove())
+            return false;
+        m_theatre.robot->freeze();
+        return until([this] { return m_theatre.link("robot") == LinkState::Reconnecting; }) && take("interrupted");
+    }
+
+    bool lost()
+    {
+        const auto told = [this] {
+            const auto* incident = m_theatre.models().incidents.ofPair(robotId(), m_theatre.files.idOf("cockpit").value());
+            return incident != nullptr && incident->diagnosis && incident->diagnosis->probe != ProbeFinding::NotProbed;
+        };
+        return until(told) && take("stand-by");
+    }
+
+    bool reopened()
+    {
+        m_theatre.releaseAll();
+        m_theatre.robot->thaw();
+        auto* sheet = m_theatre.window().findChild<DiagnosisSheet*>();
+        if (!m_theatre.click(QStringLiteral("Re-open channel"), sheet))
+            return false;
+        const auto read = [this] {
+            auto* button = m_theatre.button(QStringLiteral("I have read this"));
+            return m_theatre.models().incidents.empty() && button != nullptr && button->isEnabled();
+        };
+        return until(read) && take("away");
+    }
+
+    bool views()
+    {
+        m_theatre.readAccount();
+        for (const auto& [key, name] : {std::pair{Qt::Key_F2, "topology"}, std::pair{Qt::Key_F4, "log"}}) {
+            QTest::keyClick(&m_theatre.window(), key);
+            if (!take(name))
+                return false;
+        }
+        return true;
+    }
+
+    QDir m_folder;
+    Theatre m_theatre;
+};
+
+QSize sizeFrom(const QByteArray& text)
+{
+    const auto parts = text.split('x');
+    return parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    QApplication application(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("liena-console"));
+    QApplication::setApplicationVersion(QStringLiteral(LIENA_VERSION));
+    theme::apply(application);
+    const auto size = argc == 3 ? sizeFrom(argv[2]) : QSize();
+    if (size.width() < 800 || size.height() < 450 || !QDir(QString::fromLocal8Bit(argv[1])).exists()) {
+        std::fprintf(stderr, "guide_pictures FOLDER WIDTHxHEIGHT: a folder that is there, and a size from 800x450\n");
+        return 2;
+    }
+    SilentVoice voice;
+    Photographer photographer(QDir(QString::fromLocal8Bit(argv[1])), size, voice);
+    if (photographer.work())
+        return 0;
+    std::fprintf(stderr, "guide_pictures: the state after the last picture was not reached\n");
+    return 1;
+}

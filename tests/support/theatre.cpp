@@ -1,0 +1,220 @@
+// Starting the system, and the ways of a hand on the window.
+#include "theatre.hpp"
+
+#include <QDeadlineTimer>
+#include <QTest>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace console::test {
+
+using liena::test::ChildProcess;
+namespace reference = liena::test::reference;
+
+namespace {
+
+/// With the titles that people know, as in topologies/cerebrovascular.xml.
+std::vector<liena::test::DeviceSpec> devicesOf(bool arm)
+{
+    const auto titled = [](liena::test::DeviceSpec spec, const std::string& title, const std::string& site) {
+        spec.place = "title=\"" + title + "\" site=\"" + site + "\"";
+        return spec;
+    };
+    std::vector<liena::test::DeviceSpec> devices{titled(reference::cockpit, "Surgeon's cockpit", "surgeon"),
+                                                 titled(reference::robot, "Vascular robot", "patient"),
+                                                 titled(reference::xray, "C-arm X-ray", "patient")};
+    if (arm)
+        devices.push_back(titled(reference::arm, "Robotic arm", "patient"));
+    return devices;
+}
+
+std::vector<std::string> linksOf(bool arm)
+{
+    std::vector<std::string> links{"cockpit robot", "cockpit xray", "xray robot"};
+    if (arm)
+        links.insert(links.end(), {"cockpit arm", "arm robot"});
+    return links;
+}
+
+Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
+{
+    const auto settings = files.settingsOf("cockpit");
+    const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
+    Options options;
+    options.topology = text(settings.topology);
+    options.device = QStringLiteral("cockpit");
+    options.registry = {text(settings.registry.front())};
+    options.store = text(settings.store);
+    options.certificate = text(settings.certificate);
+    options.key = text(settings.key);
+    options.authority = text(settings.authority);
+    options.alarmLog = text(files.folder() / "alarms");
+    options.watchdog = wishes.watchdog;
+    options.size = wishes.window;
+    options.profile = wishes.profile;
+    options.master = wishes.master;
+    options.user = wishes.user;
+    return options;
+}
+
+} // namespace
+
+Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wishes.arm), wishes.system)
+{
+    robot = start("robot");
+    if (wishes.arm)
+        armDevice = start("arm");
+    xray = start("xray", {QStringLiteral("--size"), QString::number(wishes.pictureSize)});
+    cockpit = std::make_unique<CockpitApplication>(optionsOf(files, wishes));
+    if (wishes.voice != nullptr)
+        cockpit->setVoice(*wishes.voice);
+    QString error;
+    if (!cockpit->prepare(&error))
+        throw std::runtime_error(error.toStdString());
+    cockpit->show();
+}
+
+std::unique_ptr<ChildProcess> Theatre::start(const std::string& role, const QStringList& options)
+{
+    auto process = std::make_unique<ChildProcess>(QStringLiteral("liena-device"),
+                                                  QStringList{QString::fromStdString(role)} + files.argumentsOf(role) + options);
+    if (!process->waitForLine(QStringLiteral("listening on")))
+        throw std::runtime_error(process->output().toStdString());
+    return process;
+}
+
+QAbstractButton* Theatre::button(const QString& text, const QWidget* within) const
+{
+    const QWidget* place = within != nullptr ? within : &cockpit->window();
+    for (auto* candidate : place->findChildren<QAbstractButton*>())
+        if (candidate->isVisible() && candidate->text().remove(QLatin1Char('&')).startsWith(text))
+            return candidate;
+    return nullptr;
+}
+
+bool Theatre::click(const QString& text, const QWidget* within)
+{
+    QAbstractButton* found = nullptr;
+    if (!QTest::qWaitFor([&] { return (found = button(text, within)) != nullptr && found->isEnabled(); }, patience))
+        return false;
+    QTest::mouseClick(found, Qt::LeftButton);
+    return true;
+}
+
+bool Theatre::openAll()
+{
+    if (!QTest::qWaitForWindowActive(&window()))
+        return false;
+    QTest::keyClick(&window(), Qt::Key_F2);
+    if (!click(QStringLiteral("Open all")) || !QTest::qWaitFor([this] { return models().sessions.allOpen(); }, patience))
+        return false;
+    QTest::keyClick(&window(), Qt::Key_F1);
+    return true;
+}
+
+void Theatre::hold(int key) { QTest::keyPress(&window(), static_cast<Qt::Key>(key)); }
+
+void Theatre::release(int key) { QTest::keyRelease(&window(), static_cast<Qt::Key>(key)); }
+
+void Theatre::releaseAll()
+{
+    for (const int key : {Qt::Key_Up, Qt::Key_D, Qt::Key_R, Qt::Key_F})
+        release(key);
+}
+
+bool Theatre::reaches(PermitPhase wanted)
+{
+    return QTest::qWaitFor([&] { return phase() == wanted; }, 6000);
+}
+
+Theatre::Hand Theatre::keyboardHand()
+{
+    return {[this] { hold(Qt::Key_D); }, [this] { hold(Qt::Key_Up); }, [] {}};
+}
+
+bool Theatre::armOnce(const Hand& hand)
+{
+    releaseAll();
+    hand.letGo();
+    acknowledgeAlarms();
+    readAccount();
+    testAlarms();
+    hold(Qt::Key_F);
+    if (!reaches(PermitPhase::Ready))
+        return false;
+    hold(Qt::Key_R);
+    const bool armed = reaches(PermitPhase::Armed);
+    release(Qt::Key_R);
+    return armed;
+}
+
+bool Theatre::arm()
+{
+    const QDeadlineTimer deadline(3 * patience);
+    while (!armOnce(keyboardHand()))
+        if (deadline.hasExpired())
+            return false;
+    return true;
+}
+
+bool Theatre::armAndMove(const Hand& hand)
+{
+    const QDeadlineTimer deadline(3 * patience);
+    const auto before = robotStatus().guidewirePosition;
+    const auto moved = [&] { return robotStatus().guidewirePosition > before + 0.5; };
+    while (!moved()) {
+        if (deadline.hasExpired())
+            return false;
+        if (!armOnce(hand))
+            continue;
+        hand.press();
+        if (!reaches(PermitPhase::Engaged))
+            continue;
+        hand.move();
+        (void)QTest::qWaitFor([&] { return moved() || phase() != PermitPhase::Engaged; }, patience);
+    }
+    return true;
+}
+
+void Theatre::testAlarms()
+{
+    const auto& test = models().selfTest;
+    auto* begin = button(QStringLiteral("Alarm self-test"));
+    if (begin == nullptr)
+        return;
+    QTest::mouseClick(begin, Qt::LeftButton);
+    if (!QTest::qWaitFor([&] { return !test.signal().has_value(); }, patience))
+        return;
+    if (auto* right = button(QStringLiteral("Test seen")); right != nullptr)
+        QTest::mouseClick(right, Qt::LeftButton);
+}
+
+void Theatre::readAccount()
+{
+    auto* read = button(QStringLiteral("I have read this"));
+    if (read != nullptr && QTest::qWaitFor([read] { return read->isEnabled(); }))
+        QTest::mouseClick(read, Qt::LeftButton);
+}
+
+void Theatre::acknowledgeAlarms()
+{
+    constexpr int most = 16;
+    for (int i = 0; i < most && models().alarms.unacknowledgedHigh(); ++i)
+        if (auto* acknowledge = button(QStringLiteral("Acknowledge")); acknowledge != nullptr && acknowledge->isEnabled())
+            QTest::mouseClick(acknowledge, Qt::LeftButton);
+}
+
+QString Theatre::story() const
+{
+    constexpr std::size_t most = 20; // a failure's text is cut at about a thousand letters
+    QString text = word(phase()) + QStringLiteral(": ") + models().permit.unmetText(9) + QLatin1Char('\n');
+    for (const auto& alarm : models().alarms.alarms())
+        text += word(alarm.priority) + QStringLiteral(": ") + alarm.text + QLatin1Char('\n');
+    const auto& lines = models().log.lines();
+    for (std::size_t i = lines.size() - std::min(most, lines.size()); i < lines.size(); ++i)
+        text += lines[i].text + QLatin1Char('\n');
+    return text;
+}
+
+} // namespace console::test

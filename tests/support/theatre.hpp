@@ -1,0 +1,100 @@
+// The whole reference system, operated as a person does: the console in this process, the devices in processes of their own.
+#pragma once
+
+#include "app/cockpit_application.hpp"
+#include "child_process.hpp"
+#include "test_system.hpp"
+#include "widgets/cockpit_window.hpp"
+
+#include <QAbstractButton>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace console::test {
+
+/// Robot, arm and X-ray system over TLS on loopback, and the console's window with its links to them. What waits gives up after
+/// `patience`, and says so by false.
+class Theatre {
+public:
+    static constexpr int patience = 30000; ///< milliseconds
+
+    struct Wishes {
+        QSize window{1366, 768};
+        int pictureSize = 256; ///< rows and columns: sanitizers are slow
+        MasterKind master = MasterKind::Keyboard;
+        PictureProfile profile = PictureProfile::Coronary;
+        bool arm = true;                              ///< the robotic arm is part of the system
+        liena::test::TestSystem::Options system = {}; ///< timing, for one
+        QString user;
+        QString watchdog;            ///< program; empty: none
+        AlarmVoice* voice = nullptr; ///< in place of the loudspeaker; outlives the theatre
+    };
+
+    /// Throws when a device does not start or the console refuses.
+    Theatre() : Theatre(Wishes()) {}
+    explicit Theatre(const Wishes& wishes);
+
+    std::unique_ptr<liena::test::ChildProcess> start(const std::string& role, const QStringList& options = {});
+
+    CockpitWindow& window() { return cockpit->window(); }
+    const ConsoleModels& models() const { return cockpit->models(); }
+    PermitPhase phase() const { return models().permit.phase(); }
+    LinkState link(const std::string& name) const { return models().sessions.state(files.idOf(name).value()); }
+    const RobotStatus& robotStatus() const { return models().instrument.robot().value; }
+
+    /// Visible, and its text begins so; null when there is none.
+    QAbstractButton* button(const QString& text, const QWidget* within = nullptr) const;
+
+    /// Once it is there and enabled.
+    bool click(const QString& text, const QWidget* within = nullptr);
+
+    /// By the topology view, and back to the cockpit.
+    bool openAll();
+
+    void hold(int key);
+    void release(int key);
+    void releaseAll();
+
+    bool reaches(PermitPhase wanted);
+
+    /// Everything that a person does until the robot is armed, as often as a condition fails on the way: a busy computer paints too late,
+    /// say.
+    bool arm();
+
+    /// What presses the dead-man, what then moves, and what lets both go again.
+    struct Hand {
+        std::function<void()> press, move, letGo;
+    };
+    Hand keyboardHand();
+
+    /// Arms, and ends with the robot moving forward.
+    bool armAndMove(const Hand& hand);
+    bool armAndMove() { return armAndMove(keyboardHand()); }
+
+    /// Looks at the colours, listens, and says so. A high alarm that comes between ends the test.
+    void testAlarms();
+
+    /// What happened while the system stood by, once it can be read.
+    void readAccount();
+
+    void acknowledgeAlarms();
+
+    /// What the console shows and noted last, for a failing test's output.
+    QString story() const;
+
+    liena::test::TestSystem files;
+    std::unique_ptr<liena::test::ChildProcess> robot;
+    std::unique_ptr<liena::test::ChildProcess> armDevice;
+    std::unique_ptr<liena::test::ChildProcess> xray;
+    std::unique_ptr<CockpitApplication> cockpit;
+
+private:
+    bool armOnce(const Hand& hand);
+};
+
+} // namespace console::test
