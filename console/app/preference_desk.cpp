@@ -11,8 +11,8 @@
 
 namespace console {
 
-PreferenceDesk::PreferenceDesk(const Options& options, ConsoleModels& models, PictureDesk& pictures, QString path, QObject* parent)
-    : QObject(parent), m_options(options), m_models(models), m_pictures(pictures), m_store(std::move(path))
+PreferenceDesk::PreferenceDesk(const Options& options, ConsoleModels& models, PictureDesk& pictures, QObject* parent)
+    : QObject(parent), m_options(options), m_models(models), m_pictures(pictures), m_store(options.preferences)
 {}
 
 void PreferenceDesk::build(CockpitWindow& window)
@@ -26,7 +26,7 @@ void PreferenceDesk::build(CockpitWindow& window)
     connect(&m_models.permit, &PermitModel::phaseChanged, this, &PreferenceDesk::followPermit);
     m_view->setOverruled(overruled());
     followPermit();
-    if (!m_options.unattended)
+    if (kept())
         read();
     apply();
 }
@@ -47,7 +47,7 @@ void PreferenceDesk::change(const Preferences& wanted)
         return m_view->setPreferences(m_preferences);
     m_preferences = withinBounds(wanted);
     apply();
-    const QString trouble = m_options.unattended ? QString() : m_store.write(m_preferences);
+    const QString trouble = kept() ? m_store.write(m_preferences) : QString();
     if (!trouble.isEmpty())
         note(trouble);
     m_view->showTrouble(trouble);
@@ -87,8 +87,8 @@ void PreferenceDesk::followPermit()
 
 QString PreferenceDesk::overruled() const
 {
-    if (m_options.unattended)
-        return tr("This run is unattended: it has the defaults, and nothing is kept.");
+    if (!kept())
+        return tr("This run has no file of preferences: it begins with the defaults, and changes are not kept.");
     return m_options.pictures.isEmpty()
                ? QString()
                : tr("For this run the command line decides on the folder of pictures: %1.").arg(m_options.pictures);

@@ -13,13 +13,12 @@ class CockpitWindow;
 class PictureDesk;
 class PreferencesView;
 
-/// GUI thread only; what it is given outlives it. What the command line says wins for this run and is not kept. An unattended run has the
-/// defaults, whoever starts it.
+/// GUI thread only; what it is given outlives it. What the command line says wins for this run and is not kept. Without a file in the
+/// options there are the defaults, and changes last for this run.
 class PreferenceDesk : public QObject {
     Q_OBJECT
 public:
-    PreferenceDesk(const Options& options, ConsoleModels& models, PictureDesk& pictures, QString path = preferenceFile(),
-                   QObject* parent = nullptr);
+    PreferenceDesk(const Options& options, ConsoleModels& models, PictureDesk& pictures, QObject* parent = nullptr);
 
     /// Gives the window its view and brings what was kept into force.
     void build(CockpitWindow& window);
@@ -33,6 +32,7 @@ private:
     void read();
     void apply();
     void followPermit();
+    bool kept() const { return !m_options.preferences.isEmpty(); }
     QString overruled() const;
     void note(const QString& trouble);
 

@@ -134,6 +134,10 @@ void setBrightness(QApplication& application, Brightness brightness)
     const auto widgets = QApplication::allWidgets();
     for (QWidget* widget : widgets)
         reInk(widget, before, detail::present);
+    // A new style sheet gives widgets their first fonts back.
+    const auto windows = QApplication::topLevelWidgets();
+    for (QWidget* window : windows)
+        applyScale(window, scaleOf(window));
 }
 
 } // namespace console::theme

@@ -9,6 +9,7 @@
 #include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
+#include "widgets/preferences_view.hpp"
 #include "widgets/review_controls.hpp"
 #include "widgets/start_view.hpp"
 #include "widgets/theme.hpp"
@@ -154,6 +155,20 @@ std::vector<State> states()
          }},
         {"start", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Start); }},
         {"about", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::About); }},
+        {"preferences", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Preferences); }},
+        {"readonly",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), arm(c);
+             auto* view = w.findChild<console::PreferencesView*>();
+             view->setReadOnly(
+                 QStringLiteral("Read only: the permit is ARMED. Preferences can be changed when nothing is armed or in hold."));
+             view->setOverruled(QStringLiteral("For this run the command line decides on the folder of pictures: /media/stick."));
+             w.showView(console::View::Preferences);
+         }},
+        {"dim",
+         [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), console::theme::setBrightness(*qApp, console::Brightness::Dim); }},
+        {"bright", [](InventedCockpit& c,
+                      CockpitWindow&) { c.openAll(), arm(c), console::theme::setBrightness(*qApp, console::Brightness::Bright); }},
     };
 }
 
@@ -162,6 +177,7 @@ void addViews(CockpitWindow& window, InventedCockpit& cockpit)
     const console::ProgramFacts program{QStringLiteral("0.9.0"), QStringLiteral("Dr Invented"),
                                         QStringLiteral("/usr/share/doc/liena/OPERATING.md")};
     window.addView(console::View::Start, new console::StartView(cockpit.models, program));
+    window.addView(console::View::Preferences, new console::PreferencesView);
     window.addView(console::View::About, new console::AboutView(cockpit.models, program));
 }
 
@@ -194,7 +210,9 @@ bool paint(const State& state, const QSize& size, const QDir& folder)
     panes.show(cockpit.models.picture, brought);
     window.refresh(cockpit.now);
     const QString file = folder.filePath(QStringLiteral("%1_%2.png").arg(QString::fromLatin1(state.name)).arg(size.height()));
-    return window.grab().save(file);
+    const bool saved = window.grab().save(file);
+    console::theme::setBrightness(*qApp, console::Brightness::Usual);
+    return saved;
 }
 
 } // namespace

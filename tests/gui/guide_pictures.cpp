@@ -29,10 +29,7 @@ public:
     Photographer(const QDir& folder, const QSize& size, AlarmVoice& voice) : m_folder(folder), m_theatre(wishes(size, voice)) {}
 
     /// False at the first state that is not reached; the pictures before it are there.
-    bool work()
-    {
-        return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views();
-    }
+    bool work() { return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views(); }
 
 private:
     static Theatre::Wishes wishes(const QSize& size, AlarmVoice& voice)
