@@ -25,10 +25,10 @@ class TrendsPane;
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F4 log, F6 preferences, F7 screens, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency
-/// stop, wherever the focus is. All other keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another
-/// window has it, the hand has none, and `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never
-/// handed on.
+/// Keys: F1 cockpit, F2 topology, F4 log, F6 preferences, F7 screens, F10 and F11 reference or scene beside the live picture, Ctrl+1 …
+/// Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys
+/// belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
+/// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -51,6 +51,13 @@ public:
     void setKeyLegend(const QString& legend);
     void setTrendSpan(TrendSpan span);
 
+    /// Which picture stands beside the live one; F10 and F11 change it.
+    void setArrangement(Arrangement arrangement);
+    Arrangement arrangement() const { return m_arrangement; }
+
+    /// The screen that the cockpit was on is gone: the hand has no keys until a person clicks into the cockpit or presses F1.
+    void noteScreenGone();
+
     /// Everything as of `now`. The window's own clock renews what moves twenty times a second, the rest four times.
     void refresh(Instant now);
 
@@ -60,7 +67,7 @@ public:
     /// The hand may use the keys.
     bool handHasKeys() const { return m_handHasKeys; }
 
-    QRect regionGeometry(Region region) const { return regionRect(region, size()); }
+    QRect regionGeometry(Region region) const { return regionRect(region, size(), m_arrangement); }
 
 Q_SIGNALS:
     void openRequested(quint32 peer);
@@ -82,6 +89,8 @@ Q_SIGNALS:
     void alarmTestAnswered(bool seenAndHeard);
     void panicHoldRequested();
     void viewRequested(console::View view);
+    void arrangementChanged(console::Arrangement arrangement);
+    void layoutRequested(int place);
     void handKeyPressed(int key);
     void handKeyReleased(int key);
     void handFocusChanged(bool handHasKeys);
@@ -132,6 +141,8 @@ private:
     int m_ticks = 0;
     bool m_refreshDue = false;
     bool m_handHasKeys = false;
+    bool m_screenGone = false;
+    Arrangement m_arrangement = Arrangement::Usual;
     QString m_operator;
     std::optional<Instant> m_procedureSince;
 };

@@ -11,6 +11,7 @@
 #include "widgets/picture_pane.hpp"
 #include "widgets/preferences_view.hpp"
 #include "widgets/review_controls.hpp"
+#include "widgets/screens_view.hpp"
 #include "widgets/start_view.hpp"
 #include "widgets/theme.hpp"
 
@@ -165,6 +166,28 @@ std::vector<State> states()
              view->setOverruled(QStringLiteral("For this run the command line decides on the folder of pictures: /media/stick."));
              w.showView(console::View::Preferences);
          }},
+        {"screens",
+         [](InventedCockpit&, CockpitWindow& w) {
+             w.findChild<console::ScreensView*>()->showState(
+                 {console::Arrangement::Usual,
+                  QStringLiteral("DP-1"),
+                  {QStringLiteral("DP-2 CN41"), QStringLiteral("HDMI-1")},
+                  QStringLiteral("DP-2 CN41"),
+                  {},
+                  {QStringLiteral("Diagnostic"), QStringLiteral("Coil, two screens"), QStringLiteral("\u4ECB\u5165")},
+                  {}});
+             w.showView(console::View::Screens);
+         }},
+        {"beside",
+         [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), arm(c), w.setArrangement(console::Arrangement::ReferenceBeside); }},
+        {"scenebeside",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), arm(c), c.engage(), w.setArrangement(console::Arrangement::SceneBeside), c.loseXray(), c.loseRobot();
+         }},
+        {"besideview",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), w.setArrangement(console::Arrangement::ReferenceBeside), w.showView(console::View::Topology);
+         }},
         {"dim",
          [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), console::theme::setBrightness(*qApp, console::Brightness::Dim); }},
         {"bright", [](InventedCockpit& c,
@@ -177,6 +200,7 @@ void addViews(CockpitWindow& window, InventedCockpit& cockpit)
     const console::ProgramFacts program{QStringLiteral("0.9.0"), QStringLiteral("Dr Invented"),
                                         QStringLiteral("/usr/share/doc/liena/OPERATING.md")};
     window.addView(console::View::Start, new console::StartView(cockpit.models, program));
+    window.addView(console::View::Screens, new console::ScreensView);
     window.addView(console::View::Preferences, new console::PreferencesView);
     window.addView(console::View::About, new console::AboutView(cockpit.models, program));
 }
