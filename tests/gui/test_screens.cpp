@@ -38,6 +38,7 @@ struct Theatre : CockpitStage {
     explicit Theatre(const QSize& size = {1920, 1080}) : CockpitStage(size), options(at(folder)), pictures(options, cockpit.models)
     {
         pictures.build(window);
+        theme::applyScale(&window, theme::scaleFor(size)); // as when it is shown with its panes
         desk = std::make_unique<ScreenDesk>(options, cockpit.models, pictures, window);
         desk->begin();
         view = window.findChild<ScreensView*>();
@@ -103,8 +104,8 @@ private Q_SLOTS:
                 for (const Region region : always)
                     QVERIFY(!at(over).intersects(at(region)));
         }
-        QVERIFY(regionRect(Region::Reference, window, Arrangement::ReferenceBeside).width() >
-                regionRect(Region::Reference, window).width());
+        const auto least = [](const QRect& rect) { return std::min(rect.width(), rect.height()); };
+        QVERIFY(least(regionRect(Region::Reference, window, Arrangement::ReferenceBeside)) > least(regionRect(Region::Reference, window)));
     }
 
     void oneKeyChangesPlacesAndTheSameKeyTakesItBack()
