@@ -5,23 +5,14 @@
 #include "widgets/diagnosis_sheet.hpp"
 
 #include <QApplication>
-#include <QPropertyAnimation>
 #include <QResizeEvent>
 
 namespace console {
 
-namespace {
-
-constexpr int slideMs = 40; // seen to come from the band, and read at once
-
-} // namespace
-
-SheetDeck::SheetDeck(IncidentModel& incidents, QWidget* parent)
-    : QWidget(parent), m_incidents(incidents), m_sheet(new DiagnosisSheet(this)), m_slide(new QPropertyAnimation(m_sheet, "pos", this))
+SheetDeck::SheetDeck(IncidentModel& incidents, QWidget* parent) : QWidget(parent), m_incidents(incidents), m_sheet(new DiagnosisSheet(this))
 {
     setAccessibleName(tr("Diagnosis"));
     hide();
-    m_slide->setDuration(slideMs);
     connect(m_sheet, &DiagnosisSheet::foldRequested, this, &SheetDeck::fold);
     connect(&m_incidents, &IncidentModel::interruptionBegan, this, &SheetDeck::take);
     connect(&m_incidents, &IncidentModel::interruptionEnded, this, &SheetDeck::choose);
@@ -62,7 +53,7 @@ void SheetDeck::choose()
             if (!record.folded && (m_open == 0 || urgency(record.id) > urgency(m_open)))
                 m_open = record.id;
     if (m_open != 0) {
-        slideOut();
+        comeOut();
     } else if (isVisible()) {
         const bool hadKeys = isAncestorOf(QApplication::focusWidget());
         hide();
@@ -98,18 +89,15 @@ void SheetDeck::open(quint64 incident)
     m_incidents.setFolded(incident, false);
     if (before != incident && m_incidents.incident(before))
         m_incidents.setFolded(before, true);
-    slideOut();
+    comeOut();
 }
 
-void SheetDeck::slideOut()
+/// At once, without a movement that would take a part of the time in which it must be there.
+void SheetDeck::comeOut()
 {
     show();
     raise();
     m_sheet->resize(size());
-    m_slide->stop();
-    m_slide->setStartValue(QPoint(0, -height()));
-    m_slide->setEndValue(QPoint(0, 0));
-    m_slide->start();
     Q_EMIT opened();
     // While it may heal there is nothing to do, and the hand keeps the keys.
     if (const auto* record = m_incidents.incident(m_open); record != nullptr && record->stage == LossStage::Lost)

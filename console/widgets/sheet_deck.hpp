@@ -1,4 +1,4 @@
-// Where diagnosis sheets slide out of the alarm band; what is not open there is a chip in the band.
+// Where diagnosis sheets come out of the alarm band; what is not open there is a chip in the band.
 #pragma once
 
 #include "model/incident_model.hpp"
@@ -7,8 +7,6 @@
 
 #include <utility>
 #include <vector>
-
-class QPropertyAnimation;
 
 namespace console {
 
@@ -43,11 +41,10 @@ private:
     void decide(quint64 interruption, quint64 incident);
     void fold(quint64 incident);
     int urgency(quint64 incident) const;
-    void slideOut();
+    void comeOut();
 
     IncidentModel& m_incidents;
     DiagnosisSheet* m_sheet;
-    QPropertyAnimation* m_slide;
     quint64 m_open = 0;
 };
 

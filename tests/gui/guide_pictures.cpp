@@ -1,7 +1,7 @@
 // Takes the pictures of the user's guide from the running console and real devices: `guide_pictures FOLDER WIDTHxHEIGHT`.
 //
 // The console is the whole one, on Qt's offscreen platform; robot, arm and X-ray system are liena-devices in processes of their own. The
-// patient side's timing is slower than a real one, so that a moment lasts long enough for its picture.
+// links' timing is slower than a real one, so that a moment lasts long enough for its picture.
 #include "theatre.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/theme.hpp"
@@ -28,8 +28,23 @@ class Photographer {
 public:
     Photographer(const QDir& folder, const QSize& size, AlarmVoice& voice) : m_folder(folder), m_theatre(wishes(size, voice)) {}
 
-    /// False at the first state that is not reached; the pictures before it are there.
+    /// False at the first state that is not reached.
     bool work() { return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views(); }
+
+    /// What was taken until now.
+    bool save() const
+    {
+        for (const auto& [state, picture] : m_taken) {
+            const auto path = m_folder.filePath(QStringLiteral("%1-%2.png").arg(state).arg(picture.height()));
+            const bool saved = picture.save(path, "PNG", 0);
+            std::printf("%s\n", qPrintable(saved ? path : QStringLiteral("cannot write ") + path));
+            if (!saved)
+                return false;
+        }
+        return true;
+    }
+
+    QString story() const { return m_theatre.story(); }
 
 private:
     static Theatre::Wishes wishes(const QSize& size, AlarmVoice& voice)
@@ -40,20 +55,21 @@ private:
         wishes.user = QStringLiteral("Dr. Example");
         wishes.voice = &voice;
         wishes.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
+        wishes.system.timing = R"(heartbeat="20ms" suspect="150ms" lost="250ms" reconnect="800ms")";
+        wishes.pictureTiming = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")"; // a frozen picture, and the link stands
         wishes.system.name = R"(name="cerebrovascular" title="Remote vascular intervention")";
         return wishes;
     }
 
     static bool until(const std::function<bool()>& reached) { return QTest::qWaitFor(reached, Theatre::patience); }
 
+    /// Written later: a console that compresses pictures stands still, and says so.
     bool take(const char* state)
     {
         m_theatre.window().refresh(std::chrono::steady_clock::now());
         QCoreApplication::processEvents();
-        const auto path = m_folder.filePath(QStringLiteral("%1-%2.png").arg(QString::fromLatin1(state)).arg(m_theatre.window().height()));
-        const bool saved = m_theatre.window().grab().save(path, "PNG", 0);
-        std::printf("%s\n", qPrintable(saved ? path : QStringLiteral("cannot write ") + path));
-        return saved;
+        m_taken.emplace_back(QString::fromLatin1(state), m_theatre.window().grab().toImage());
+        return true;
     }
 
     PictureCondition picture() const { return m_theatre.models().picture.reading(std::chrono::steady_clock::now()).condition; }
@@ -89,7 +105,8 @@ private:
         if (!m_theatre.armAndMove())
             return false;
         m_theatre.robot->freeze();
-        return until([this] { return m_theatre.link("robot") == LinkState::Reconnecting; }) && take("interrupted");
+        const auto* sheet = m_theatre.window().findChild<DiagnosisSheet*>();
+        return until([sheet] { return sheet->isVisible() && sheet->pos().isNull(); }) && take("interrupted");
     }
 
     bool lost()
@@ -127,6 +144,7 @@ private:
     }
 
     QDir m_folder;
+    std::vector<std::pair<QString, QImage>> m_taken;
     Theatre m_theatre;
 };
 
@@ -153,8 +171,11 @@ int main(int argc, char* argv[])
     }
     SilentVoice voice;
     Photographer photographer(QDir(QString::fromLocal8Bit(argv[1])), size, voice);
-    if (photographer.work())
+    const bool whole = photographer.work();
+    if (!photographer.save())
+        return 1;
+    if (whole)
         return 0;
-    std::fprintf(stderr, "guide_pictures: the state after the last picture was not reached\n");
+    std::fprintf(stderr, "guide_pictures: the state after the last picture was not reached: %s\n", qPrintable(photographer.story()));
     return 1;
 }

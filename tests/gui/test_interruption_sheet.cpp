@@ -6,7 +6,6 @@
 #include "widgets/sheet_button.hpp"
 
 #include <QLabel>
-#include <QPropertyAnimation>
 #include <QSignalSpy>
 
 using namespace console;
@@ -74,7 +73,7 @@ private Q_SLOTS:
         Interrupted stage;
         QVERIFY(stage.ready());
         stage.robot.interrupt(stage.now);
-        QTRY_COMPARE(stage.sheet()->pos(), QPoint(0, 0));
+        QCOMPARE(stage.sheet()->pos(), QPoint(0, 0));
         stage.robot.decide(stage.now += 500ms);
         QCOMPARE(stage.sheet()->pos(), QPoint(0, 0));
         QVERIFY(stage.says(QStringLiteral("Vascular robot link lost")));

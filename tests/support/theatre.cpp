@@ -29,10 +29,11 @@ std::vector<liena::test::DeviceSpec> devicesOf(bool arm)
     return devices;
 }
 
-std::vector<std::string> linksOf(bool arm)
+std::vector<std::string> linksOf(const Theatre::Wishes& wishes)
 {
-    std::vector<std::string> links{"cockpit robot", "cockpit xray", "xray robot"};
-    if (arm)
+    const auto pictures = wishes.pictureTiming.empty() ? std::string() : '|' + wishes.pictureTiming;
+    std::vector<std::string> links{"cockpit robot", "cockpit xray" + pictures, "xray robot" + pictures};
+    if (wishes.arm)
         links.insert(links.end(), {"cockpit arm", "arm robot"});
     return links;
 }
@@ -60,7 +61,7 @@ Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
 
 } // namespace
 
-Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wishes.arm), wishes.system)
+Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wishes), wishes.system)
 {
     robot = start("robot");
     if (wishes.arm)
@@ -137,6 +138,10 @@ bool Theatre::armOnce(const Hand& hand)
 {
     releaseAll();
     hand.letGo();
+    // Without pictures the permit is back at its conditions; one that is still there from before would be armed on a run that just begins.
+    const auto isBack = [this] { return phase() < PermitPhase::Ready || phase() > PermitPhase::Engaged; };
+    if (!QTest::qWaitFor(isBack, patience))
+        return false;
     acknowledgeAlarms();
     readAccount();
     testAlarms();

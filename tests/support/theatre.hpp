@@ -30,6 +30,7 @@ public:
         PictureProfile profile = PictureProfile::Coronary;
         bool arm = true;                              ///< the robotic arm is part of the system
         liena::test::TestSystem::Options system = {}; ///< timing, for one
+        std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
         QString user;
         QString watchdog;            ///< program; empty: none
         AlarmVoice* voice = nullptr; ///< in place of the loudspeaker; outlives the theatre

@@ -24,7 +24,7 @@ constexpr double leastBoldest = 1.08;        // of the steps on a slow path, whi
 constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
 constexpr double inOnePiece = 2896;          // bytes: two packets, which the kernel sends and acknowledges together
 constexpr double noticing = 12;              // such pieces, until the smoothed round trip shows a queue
-constexpr double burst = 0.001;              // seconds of the rate that a fast kernel sends at once
+constexpr double unrest = 0.0002;            // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 constexpr std::size_t smallestSegment = 4096;
 constexpr std::size_t largestSegment = 16384;
@@ -120,7 +120,7 @@ bool PathRate::hasQueue(const transport::PathFacts& facts) const
     if (!hasWaited(facts))
         return false;
     const double underWay = static_cast<double>(facts.bytesSent - facts.bytesAcknowledged);
-    return underWay > m_delivered * secondsOf(facts.leastRoundTrip) + std::max(1.25 * inOnePiece, rate() * burst);
+    return underWay > m_delivered * (secondsOf(facts.leastRoundTrip) + unrest) + 1.25 * inOnePiece;
 }
 
 /// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
