@@ -78,6 +78,9 @@ void CockpitApplication::buildWindow()
     m_window->setSceneView(m_scene);
     buildTopology();
     buildLog();
+    m_views.build(*m_window);
+    m_preferences.build(*m_window);
+    m_screens = std::make_unique<ScreenDesk>(m_options, m_models, m_pictures, *m_window);
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
@@ -202,7 +205,9 @@ void CockpitApplication::showWindow()
     } else {
         m_window->showFullScreen();
     }
+    m_screens->begin();
     m_window->activateWindow();
+    m_window->showView(View::Start);
 }
 
 void CockpitApplication::show()

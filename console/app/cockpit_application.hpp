@@ -7,7 +7,10 @@
 #include "app/hand_desk.hpp"
 #include "app/log_saver.hpp"
 #include "app/picture_desk.hpp"
+#include "app/preference_desk.hpp"
+#include "app/screen_desk.hpp"
 #include "app/unattended_run.hpp"
+#include "app/view_desk.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
 
@@ -64,7 +67,10 @@ private:
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;
     LogSaver m_logSaver;
+    ViewDesk m_views{m_options, m_models};
+    PreferenceDesk m_preferences{m_options, m_models, m_pictures};
     std::unique_ptr<CockpitWindow> m_window;
+    std::unique_ptr<ScreenDesk> m_screens;
     SceneView* m_scene = nullptr; ///< the window's
     QTimer m_sceneClock;
     std::unique_ptr<UnattendedRun> m_unattended;

@@ -2,6 +2,7 @@
 #include "app/command_line.hpp"
 
 #include "app/language.hpp"
+#include "app/preference_store.hpp"
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
@@ -76,6 +77,11 @@ struct Declared {
     QCommandLineOption pictures{QStringLiteral("pictures"),
                                 QStringLiteral("Folder for saved pictures. Default: liena in the person's folder of pictures."),
                                 QStringLiteral("FOLDER")};
+    QCommandLineOption preferences{
+        QStringLiteral("preferences"),
+        QStringLiteral("File of the person's preferences (F6); other options win over it. Default: %1; an unattended run has none.")
+            .arg(preferenceFile()),
+        QStringLiteral("FILE")};
     QCommandLineOption display{QStringLiteral("display"),
                                QStringLiteral("The display's measured light, for the grey scale of DICOM PS3.14: lines `level luminance`, "
                                               "0 and 255 among them, and `ambient luminance`."),
@@ -108,9 +114,9 @@ struct Declared {
     Declared()
     {
         parser.setApplicationDescription(QString::fromUtf8(description));
-        parser.addOptions({topology, device,     certificate, key,        authority, registry, store,           profile,
-                           user,     master,     recording,   vessels,    alarmLog,  pictures, display,         rehearsal,
-                           size,     unattended, report,      screenshot, help,      version,  measureOnRequest});
+        parser.addOptions({topology, device,     certificate, key,      authority,        registry,   store,     profile, user,
+                           master,   recording,  vessels,     alarmLog, pictures,         display,    rehearsal, size,    unattended,
+                           report,   screenshot, help,        version,  measureOnRequest, preferences});
         parser.addOption(language);
     }
 };
@@ -164,6 +170,8 @@ QString readUnattended(const Declared& declared, Options& options)
     settings.report = parser.value(declared.report);
     settings.screenshot = parser.value(declared.screenshot);
     options.unattended = settings;
+    if (!parser.isSet(declared.preferences))
+        options.preferences.clear(); // what it measures does not depend on who starts it
     return {};
 }
 
@@ -188,6 +196,7 @@ QString readOptions(const Declared& declared, Options& options)
     options.vessels = parser.value(declared.vessels);
     options.pictures = parser.value(declared.pictures);
     options.display = parser.value(declared.display);
+    options.preferences = parser.isSet(declared.preferences) ? parser.value(declared.preferences) : preferenceFile();
     options.user = parser.value(declared.user);
     options.rehearsal = parser.isSet(declared.rehearsal);
     options.measureOnRequest = parser.isSet(declared.measureOnRequest);

@@ -32,9 +32,10 @@ struct Options {
     QString pictures; ///< folder for saved pictures; empty: the person's own
     QString display;  ///< measurement of the display; empty: not calibrated
     QString user;
-    QString language; ///< one of languages(); empty: the system's
-    QString alarmLog; ///< folder; empty: alarms are not kept on the disk
-    QString watchdog; ///< program; empty: nobody watches this one
+    QString alarmLog;    ///< folder; empty: alarms are not kept on the disk
+    QString preferences; ///< file; empty: the defaults, and nothing is kept
+    QString language;    ///< one of languages(); empty: the system's
+    QString watchdog;    ///< program; empty: nobody watches this one
     bool rehearsal = false;
     bool measureOnRequest = false;
     PictureProfile profile = PictureProfile::Neuro;

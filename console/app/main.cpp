@@ -2,6 +2,7 @@
 #include "app/cockpit_application.hpp"
 #include "app/command_line.hpp"
 #include "app/language.hpp"
+#include "app/preference_store.hpp"
 
 #include "widgets/theme.hpp"
 
@@ -35,6 +36,16 @@ std::optional<int> answerAtOnce(int argc, char** argv, console::Options& options
     return printed(stderr, QStringLiteral("liena-console: %1\n").arg(line.text), 2);
 }
 
+/// What was asked for, else the person's preference. A report is read by programs: it does not change with either.
+QString languageOf(const console::Options& options)
+{
+    if (!options.language.isEmpty())
+        return options.language;
+    if (options.unattended)
+        return console::sourceLanguage();
+    return options.preferences.isEmpty() ? QString() : console::PreferenceStore(options.preferences).read().preferences.language;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -46,9 +57,7 @@ int main(int argc, char** argv)
         return *status;
     QApplication application(argc, argv);
     console::theme::apply(application);
-    // A report is read by programs: without a wish it does not change with the system's language.
-    const auto language = options.language.isEmpty() && options.unattended ? console::sourceLanguage() : options.language;
-    if (const auto trouble = console::speak(language); !trouble.isEmpty())
+    if (const auto trouble = console::speak(languageOf(options)); !trouble.isEmpty())
         printed(stderr, QStringLiteral("liena-console: %1\n").arg(trouble), 0);
     console::CockpitApplication cockpit(options);
     QString error;

@@ -20,17 +20,17 @@ namespace {
 
 constexpr double zoomStep = 1.25;
 
-QString folderFor(const Options& options)
+QString folderFor(const QString& named)
 {
-    if (!options.pictures.isEmpty())
-        return options.pictures;
+    if (!named.isEmpty())
+        return named;
     return QDir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation)).filePath(QStringLiteral("liena"));
 }
 
 } // namespace
 
 PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject* parent)
-    : QObject(parent), m_displayFile(options.display), m_models(models), m_review(m_ring), m_saver(folderFor(options))
+    : QObject(parent), m_displayFile(options.display), m_models(models), m_review(m_ring), m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
 }
@@ -49,6 +49,8 @@ bool PictureDesk::prepare(QString* error)
     m_review.setGreyScale(scale);
     return true;
 }
+
+void PictureDesk::setFolder(const QString& folder) { m_saver.setFolder(folderFor(folder)); }
 
 void PictureDesk::build(CockpitWindow& window)
 {
@@ -96,9 +98,9 @@ void PictureDesk::connectReference()
         if (!m_review.isOpen())
             showHold();
     });
-    connect(&m_review, &CineReview::pictureReady, m_reference, &ReferenceImageView::showPicture);
+    connect(&m_review, &CineReview::pictureReady, this, &PictureDesk::showReference);
     connect(&m_review, &CineReview::placeChanged, this, [this] {
-        m_reference->setPlace(m_review.place());
+        showPlace(m_review.place());
         m_reviewControls->showReview(m_review.isOpen(), m_review.isPlaying());
     });
     connect(m_reviewControls, &ReviewControls::holdRequested, this, &PictureDesk::showHold);
@@ -122,7 +124,31 @@ void PictureDesk::showHold()
 {
     m_review.close();
     if (m_held)
-        m_reference->showPicture(*m_held);
+        showReference(*m_held);
+}
+
+void PictureDesk::showReference(const DisplayPicture& picture)
+{
+    m_reference->showPicture(picture);
+    if (m_copy)
+        m_copy->showPicture(picture);
+}
+
+void PictureDesk::showPlace(const QString& place)
+{
+    m_reference->setPlace(place);
+    if (m_copy)
+        m_copy->setPlace(place);
+}
+
+ReferenceImageView* PictureDesk::makeReferenceCopy()
+{
+    m_copy = new ReferenceImageView;
+    m_copy->setDisplay(&m_display);
+    if (m_reference->picture())
+        m_copy->showPicture(*m_reference->picture());
+    showPlace(m_review.place());
+    return m_copy;
 }
 
 void PictureDesk::saveLive()

@@ -11,6 +11,7 @@
 #include "model/display_state.hpp"
 
 #include <QObject>
+#include <QPointer>
 
 #include <optional>
 
@@ -33,6 +34,12 @@ public:
     /// Gives the window its live and its reference pane.
     void build(CockpitWindow& window);
 
+    /// Folder of saved pictures, from the next one on; empty: the person's own.
+    void setFolder(const QString& folder);
+
+    /// A second pane with what the reference pane shows, for a screen of its own; the caller's.
+    ReferenceImageView* makeReferenceCopy();
+
     FramePipeline& pipeline() { return m_pipeline; }
     DisplayState& display() { return m_display; }
 
@@ -41,6 +48,8 @@ private:
     void connectReference();
     void connectSaving();
     void showHold();
+    void showReference(const DisplayPicture& picture);
+    void showPlace(const QString& place);
     void saveLive();
     void saveReference();
     void note(bool trouble, const QString& text);
@@ -56,6 +65,7 @@ private:
     std::optional<DisplayPicture> m_held;
     LiveImageView* m_live = nullptr;            ///< the window's
     ReferenceImageView* m_reference = nullptr;  ///< the window's
+    QPointer<ReferenceImageView> m_copy;        ///< of the reference pane, when there is one
     ReviewControls* m_reviewControls = nullptr; ///< the window's
 };
 

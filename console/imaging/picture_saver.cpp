@@ -42,11 +42,11 @@ void PictureSaver::save(const DisplayPicture& picture, const QImage& pane)
     if (m_thread.joinable())
         m_thread.join();
     m_busy = true;
-    m_thread = std::thread([this, picture, pane] {
-        const QString path = freePath(QDir(m_folder).filePath(exportName(picture)));
+    m_thread = std::thread([this, picture, pane, folder = m_folder] {
+        const QString path = freePath(QDir(folder).filePath(exportName(picture)));
         QString reason;
-        if (!QDir().mkpath(m_folder))
-            reason = tr("The folder %1 cannot be made. Name another one with --pictures.").arg(m_folder);
+        if (!QDir().mkpath(folder))
+            reason = tr("The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).").arg(folder);
         const QString dicom = path + QStringLiteral(".dcm");
         if (reason.isEmpty())
             reason = saveSecondaryCapture(picture, dicom);

@@ -18,6 +18,9 @@ public:
     explicit PictureSaver(QString folder, QObject* parent = nullptr);
     ~PictureSaver() override;
 
+    /// From the next saving on.
+    void setFolder(const QString& folder) { m_folder = folder; }
+
     /// `pane` as it is seen becomes a PNG, `picture` a Secondary Capture, side by side in the folder, which is made when it is missing.
     void save(const DisplayPicture& picture, const QImage& pane);
 
@@ -28,7 +31,7 @@ Q_SIGNALS:
 private:
     void finish(const QString& path, const QString& reason);
 
-    const QString m_folder;
+    QString m_folder;
     bool m_busy = false;
     std::thread m_thread;
 };

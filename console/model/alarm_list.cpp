@@ -99,7 +99,7 @@ void AlarmList::acknowledge(quint64 id, qint64 wallMs, const QString& who)
 
 void AlarmList::pauseAudio(Instant now, qint64 wallMs, const QString& who)
 {
-    m_audioPausedUntil = now + audioPause;
+    m_audioPausedUntil = now + m_audioPause;
     note(wallMs, who.isEmpty() ? Text::tr("audio paused") : Text::tr("audio paused by %1").arg(who));
     Q_EMIT changed();
 }

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -90,6 +91,8 @@ class AlarmList : public QObject {
 public:
     static constexpr std::size_t logLimit = 2000;
     static constexpr std::chrono::seconds audioPause{60};
+    static constexpr std::chrono::seconds leastAudioPause{30};
+    static constexpr std::chrono::seconds mostAudioPause{120}; ///< the site's limit
 
     explicit AlarmList(QObject* parent = nullptr);
 
@@ -105,7 +108,10 @@ public:
     /// `who` is for the log; empty when nobody said who it is.
     void acknowledge(quint64 id, qint64 wallMs, const QString& who = {});
 
-    /// Silences the sound for `audioPause`; a new high alarm ends it.
+    /// How long a pause lasts, within its bounds; one that runs already keeps its end.
+    void setAudioPause(std::chrono::seconds length) { m_audioPause = std::clamp(length, leastAudioPause, mostAudioPause); }
+
+    /// Silences the sound for that long; a new high alarm ends it.
     void pauseAudio(Instant now, qint64 wallMs = 0, const QString& who = {});
     void resumeAudio(qint64 wallMs);
     std::optional<Duration> audioPauseLeft(Instant now) const;
@@ -133,6 +139,7 @@ private:
 
     std::vector<Alarm> m_alarms;
     std::deque<AlarmLogEntry> m_log;
+    std::chrono::seconds m_audioPause = audioPause;
     std::optional<Instant> m_audioPausedUntil;
     quint64 m_nextId = 1;
     quint64 m_raised = 0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace console {
 
@@ -18,6 +19,8 @@ constexpr double motionHeight = 176;
 constexpr double linksWidth = 300;
 constexpr double lowerShare = 574.0 / 1136.0; // of the column right of the live image
 constexpr double robotShare = 0.63;           // of the lower part
+constexpr double widestBeside = 0.36;         // of the width right of C, for the live picture beside another
+constexpr double otherShare = 0.88;           // of its height
 constexpr double doseShare = 0.64;            // of the column's width
 
 struct Lines {
@@ -50,10 +53,49 @@ Lines linesFor(const QSize& window)
 
 QRect between(int left, int top, int right, int bottom) { return {left, top, right - left, bottom - top}; }
 
+/// The chosen picture on the left, the third in the middle, the live one on the right; sheets and views lie over the first two. Those are
+/// lower than the live one by more than the controls that it has beneath.
+std::optional<QRect> besideRect(Region region, const QSize& window, Arrangement arrangement)
+{
+    const Lines l = linesFor(window);
+    const int width = window.width();
+    const int robotHeight = l.robot - l.upper;
+    const int side = std::min(l.c - l.b - robotHeight, int(std::lround((width - l.links) * widestBeside)));
+    const int foot = l.b + side;
+    const int live = width - side;
+    const int other = std::min((live - l.links) / 2, side);
+    const int otherFoot = l.b + int(std::lround(side * otherShare));
+    const int gauges = (l.links + width) / 2;
+    const int dose = gauges + int(std::lround((width - gauges) * doseShare));
+    const Region chosen = arrangement == Arrangement::ReferenceBeside ? Region::Reference : Region::Scene;
+    switch (region) {
+    case Region::Live:
+        return QRect(live, l.b, side, side);
+    case Region::Reference:
+    case Region::Scene:
+        return region == chosen ? between(l.links, l.b, l.links + other, otherFoot)
+                                : between(l.links + other, l.b, l.links + 2 * other, otherFoot);
+    case Region::Robot:
+        return between(l.links, otherFoot, std::min(gauges, live), l.c);
+    case Region::Dose:
+        return between(gauges, foot, dose, l.c);
+    case Region::Trends:
+        return between(dose, foot, width, l.c);
+    case Region::Sheet:
+    case Region::Overlay:
+        return between(l.links, l.b, live, otherFoot);
+    default:
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
-QRect regionRect(Region region, const QSize& window)
+QRect regionRect(Region region, const QSize& window, Arrangement arrangement)
 {
+    if (arrangement != Arrangement::Usual)
+        if (const auto beside = besideRect(region, window, arrangement))
+            return *beside;
     const Lines l = linesFor(window);
     const int width = window.width();
     switch (region) {
@@ -98,6 +140,13 @@ void CockpitLayout::place(Region region, QWidget* widget)
     invalidate();
 }
 
+void CockpitLayout::setArrangement(Arrangement arrangement)
+{
+    m_arrangement = arrangement;
+    if (!geometry().isEmpty())
+        setGeometry(geometry());
+}
+
 void CockpitLayout::addItem(QLayoutItem* item) { m_slots.push_back({Region::Overlay, std::unique_ptr<QLayoutItem>(item)}); }
 
 int CockpitLayout::count() const { return int(m_slots.size()); }
@@ -124,7 +173,7 @@ void CockpitLayout::setGeometry(const QRect& rect)
 {
     QLayout::setGeometry(rect);
     for (const Slot& slot : m_slots)
-        slot.item->setGeometry(regionRect(slot.region, rect.size()).translated(rect.topLeft()));
+        slot.item->setGeometry(regionRect(slot.region, rect.size(), m_arrangement).translated(rect.topLeft()));
 }
 
 } // namespace console

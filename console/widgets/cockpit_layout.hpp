@@ -1,6 +1,8 @@
 // The cockpit's regions A to J as fractions of the window.
 #pragma once
 
+#include "model/screen_plan.hpp"
+
 #include <QLayout>
 #include <QRect>
 
@@ -26,8 +28,9 @@ enum class Region : int {
 };
 inline constexpr int regionCount = 12;
 
-/// Where a region lies in a window of that size. The first ten never overlap; D is the largest and square.
-QRect regionRect(Region region, const QSize& window);
+/// Where a region lies in a window of that size. The first ten never overlap; D is square, and no picture is larger. Usually it is the
+/// largest by far; beside one that has changed places with it, it is the larger by a little, with G, H and I in a row beneath.
+QRect regionRect(Region region, const QSize& window, Arrangement arrangement = Arrangement::Usual);
 
 /// Puts one widget into each region. Sheet and Overlay take no room from the others.
 class CockpitLayout : public QLayout {
@@ -37,6 +40,7 @@ public:
     ~CockpitLayout() override;
 
     void place(Region region, QWidget* widget);
+    void setArrangement(Arrangement arrangement);
 
     void addItem(QLayoutItem* item) override;
     int count() const override;
@@ -52,6 +56,7 @@ private:
         std::unique_ptr<QLayoutItem> item;
     };
     std::vector<Slot> m_slots;
+    Arrangement m_arrangement = Arrangement::Usual;
 };
 
 } // namespace console

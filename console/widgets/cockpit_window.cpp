@@ -56,6 +56,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     connectIntents();
     connectModels();
     addKeys();
+    addViewKeys();
     m_clock.setInterval(clockMs);
     m_clock.setTimerType(Qt::PreciseTimer);
     connect(&m_clock, &QTimer::timeout, this, &CockpitWindow::tick);
@@ -154,11 +155,13 @@ void CockpitWindow::setKeyLegend(const QString& legend)
     if (!legend.isEmpty())
         keys << legend;
     keys << tr("F8 alarm test \u00B7 F9 audio pause \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F4 log");
+    keys << tr("F6 preferences \u00B7 F7 screens \u00B7 F10 F11 change places");
     m_motion->setKeyLegend(keys.join(QStringLiteral(" \u00B7 ")));
 }
 
 void CockpitWindow::showView(View view)
 {
+    m_screenGone = m_screenGone && view != View::Cockpit;
     if (m_views.show(view))
         stack();
     else
@@ -233,7 +236,7 @@ void CockpitWindow::updateHandKeys()
 {
     const QWidget* focus = QApplication::focusWidget();
     const bool elsewhere = focus && focus != this && (m_deck->isAncestorOf(focus) || m_away->isAncestorOf(focus) || m_views.holds(focus));
-    const bool has = isVisible() && isActiveWindow() && focus && !elsewhere && focus->window() == this;
+    const bool has = !m_screenGone && isVisible() && isActiveWindow() && focus && !elsewhere && focus->window() == this;
     if (has == m_handHasKeys)
         return;
     m_handHasKeys = has;
@@ -259,7 +262,12 @@ void CockpitWindow::keyReleaseEvent(QKeyEvent* event)
 }
 
 // A click on the picture or beside a control gives the keys back to the hand.
-void CockpitWindow::mousePressEvent(QMouseEvent*) { setFocus(Qt::MouseFocusReason); }
+void CockpitWindow::mousePressEvent(QMouseEvent*)
+{
+    m_screenGone = false;
+    setFocus(Qt::MouseFocusReason);
+    updateHandKeys();
+}
 
 void CockpitWindow::paintEvent(QPaintEvent*)
 {

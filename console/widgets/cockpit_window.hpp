@@ -25,9 +25,10 @@ class TrendsPane;
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F4 log, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is.
-/// All other keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has
-/// none, and `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
+/// Keys: F1 cockpit, F2 topology, F4 log, F6 preferences, F7 screens, F10 and F11 reference or scene beside the live picture, Ctrl+1 …
+/// Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys
+/// belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
+/// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -42,9 +43,20 @@ public:
     void setTopologyView(QWidget* view);
     void setLogView(QWidget* view);
 
+    /// Over E, F and G when it is asked for; takes the widget.
+    void addView(View view, QWidget* widget);
+
     void setOperator(const QString& user);
     void setRehearsal(bool rehearsal);
     void setKeyLegend(const QString& legend);
+    void setTrendSpan(TrendSpan span);
+
+    /// Which picture stands beside the live one; F10 and F11 change it.
+    void setArrangement(Arrangement arrangement);
+    Arrangement arrangement() const { return m_arrangement; }
+
+    /// The screen that the cockpit was on is gone: the hand has no keys until a person clicks into the cockpit or presses F1.
+    void noteScreenGone();
 
     /// Everything as of `now`. The window's own clock renews what moves twenty times a second, the rest four times.
     void refresh(Instant now);
@@ -55,7 +67,7 @@ public:
     /// The hand may use the keys.
     bool handHasKeys() const { return m_handHasKeys; }
 
-    QRect regionGeometry(Region region) const { return regionRect(region, size()); }
+    QRect regionGeometry(Region region) const { return regionRect(region, size(), m_arrangement); }
 
 Q_SIGNALS:
     void openRequested(quint32 peer);
@@ -77,6 +89,8 @@ Q_SIGNALS:
     void alarmTestAnswered(bool seenAndHeard);
     void panicHoldRequested();
     void viewRequested(console::View view);
+    void arrangementChanged(console::Arrangement arrangement);
+    void layoutRequested(int place);
     void handKeyPressed(int key);
     void handKeyReleased(int key);
     void handFocusChanged(bool handHasKeys);
@@ -98,8 +112,8 @@ private:
     void addKeys();
     void replace(Region region, QWidget*& present, QWidget* view);
     void stack();
+    void addViewKeys();
     void toggleView(View view);
-    void addView(View view, QWidget* widget);
     void updateHandKeys();
     void tick();
     void refreshStrip(Instant now);
@@ -127,6 +141,8 @@ private:
     int m_ticks = 0;
     bool m_refreshDue = false;
     bool m_handHasKeys = false;
+    bool m_screenGone = false;
+    Arrangement m_arrangement = Arrangement::Usual;
     QString m_operator;
     std::optional<Instant> m_procedureSince;
 };

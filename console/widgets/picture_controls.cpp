@@ -8,15 +8,25 @@
 
 namespace console {
 
-PictureControls::PictureControls(DisplayState& display, QWidget* parent) : QWidget(parent), m_display(display), m_row(new QHBoxLayout(this))
+PictureControls::PictureControls(DisplayState& display, QWidget* parent)
+    : QWidget(parent), m_display(display), m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this))
 {
     setAccessibleName(tr("Picture controls"));
-    m_row->setContentsMargins(4, 2, 4, 2);
-    m_row->setSpacing(2);
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the picture decides on the width
+    m_rows->setContentsMargins(4, 2, 4, 2);
+    m_rows->setSpacing(2);
+    QBoxLayout* looks = new QHBoxLayout;
+    QBoxLayout* tools = new QHBoxLayout;
+    for (QBoxLayout* row : {looks, tools}) {
+        row->setSpacing(2);
+        m_rows->addLayout(row, row == looks ? 1 : 0);
+    }
+    m_row = looks;
     buildWindowButtons();
     m_row->addStretch(1);
     buildSteppers();
     m_row->addStretch(1);
+    m_row = tools;
     buildToolButtons();
     connect(&display, &DisplayState::changed, this, &PictureControls::showSettings);
     connect(&display, &DisplayState::measureModeChanged, this, [this](MeasureMode mode) {
@@ -26,6 +36,14 @@ PictureControls::PictureControls(DisplayState& display, QWidget* parent) : QWidg
     });
     showSettings(display.settings());
     showZoom(1);
+}
+
+void PictureControls::resizeEvent(QResizeEvent*)
+{
+    int needed = m_rows->contentsMargins().left() + m_rows->contentsMargins().right() + m_rows->spacing();
+    for (int i = 0; i < m_rows->count(); ++i)
+        needed += m_rows->itemAt(i)->minimumSize().width();
+    m_rows->setDirection(width() < needed ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 SmallButton* PictureControls::addButton(const QString& text, const QString& name, const QString& tip)

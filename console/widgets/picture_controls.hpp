@@ -7,14 +7,15 @@
 
 #include <functional>
 
-class QHBoxLayout;
+class QBoxLayout;
 class QLabel;
 
 namespace console {
 
 class SmallButton;
 
-/// A row of small buttons. A click does not take the focus: the keys stay with the hand; Tab reaches every one. `display` outlives it.
+/// A row of small buttons, or two where the pane is narrow. A click does not take the focus: the keys stay with the hand; Tab reaches every
+/// one. `display` outlives it.
 class PictureControls : public QWidget {
     Q_OBJECT
 public:
@@ -27,6 +28,9 @@ Q_SIGNALS:
     void wholeRequested();
     void saveRequested();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     SmallButton* addButton(const QString& text, const QString& name, const QString& tip);
     QLabel* addStepper(const QString& name, const std::function<void(int)>& step);
@@ -36,7 +40,8 @@ private:
     void showSettings(const DisplaySettings& settings);
 
     DisplayState& m_display;
-    QHBoxLayout* m_row;
+    QBoxLayout* m_rows;
+    QBoxLayout* m_row = nullptr; ///< that buttons are added to
     SmallButton* m_automatic = nullptr;
     SmallButton* m_window = nullptr;
     SmallButton* m_invert = nullptr;

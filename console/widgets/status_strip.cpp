@@ -3,6 +3,7 @@
 
 #include "widgets/icons.hpp"
 #include "widgets/labels.hpp"
+#include "widgets/small_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QHBoxLayout>
@@ -194,6 +195,10 @@ StatusStrip::StatusStrip(QWidget* parent)
         row->addWidget(field);
     row->addStretch(1);
     row->addWidget(m_notice);
+    auto* about =
+        new SmallButton(tr("About"), tr("About this software"), tr("What this is, its version, and the licences of its parts"), this);
+    connect(about, &QPushButton::clicked, this, &StatusStrip::aboutRequested);
+    row->addWidget(about);
     row->addWidget(m_xray);
     row->addWidget(m_mode);
     setProcedureTime(std::nullopt);

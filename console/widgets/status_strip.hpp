@@ -80,6 +80,9 @@ public:
     void setMode(Mode mode) { m_mode->setMode(mode); }
     Mode mode() const { return m_mode->mode(); }
 
+Q_SIGNALS:
+    void aboutRequested();
+
 private:
     QLabel* m_notice;
     StripField* m_patient;

@@ -2,8 +2,6 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
-#include <QFile>
-#include <QPalette>
 #include <QStyleFactory>
 #include <QVariant>
 #include <QWidget>
@@ -39,29 +37,6 @@ double luminance(const QColor& colour)
 {
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
     return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
-}
-
-QPalette darkPalette()
-{
-    QPalette p;
-    p.setColor(QPalette::Window, colour::background);
-    p.setColor(QPalette::WindowText, colour::text);
-    p.setColor(QPalette::Base, colour::panel);
-    p.setColor(QPalette::AlternateBase, colour::raised);
-    p.setColor(QPalette::Text, colour::text);
-    p.setColor(QPalette::PlaceholderText, colour::secondary);
-    p.setColor(QPalette::Button, colour::raised);
-    p.setColor(QPalette::ButtonText, colour::text);
-    p.setColor(QPalette::BrightText, colour::bright);
-    p.setColor(QPalette::ToolTipBase, colour::raised);
-    p.setColor(QPalette::ToolTipText, colour::text);
-    p.setColor(QPalette::Highlight, colour::strongLine);
-    p.setColor(QPalette::HighlightedText, colour::bright);
-    p.setColor(QPalette::Link, colour::armed);
-    p.setColor(QPalette::Disabled, QPalette::ButtonText, colour::stale);
-    p.setColor(QPalette::Disabled, QPalette::WindowText, colour::stale);
-    p.setColor(QPalette::Disabled, QPalette::Text, colour::stale);
-    return p;
 }
 
 } // namespace
@@ -115,10 +90,7 @@ void apply(QApplication& application)
 {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setFont(font(TextRole::Body, 0.75));
-    QApplication::setPalette(darkPalette());
-    QFile sheet(QStringLiteral(":/liena/styles/cockpit.qss"));
-    if (sheet.open(QIODevice::ReadOnly))
-        application.setStyleSheet(QString::fromUtf8(sheet.readAll()));
+    setBrightness(application, brightness());
 }
 
 double contrast(const QColor& a, const QColor& b)

@@ -1,6 +1,8 @@
 // Colours, type and scale of the cockpit, each with a name; the only place where a colour is written down.
 #pragma once
 
+#include "model/preferences.hpp"
+
 #include <QColor>
 #include <QFont>
 
@@ -9,18 +11,40 @@ class QWidget;
 
 namespace console::theme {
 
-// Contrast on `background` in brackets. Red, yellow and cyan are the alarms' own: nothing else may use them.
+/// The greys of the surroundings; each level of brightness has its own. Distinct within a level.
+struct Greys {
+    QColor background;
+    QColor panel;
+    QColor raised;
+    QColor line;
+    QColor strongLine;
+    QColor bright; ///< the one thing to read first
+    QColor text;
+    QColor secondary;
+    QColor stale; ///< always with a mark
+    QColor hover; ///< of a button
+    QColor pressed;
+};
+
+const Greys& greys(Brightness brightness);
+
+namespace detail {
+extern Greys present;
+} // namespace detail
+
+// Contrast on `background` in brackets, at the usual brightness. Red, yellow and cyan are the alarms' own: nothing else may use them, and
+// they are the same at each brightness.
 namespace colour {
-inline constexpr QColor background{0x0E, 0x11, 0x14};
-inline constexpr QColor panel{0x14, 0x18, 0x1D};
-inline constexpr QColor raised{0x1C, 0x21, 0x28};
-inline constexpr QColor line{0x2C, 0x33, 0x3B};
-inline constexpr QColor strongLine{0x55, 0x5E, 0x68};
-inline constexpr QColor bright{0xF1, 0xF3, 0xF5};    ///< 17:1, the one thing to read first
-inline constexpr QColor text{0xC8, 0xCD, 0xD3};      ///< 11.8:1
-inline constexpr QColor secondary{0x92, 0x9A, 0xA3}; ///< 6.7:1
-inline constexpr QColor stale{0x82, 0x8A, 0x93};     ///< 5.4:1, always with a mark
-inline constexpr QColor onAlarm{0x0B, 0x0D, 0x0F};   ///< on medium, low, armed and X-ray surfaces
+inline const QColor& background = detail::present.background;
+inline const QColor& panel = detail::present.panel;
+inline const QColor& raised = detail::present.raised;
+inline const QColor& line = detail::present.line;
+inline const QColor& strongLine = detail::present.strongLine;
+inline const QColor& bright = detail::present.bright;       ///< 17:1
+inline const QColor& text = detail::present.text;           ///< 11.8:1
+inline const QColor& secondary = detail::present.secondary; ///< 6.7:1
+inline const QColor& stale = detail::present.stale;         ///< 5.4:1
+inline constexpr QColor onAlarm{0x0B, 0x0D, 0x0F};          ///< on medium, low, armed and X-ray surfaces
 inline constexpr QColor high{0xFF, 0x45, 0x3A};
 inline constexpr QColor highSurface{0xB3, 0x26, 0x1E}; ///< under white
 inline constexpr QColor highSurfaceDim{0x5C, 0x16, 0x12};
@@ -67,6 +91,14 @@ int px(const QWidget* widget, double length);
 
 /// Fusion, Inter, the dark palette and the style sheet.
 void apply(QApplication& application);
+
+/// The surroundings in that brightness: the greys, the palette, the style sheet, and every widget that has an ink of its own. The picture
+/// panes have colours of their own, which it does not touch. Takes some tens of milliseconds: not while instruments move.
+void setBrightness(QApplication& application, Brightness brightness);
+Brightness brightness();
+
+/// The style sheet in the greys of that level.
+QString styleSheet(Brightness brightness);
 
 /// Contrast of two opaque colours as WCAG 2.2 defines it, 1 to 21.
 double contrast(const QColor& a, const QColor& b);

@@ -54,9 +54,11 @@ TrendsPane::TrendsPane(const TrendBook& book, QWidget* parent) : QFrame(parent),
     connect(m_spanButton, &QPushButton::clicked, this, &TrendsPane::toggleSpan);
 }
 
-void TrendsPane::toggleSpan()
+void TrendsPane::toggleSpan() { setSpan(m_span == TrendSpan::Minute ? TrendSpan::TenMinutes : TrendSpan::Minute); }
+
+void TrendsPane::setSpan(TrendSpan span)
 {
-    m_span = m_span == TrendSpan::Minute ? TrendSpan::TenMinutes : TrendSpan::Minute;
+    m_span = span;
     m_spanButton->setText(m_span == TrendSpan::Minute ? tr("60 s") : tr("10 min"));
     placeButton();
     update();

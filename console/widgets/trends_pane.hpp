@@ -23,6 +23,7 @@ public:
 
     void refresh(const Limits& limits, Instant now);
     TrendSpan span() const { return m_span; }
+    void setSpan(TrendSpan span);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -6,12 +6,17 @@
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
 #include "input/keyboard_master.hpp"
+#include "widgets/about_view.hpp"
 #include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
+#include "widgets/preferences_view.hpp"
 #include "widgets/review_controls.hpp"
+#include "widgets/screens_view.hpp"
+#include "widgets/start_view.hpp"
+#include "widgets/theme.hpp"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QPainter>
 #include <QTest>
 
@@ -145,6 +150,44 @@ std::vector<GalleryState> galleryStates()
              c.models.incidents.setFolded(0xf1a9, true);
              w.showView(console::View::Topology);
          }},
+        {"start", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Start); }},
+        {"about", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::About); }},
+        {"preferences", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Preferences); }},
+        {"readonly",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), arm(c);
+             auto* view = w.findChild<console::PreferencesView*>();
+             view->setReadOnly(
+                 QStringLiteral("Read only: the permit is ARMED. Preferences can be changed when nothing is armed or in hold."));
+             view->setOverruled(QStringLiteral("For this run the command line decides on the folder of pictures: /media/stick."));
+             w.showView(console::View::Preferences);
+         }},
+        {"screens",
+         [](InventedCockpit&, CockpitWindow& w) {
+             w.findChild<console::ScreensView*>()->showState(
+                 {console::Arrangement::Usual,
+                  QStringLiteral("DP-1"),
+                  {QStringLiteral("DP-2 CN41"), QStringLiteral("HDMI-1")},
+                  QStringLiteral("DP-2 CN41"),
+                  {},
+                  {QStringLiteral("Diagnostic"), QStringLiteral("Coil, two screens"), QStringLiteral("\u4ECB\u5165")},
+                  {}});
+             w.showView(console::View::Screens);
+         }},
+        {"beside",
+         [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), arm(c), w.setArrangement(console::Arrangement::ReferenceBeside); }},
+        {"scenebeside",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), arm(c), c.engage(), w.setArrangement(console::Arrangement::SceneBeside), c.loseXray(), c.loseRobot();
+         }},
+        {"besideview",
+         [](InventedCockpit& c, CockpitWindow& w) {
+             c.openAll(), w.setArrangement(console::Arrangement::ReferenceBeside), w.showView(console::View::Topology);
+         }},
+        {"dim",
+         [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), console::theme::setBrightness(*qApp, console::Brightness::Dim); }},
+        {"bright", [](InventedCockpit& c,
+                      CockpitWindow&) { c.openAll(), arm(c), console::theme::setBrightness(*qApp, console::Brightness::Bright); }},
     };
 }
 
@@ -159,12 +202,18 @@ GalleryScene::GalleryScene(const QSize& size) : m_panes(std::make_unique<Picture
     log->setPathSuggestion(
         [](const QString& name) { return QStringLiteral("/home/operator/Documents/liena/%1_2026-03-02T12-03-41.txt").arg(name); });
     m_window.setLogView(log);
+    const console::ProgramFacts program{QStringLiteral("0.9.0"), QStringLiteral("Dr Invented"),
+                                        QStringLiteral("/usr/share/doc/liena/OPERATING.md")};
+    m_window.addView(console::View::Start, new console::StartView(m_cockpit.models, program));
+    m_window.addView(console::View::Screens, new console::ScreensView);
+    m_window.addView(console::View::Preferences, new console::PreferencesView);
+    m_window.addView(console::View::About, new console::AboutView(m_cockpit.models, program));
     m_window.setKeyLegend(KeyboardMaster().legend());
     m_window.resize(size);
     m_window.show();
 }
 
-GalleryScene::~GalleryScene() = default;
+GalleryScene::~GalleryScene() { console::theme::setBrightness(*qApp, console::Brightness::Usual); }
 
 bool GalleryScene::bring(const GalleryState& state, int patience)
 {

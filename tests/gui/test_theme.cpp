@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QFontInfo>
+#include <QLabel>
 #include <QPainter>
 #include <QRegularExpression>
 #include <QTest>
@@ -23,21 +24,24 @@ private Q_SLOTS:
         QTest::addColumn<QColor>("ink");
         QTest::addColumn<QColor>("surface");
         QTest::addColumn<double>("least");
-        const QColor surfaces[] = {colour::background, colour::panel, colour::raised};
-        for (const QColor& surface : surfaces) {
-            const auto on = [&](const char* ink) {
-                return QStringLiteral("%1 on %2").arg(QString::fromLatin1(ink), surface.name()).toUtf8();
-            };
-            QTest::newRow(on("bright")) << QColor(colour::bright) << surface << 4.5;
-            QTest::newRow(on("text")) << QColor(colour::text) << surface << 4.5;
-            QTest::newRow(on("secondary")) << QColor(colour::secondary) << surface << 4.5;
-            QTest::newRow(on("armed")) << QColor(colour::armed) << surface << 4.5;
-            QTest::newRow(on("medium")) << QColor(colour::medium) << surface << 4.5;
-            QTest::newRow(on("low")) << QColor(colour::low) << surface << 4.5;
-            QTest::newRow(on("x-ray")) << QColor(colour::xray) << surface << 4.5;
-            QTest::newRow(on("stale")) << QColor(colour::stale) << surface << 4.5;
-            QTest::newRow(on("high")) << QColor(colour::high) << surface << 4.5;
-            QTest::newRow(on("plot")) << QColor(colour::plot) << surface << 4.5;
+        for (const Brightness level : {Brightness::Dim, Brightness::Usual, Brightness::Bright}) {
+            const theme::Greys& grey = theme::greys(level);
+            for (const QColor& surface : {grey.background, grey.panel, grey.raised}) {
+                const auto add = [&](const char* ink, const QColor& colour) {
+                    const QString name = QStringLiteral("%1: %2 on %3").arg(word(level), QString::fromLatin1(ink), surface.name());
+                    QTest::newRow(qPrintable(name)) << colour << surface << 4.5;
+                };
+                add("bright", grey.bright);
+                add("text", grey.text);
+                add("secondary", grey.secondary);
+                add("stale", grey.stale);
+                add("armed", colour::armed);
+                add("medium", colour::medium);
+                add("low", colour::low);
+                add("x-ray", colour::xray);
+                add("high", colour::high);
+                add("plot", colour::plot);
+            }
         }
         QTest::newRow("white on high") << QColor(Qt::white) << QColor(colour::highSurface) << 4.5;
         QTest::newRow("white on acknowledged high") << QColor(Qt::white) << QColor(colour::highSurfaceDim) << 4.5;
@@ -58,15 +62,22 @@ private Q_SLOTS:
     }
 
     /// Each rule of the style sheet that names both.
+    void theStyleSheetIsReadable_data()
+    {
+        QTest::addColumn<int>("level");
+        for (int level = 0; level < brightnessCount; ++level)
+            QTest::newRow(qPrintable(word(Brightness(level)))) << level;
+    }
+
     void theStyleSheetIsReadable()
     {
-        QFile sheet(QStringLiteral(":/liena/styles/cockpit.qss"));
-        QVERIFY(sheet.open(QIODevice::ReadOnly));
+        QFETCH(int, level);
+        const QString sheet = theme::styleSheet(Brightness(level));
         const QRegularExpression rule(QStringLiteral("\\{([^}]*)\\}"));
         const QRegularExpression ink(QStringLiteral("(?:^|[\\s;])color: (#[0-9A-Fa-f]{6})"));
         const QRegularExpression surface(QStringLiteral("(?:^|[\\s;])background: (#[0-9A-Fa-f]{6})"));
         int checked = 0;
-        auto rules = rule.globalMatch(QString::fromUtf8(sheet.readAll()));
+        auto rules = rule.globalMatch(sheet);
         while (rules.hasNext()) {
             const auto body = rules.next().captured(1);
             const auto text = ink.match(body);
@@ -77,6 +88,43 @@ private Q_SLOTS:
             QVERIFY2(theme::contrast(QColor(text.captured(1)), QColor(under.captured(1))) >= 4.5, qPrintable(body));
         }
         QVERIFY(checked >= 5);
+    }
+
+    void theUsualLevelIsThatOfTheSheetItself()
+    {
+        QFile file(QStringLiteral(":/liena/styles/cockpit.qss"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(theme::styleSheet(Brightness::Usual).toLower(), QString::fromUtf8(file.readAll()).toLower());
+        QVERIFY(theme::styleSheet(Brightness::Dim) != theme::styleSheet(Brightness::Bright));
+        QVERIFY(!theme::styleSheet(Brightness::Bright).contains(QLatin1Char('@')));
+    }
+
+    void aLevelDoesNotGiveTwoTonesOneGrey()
+    {
+        for (const Brightness level : {Brightness::Dim, Brightness::Usual, Brightness::Bright}) {
+            const theme::Greys& g = theme::greys(level);
+            QSet<QRgb> tones;
+            for (const QColor& tone :
+                 {g.background, g.panel, g.raised, g.line, g.strongLine, g.bright, g.text, g.secondary, g.stale, g.hover, g.pressed})
+                tones.insert(tone.rgb());
+            QCOMPARE(tones.size(), 11);
+        }
+    }
+
+    void inksFollowTheLevelAndAlarmsDoNot()
+    {
+        QLabel label;
+        QPalette palette = label.palette();
+        palette.setColor(QPalette::WindowText, colour::secondary);
+        label.setPalette(palette);
+        QLabel alarm;
+        palette.setColor(QPalette::WindowText, colour::high);
+        alarm.setPalette(palette);
+        theme::setBrightness(*qApp, Brightness::Bright);
+        QCOMPARE(label.palette().color(QPalette::WindowText), theme::greys(Brightness::Bright).secondary);
+        QCOMPARE(alarm.palette().color(QPalette::WindowText), QColor(colour::high));
+        theme::setBrightness(*qApp, Brightness::Usual);
+        QCOMPARE(label.palette().color(QPalette::WindowText), theme::greys(Brightness::Usual).secondary);
     }
 
     void contrastIsTheOneOfWcag()

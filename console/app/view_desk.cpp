@@ -1,0 +1,28 @@
+// Views and their wiring.
+#include "app/view_desk.hpp"
+
+#include "widgets/about_view.hpp"
+#include "widgets/cockpit_window.hpp"
+#include "widgets/start_view.hpp"
+
+#include <QCoreApplication>
+
+namespace console {
+
+ViewDesk::ViewDesk(const Options& options, ConsoleModels& models, QObject* parent) : QObject(parent), m_options(options), m_models(models)
+{}
+
+void ViewDesk::build(CockpitWindow& window)
+{
+    const ProgramFacts program{QCoreApplication::applicationVersion(), m_options.user, resource(QStringLiteral("../docs/OPERATING.md"))};
+    auto* start = new StartView(m_models, program);
+    auto* about = new AboutView(m_models, program);
+    window.addView(View::Start, start);
+    window.addView(View::About, about);
+    const auto leave = [&window] { window.showView(View::Cockpit); };
+    connect(start, &StartView::leaveRequested, &window, leave);
+    connect(about, &AboutView::leaveRequested, &window, leave);
+    connect(start, &StartView::aboutRequested, &window, [&window] { window.showView(View::About); });
+}
+
+} // namespace console

@@ -1,0 +1,66 @@
+// Bounds and words of the preferences.
+#include "model/preferences.hpp"
+
+#include "model/motion_permit.hpp"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace console {
+
+namespace {
+
+struct Text {
+    Q_DECLARE_TR_FUNCTIONS(console::Preferences)
+};
+
+} // namespace
+
+QString word(Brightness brightness)
+{
+    switch (brightness) {
+    case Brightness::Dim:
+        return Text::tr("dim");
+    case Brightness::Usual:
+        return Text::tr("usual");
+    case Brightness::Bright:
+        return Text::tr("bright");
+    }
+    return QStringLiteral("?");
+}
+
+QStringList preferenceLanguages() { return {QString(), QStringLiteral("en"), QStringLiteral("zh_CN")}; }
+
+Preferences withinBounds(Preferences preferences)
+{
+    if (!preferenceLanguages().contains(preferences.language))
+        preferences.language.clear();
+    preferences.audioPause = std::clamp(preferences.audioPause, AlarmList::leastAudioPause, AlarmList::mostAudioPause);
+    preferences.noiseReduction = std::clamp(preferences.noiseReduction, 0, 100);
+    preferences.edge = std::clamp(preferences.edge, 0, 100);
+    if (preferences.window == WindowChoice::Fixed) // a window by hand belongs to one picture
+        preferences.window = WindowChoice::AsSent;
+    preferences.pictureFolder = preferences.pictureFolder.trimmed();
+    const auto control = [](QChar c) { return c.category() == QChar::Other_Control; };
+    if (preferences.pictureFolder.size() > Preferences::mostFolder ||
+        std::any_of(preferences.pictureFolder.cbegin(), preferences.pictureFolder.cend(), control))
+        preferences.pictureFolder.clear();
+    return preferences;
+}
+
+DisplaySettings beginningOf(const Preferences& preferences)
+{
+    DisplaySettings settings;
+    settings.window = preferences.window;
+    settings.noiseReduction = preferences.noiseReduction;
+    settings.edge = preferences.edge;
+    return withinBounds(settings);
+}
+
+bool preferencesMayChange(PermitPhase phase)
+{
+    return phase != PermitPhase::Arming && phase != PermitPhase::Armed && phase != PermitPhase::Engaged && phase != PermitPhase::Hold;
+}
+
+} // namespace console

@@ -1,0 +1,49 @@
+// What a person sets up for themselves, with its bounds. Nothing here makes motion larger, faster or stronger: that is no preference.
+#pragma once
+
+#include "model/alarm_list.hpp"
+#include "model/display_settings.hpp"
+#include "model/trend_book.hpp"
+
+#include <QString>
+#include <QStringList>
+
+#include <chrono>
+
+namespace console {
+
+enum class PermitPhase : std::uint8_t;
+
+/// How bright the surroundings of the pictures are. The pictures themselves are the same in each.
+enum class Brightness : std::uint8_t { Dim, Usual, Bright };
+inline constexpr int brightnessCount = 3;
+QString word(Brightness brightness);
+
+struct Preferences {
+    static constexpr int mostFolder = 1024; ///< characters
+
+    QString language; ///< `en`, `zh_CN`; empty: as the computer says
+    Brightness brightness = Brightness::Usual;
+    std::chrono::seconds audioPause = AlarmList::audioPause;
+    TrendSpan trendSpan = TrendSpan::Minute;
+    QString pictureFolder;                      ///< empty: `liena` in the person's folder of pictures
+    WindowChoice window = WindowChoice::AsSent; ///< what the console begins with; never Fixed
+    int noiseReduction = 0;                     ///< %
+    int edge = 0;                               ///< %
+
+    bool operator==(const Preferences&) const = default;
+};
+
+/// The languages that can be chosen, the empty one first.
+QStringList preferenceLanguages();
+
+/// Brought within the bounds.
+Preferences withinBounds(Preferences preferences);
+
+/// The display settings that a console with these preferences begins with.
+DisplaySettings beginningOf(const Preferences& preferences);
+
+/// Not while a permit is asked for or given, and not in a Hold, which can go back to it.
+bool preferencesMayChange(PermitPhase phase);
+
+} // namespace console

@@ -1,0 +1,49 @@
+// Keys of the views that are added to the cockpit, and what a person set up for it.
+#include "widgets/cockpit_window.hpp"
+#include "widgets/status_strip.hpp"
+#include "widgets/trends_pane.hpp"
+
+#include <QShortcut>
+
+namespace console {
+
+void CockpitWindow::addViewKeys()
+{
+    const auto bind = [this](Qt::Key key, View view) {
+        auto* shortcut = new QShortcut(QKeySequence(key), this);
+        shortcut->setAutoRepeat(false);
+        connect(shortcut, &QShortcut::activated, this, [this, view] { toggleView(view); });
+    };
+    bind(Qt::Key_F6, View::Preferences);
+    bind(Qt::Key_F7, View::Screens);
+    const auto act = [this](const QKeySequence& keys, auto what) {
+        auto* shortcut = new QShortcut(keys, this);
+        shortcut->setAutoRepeat(false);
+        connect(shortcut, &QShortcut::activated, this, what);
+    };
+    act(Qt::Key_F10, [this] { setArrangement(swapped(m_arrangement, Arrangement::ReferenceBeside)); });
+    act(Qt::Key_F11, [this] { setArrangement(swapped(m_arrangement, Arrangement::SceneBeside)); });
+    for (int place = 0; place < 9; ++place)
+        act(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + place)), [this, place] { Q_EMIT layoutRequested(place); });
+    connect(m_strip, &StatusStrip::aboutRequested, this, [this] { toggleView(View::About); });
+}
+
+void CockpitWindow::setTrendSpan(TrendSpan span) { m_trends->setSpan(span); }
+
+void CockpitWindow::setArrangement(Arrangement arrangement)
+{
+    if (arrangement == m_arrangement)
+        return;
+    m_arrangement = arrangement;
+    m_layout->setArrangement(arrangement);
+    update();
+    Q_EMIT arrangementChanged(arrangement);
+}
+
+void CockpitWindow::noteScreenGone()
+{
+    m_screenGone = true;
+    updateHandKeys();
+}
+
+} // namespace console

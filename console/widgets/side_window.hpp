@@ -1,0 +1,36 @@
+// A window on a further screen: what is good to see, and nothing that moves anything.
+#pragma once
+
+#include <QWidget>
+
+class QVBoxLayout;
+
+namespace console {
+
+/// Not the cockpit: the hand has no keys while it has the focus. Esc, F12 and F9 work in it as everywhere; F1 goes back to the cockpit.
+class SideWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit SideWindow(const QString& name);
+
+    /// Takes it; one below the other.
+    void add(QWidget* part, int share);
+
+Q_SIGNALS:
+    void emergencyStopRequested(const QString& reason);
+    void panicHoldRequested();
+    void audioPauseRequested();
+    void cockpitRequested();
+    void closedByPerson();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void addKeys();
+
+    QVBoxLayout* m_column;
+};
+
+} // namespace console

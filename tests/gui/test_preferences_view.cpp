@@ -1,0 +1,266 @@
+// F6: what is shown and changed, when it may not be, and what brightness never touches.
+#include "app/picture_desk.hpp"
+#include "app/preference_desk.hpp"
+#include "cockpit_stage.hpp"
+#include "imaging/live_image_view.hpp"
+#include "widgets/choice_row.hpp"
+#include "widgets/preferences_view.hpp"
+#include "widgets/sheet_button.hpp"
+#include "widgets/trends_pane.hpp"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+using namespace console;
+using namespace console::test;
+
+namespace {
+
+struct Prepared : CockpitStage {
+    QTemporaryDir folder;
+    Options options;
+    PictureDesk pictures;
+    PreferenceDesk desk;
+    PreferencesView* view;
+
+    explicit Prepared(const QSize& size = {1920, 1080}, const QString& onTheCommandLine = {})
+        : CockpitStage(size),
+          options(at(folder, onTheCommandLine)),
+          pictures(options, cockpit.models),
+          desk(options, cockpit.models, pictures)
+    {
+        pictures.build(window);
+        desk.build(window);
+        view = window.findChild<PreferencesView*>();
+    }
+
+    ~Prepared() { theme::setBrightness(*qApp, Brightness::Usual); }
+
+    static Options at(const QTemporaryDir& folder, const QString& pictures)
+    {
+        Options options;
+        options.preferences = folder.filePath(QStringLiteral("preferences.ini"));
+        options.pictures = pictures;
+        return options;
+    }
+
+    bool open()
+    {
+        if (!ready())
+            return false;
+        QTest::keyClick(&window, Qt::Key_F6);
+        return view->isVisible();
+    }
+
+    SheetButton* button(const QString& name) const
+    {
+        for (SheetButton* candidate : view->findChildren<SheetButton*>())
+            if (candidate->accessibleName() == name)
+                return candidate;
+        return nullptr;
+    }
+
+    void choose(const QString& name) const
+    {
+        auto* chosen = button(name);
+        QVERIFY2(chosen != nullptr, qPrintable(name));
+        chosen->setFocus();
+        QTest::keyClick(chosen, Qt::Key_Return);
+    }
+
+    Preferences kept() const { return PreferenceStore(options.preferences).read().preferences; }
+
+    bool says(const QString& words) const
+    {
+        for (const QLabel* label : view->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words))
+                return true;
+        return false;
+    }
+};
+
+} // namespace
+
+class TestPreferencesView : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void aChoiceIsInForceAndKeptAtOnce()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        stage.choose(QStringLiteral("Audio pause: 120 s"));
+        stage.choose(QStringLiteral("Trends: 10 min"));
+        stage.choose(QStringLiteral("Noise reduction: 40 %"));
+        stage.choose(QStringLiteral("Brightness: dim"));
+        QVERIFY(stage.window.findChild<TrendsPane*>()->span() == TrendSpan::TenMinutes);
+        QCOMPARE(stage.pictures.display().settings().noiseReduction, 40);
+        QVERIFY(theme::brightness() == Brightness::Dim);
+        stage.cockpit.models.alarms.pauseAudio(stage.cockpit.now);
+        QVERIFY(stage.cockpit.models.alarms.audioPauseLeft(stage.cockpit.now + std::chrono::seconds(119)));
+        QCOMPARE(stage.kept(), stage.desk.preferences());
+        QCOMPARE(stage.kept().audioPause, std::chrono::seconds(120));
+    }
+
+    void aClickIsMarkedOnlyWhenItCounts()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        QVERIFY(stage.button(QStringLiteral("Audio pause: 60 s"))->isChecked());
+        QTest::mouseClick(stage.button(QStringLiteral("Audio pause: 90 s")), Qt::LeftButton);
+        QVERIFY(stage.button(QStringLiteral("Audio pause: 90 s"))->isChecked());
+        QVERIFY(!stage.button(QStringLiteral("Audio pause: 60 s"))->isChecked());
+    }
+
+    void defaultsComeBack()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        stage.choose(QStringLiteral("Language: English"));
+        stage.choose(QStringLiteral("Window: AUTO"));
+        QVERIFY(stage.desk.preferences() != Preferences());
+        QTest::mouseClick(stage.button(QStringLiteral("Restore the defaults of all entries")), Qt::LeftButton);
+        QCOMPARE(stage.desk.preferences(), Preferences());
+        QCOMPARE(stage.kept(), Preferences());
+    }
+
+    void whatTheControlsChangedStaysWhenAnotherEntryChanges()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        stage.pictures.display().stepEdge(3);
+        stage.choose(QStringLiteral("Noise reduction: 20 %"));
+        QCOMPARE(stage.pictures.display().settings().edge, 30);
+        QCOMPARE(stage.pictures.display().settings().noiseReduction, 20);
+    }
+
+    void armedItIsReadOnlyAndSaysWhy()
+    {
+        Prepared stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.arm();
+        QVERIFY(stage.cockpit.models.permit.phase() == PermitPhase::Armed);
+        stage.window.showView(View::Preferences);
+        QVERIFY(stage.says(QStringLiteral("Read only")));
+        for (ChoiceRow* row : stage.view->findChildren<ChoiceRow*>())
+            for (SheetButton* button : row->buttons())
+                QVERIFY2(!button->isEnabled(), qPrintable(button->accessibleName()));
+        QVERIFY(!stage.button(QStringLiteral("Restore the defaults of all entries"))->isEnabled());
+        QVERIFY(stage.view->findChild<QLineEdit*>()->isReadOnly());
+        Preferences wanted;
+        wanted.noiseReduction = 100;
+        Q_EMIT stage.view->changed(wanted); // even if the view did not hold it back
+        QCOMPARE(stage.desk.preferences(), Preferences());
+        QCOMPARE(stage.pictures.display().settings().noiseReduction, 0);
+    }
+
+    void theHandHasNoKeysWhileItIsLookedAt()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        QVERIFY(!stage.window.handHasKeys());
+        auto* edit = stage.view->findChild<QLineEdit*>();
+        edit->setFocus();
+        QSignalSpy pressed(&stage.window, &CockpitWindow::handKeyPressed);
+        QSignalSpy stop(&stage.window, &CockpitWindow::emergencyStopRequested);
+        QTest::keyClicks(edit, QStringLiteral("/tmp/rd"));
+        QTest::keyClick(edit, Qt::Key_Return);
+        QTest::keyClick(edit, Qt::Key_Escape);
+        QCOMPARE(pressed.count(), 0);
+        QCOMPARE(stop.count(), 1);
+        QCOMPARE(stage.desk.preferences().pictureFolder, QStringLiteral("/tmp/rd"));
+    }
+
+    void theCommandLineWinsForThisRun()
+    {
+        Prepared stage({1920, 1080}, QStringLiteral("/media/given"));
+        QVERIFY(stage.open());
+        QVERIFY(stage.says(QStringLiteral("/media/given")));
+        QVERIFY(stage.kept().pictureFolder.isEmpty());
+    }
+
+    void aBrokenFileIsSaidInTheViewAndInTheLog()
+    {
+        QTemporaryDir folder;
+        Options options;
+        options.preferences = folder.filePath(QStringLiteral("p.ini"));
+        QFile file(options.preferences);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("[General]\nbrightness=blinding\n");
+        file.close();
+        CockpitStage stage;
+        PictureDesk pictures(options, stage.cockpit.models);
+        PreferenceDesk desk(options, stage.cockpit.models, pictures);
+        pictures.build(stage.window);
+        desk.build(stage.window);
+        QVERIFY(stage.ready());
+        stage.window.showView(View::Preferences);
+        bool said = false;
+        for (const QLabel* label : stage.window.findChild<PreferencesView*>()->findChildren<QLabel*>())
+            said = said || label->text().contains(QStringLiteral("blinding"));
+        QVERIFY(said);
+        QVERIFY(stage.cockpit.models.log.lines().back().text.contains(QStringLiteral("blinding")));
+    }
+
+    void brightnessNeverTouchesAPicture()
+    {
+        Prepared stage;
+        QVERIFY(stage.ready());
+        auto* live = stage.window.findChild<LiveImageView*>();
+        auto* band = stage.named<QWidget>(QStringLiteral("Motion"));
+        QVERIFY(live != nullptr && band != nullptr);
+        const QImage picture = live->grab().toImage();
+        const QImage around = band->grab().toImage();
+        for (const Brightness level : {Brightness::Dim, Brightness::Bright, Brightness::Usual}) {
+            theme::setBrightness(*qApp, level);
+            QCOMPARE(live->grab().toImage(), picture);
+            QVERIFY((band->grab().toImage() == around) == (level == Brightness::Usual));
+        }
+    }
+
+    void leavesImageAlarmsAndMotion_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        QTest::newRow("reference") << QSize(2560, 1440);
+        QTest::newRow("full HD") << QSize(1920, 1080);
+        QTest::newRow("small") << QSize(1366, 768);
+    }
+
+    void leavesImageAlarmsAndMotion()
+    {
+        QFETCH(QSize, screen);
+        Prepared stage(screen);
+        QVERIFY(stage.open());
+        for (const Region region : {Region::Status, Region::Alarm, Region::Live, Region::Motion})
+            QVERIFY(!stage.seen(stage.view).intersects(stage.window.regionGeometry(region)));
+        for (const ChoiceRow* row : stage.view->findChildren<ChoiceRow*>())
+            for (const SheetButton* button : row->buttons())
+                QVERIFY2(row->rect().contains(button->geometry()), qPrintable(button->accessibleName()));
+        for (QWidget* part : stage.view->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+            if (part->isVisible())
+                QVERIFY2(stage.view->rect().contains(part->geometry()), qPrintable(part->accessibleName()));
+    }
+
+    void everythingIsReachedByTab()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        QSet<QWidget*> reached;
+        for (int i = 0; i < 150; ++i) {
+            QWidget* focus = QApplication::focusWidget();
+            QVERIFY(focus);
+            reached.insert(focus);
+            QTest::keyClick(focus, Qt::Key_Tab);
+        }
+        for (SheetButton* button : stage.view->findChildren<SheetButton*>())
+            QVERIFY2(reached.contains(button), qPrintable(button->accessibleName()));
+        QVERIFY(reached.contains(stage.view->findChild<QLineEdit*>()));
+    }
+};
+
+QTEST_MAIN(TestPreferencesView)
+#include "test_preferences_view.moc"

@@ -1,0 +1,319 @@
+// Several screens: what is on them, what becomes of it when one vanishes, and who has the keys. On invented screens.
+#include "app/picture_desk.hpp"
+#include "app/screen_desk.hpp"
+#include "cockpit_stage.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/reference_image_view.hpp"
+#include "widgets/screens_view.hpp"
+#include "widgets/side_window.hpp"
+
+#include <QGuiApplication>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScreen>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QWindow>
+
+using namespace console;
+using namespace console::test;
+
+namespace {
+
+QScreen* screenNamed(const char* name)
+{
+    for (QScreen* screen : QGuiApplication::screens())
+        if (screen->name() == QString::fromLatin1(name))
+            return screen;
+    return nullptr;
+}
+
+struct Theatre : CockpitStage {
+    QTemporaryDir folder;
+    Options options;
+    PictureDesk pictures;
+    std::unique_ptr<ScreenDesk> desk;
+    ScreensView* view;
+
+    explicit Theatre(const QSize& size = {1920, 1080}) : CockpitStage(size), options(at(folder)), pictures(options, cockpit.models)
+    {
+        pictures.build(window);
+        theme::applyScale(&window, theme::scaleFor(size)); // as when it is shown with its panes
+        desk = std::make_unique<ScreenDesk>(options, cockpit.models, pictures, window);
+        desk->begin();
+        view = window.findChild<ScreensView*>();
+    }
+
+    static Options at(const QTemporaryDir& folder)
+    {
+        Options options;
+        options.preferences = folder.filePath(QStringLiteral("preferences.ini"));
+        return options;
+    }
+
+    bool readyWithKeys()
+    {
+        if (!ready())
+            return false;
+        window.setFocus();
+        return QTest::qWaitFor([this] { return window.handHasKeys(); });
+    }
+
+    bool saidInTheLog(const QString& words) const { return cockpit.models.log.lines().back().text.contains(words); }
+};
+
+} // namespace
+
+class TestScreens : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase()
+    {
+        theme::apply(*qApp);
+        QCOMPARE(QGuiApplication::screens().size(), 3);
+    }
+
+    void liveIsInSightAndNeverSmallerThanAnother_data()
+    {
+        QTest::addColumn<QSize>("window");
+        for (const QSize& size :
+             {QSize(2560, 1440), QSize(1920, 1080), QSize(1366, 768), QSize(1280, 1024), QSize(3440, 1440), QSize(1080, 1920)})
+            QTest::newRow(qPrintable(QStringLiteral("%1x%2").arg(size.width()).arg(size.height()))) << size;
+    }
+
+    void liveIsInSightAndNeverSmallerThanAnother()
+    {
+        QFETCH(QSize, window);
+        const std::array always{Region::Status, Region::Alarm, Region::Links, Region::Live, Region::Motion};
+        const std::array all{Region::Status, Region::Alarm, Region::Links, Region::Live,   Region::Reference,
+                             Region::Scene,  Region::Robot, Region::Dose,  Region::Trends, Region::Motion};
+        for (const auto arrangement : {Arrangement::Usual, Arrangement::ReferenceBeside, Arrangement::SceneBeside}) {
+            const auto at = [&](Region region) { return regionRect(region, window, arrangement); };
+            QCOMPARE(at(Region::Live).width(), at(Region::Live).height());
+            for (const Region other : {Region::Reference, Region::Scene}) {
+                QVERIFY(at(other).width() <= at(Region::Live).width());
+                QVERIFY(arrangement == Arrangement::Usual || at(other).height() <= at(Region::Live).height());
+            }
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                QVERIFY(QRect(QPoint(), window).contains(at(all[i])) && !at(all[i]).isEmpty());
+                for (std::size_t j = i + 1; j < all.size(); ++j)
+                    QVERIFY2(!at(all[i]).intersects(at(all[j])),
+                             qPrintable(QStringLiteral("%1 %2 %3").arg(i).arg(j).arg(int(arrangement))));
+            }
+            for (const Region over : {Region::Sheet, Region::Overlay})
+                for (const Region region : always)
+                    QVERIFY(!at(over).intersects(at(region)));
+        }
+        const auto least = [](const QRect& rect) { return std::min(rect.width(), rect.height()); };
+        QVERIFY(least(regionRect(Region::Reference, window, Arrangement::ReferenceBeside)) > least(regionRect(Region::Reference, window)));
+    }
+
+    void oneKeyChangesPlacesAndTheSameKeyTakesItBack()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        auto* live = stage.window.findChild<LiveImageView*>();
+        auto* reference = stage.window.findChild<ReferenceImageView*>();
+        const QRect usual = stage.seen(live);
+        QTest::keyClick(&stage.window, Qt::Key_F10);
+        QTRY_VERIFY(stage.window.regionGeometry(Region::Live).contains(stage.seen(live)));
+        QTRY_VERIFY(stage.window.regionGeometry(Region::Reference).contains(stage.seen(reference)));
+        QVERIFY(stage.seen(reference).left() < stage.seen(live).left());
+        QVERIFY(stage.seen(reference).height() <= stage.seen(live).height());
+        QVERIFY(stage.window.handHasKeys());
+        QTest::keyClick(&stage.window, Qt::Key_F11);
+        QVERIFY(stage.window.arrangement() == Arrangement::SceneBeside);
+        QTest::keyClick(&stage.window, Qt::Key_F11);
+        QTRY_COMPARE(stage.seen(live), usual);
+    }
+
+    void nothingOfThePicturesIsCutOffInANarrowPlace_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        for (const QSize& size : {QSize(2560, 1440), QSize(1920, 1080), QSize(1366, 768)})
+            QTest::newRow(qPrintable(QString::number(size.height()))) << size;
+    }
+
+    void nothingOfThePicturesIsCutOffInANarrowPlace()
+    {
+        QFETCH(QSize, screen);
+        Theatre stage(screen);
+        QVERIFY(stage.readyWithKeys());
+        for (const auto arrangement : {Arrangement::Usual, Arrangement::ReferenceBeside, Arrangement::SceneBeside}) {
+            stage.window.setArrangement(arrangement);
+            auto* live = stage.window.findChild<LiveImageView*>();
+            const QRect place = stage.window.regionGeometry(Region::Live);
+            const auto cutOff = [&] {
+                for (const auto* button : live->parentWidget()->findChildren<QPushButton*>()) {
+                    const QRect at(button->mapTo(&stage.window, QPoint()), button->size());
+                    if (!place.contains(at) || at.width() < button->minimumSizeHint().width())
+                        return button->accessibleName();
+                }
+                return QString();
+            };
+            QTRY_COMPARE(cutOff(), QString());
+            QCOMPARE(live->parentWidget()->geometry(), place);
+            // What is painted, without the controls beneath.
+            const auto* reference = stage.window.findChild<ReferenceImageView*>();
+            for (const QSize& other : {reference->size(), stage.window.regionGeometry(Region::Scene).size()})
+                QVERIFY2(std::min(other.width(), other.height()) <= std::min(live->width(), live->height()),
+                         qPrintable(QStringLiteral("%1 %2").arg(other.height()).arg(live->height())));
+        }
+    }
+
+    void aViewBesideLeavesTheLivePicture()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        QTest::keyClick(&stage.window, Qt::Key_F10);
+        QTest::keyClick(&stage.window, Qt::Key_F2);
+        QVERIFY(stage.topology->isVisible());
+        for (const Region region : {Region::Live, Region::Alarm, Region::Motion})
+            QVERIFY(!stage.seen(stage.topology).intersects(stage.window.regionGeometry(region)));
+    }
+
+    void furtherScreensShowWhatWasChosenAndTakeNoKeys()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        Q_EMIT stage.view->thirdChosen(QStringLiteral("third"));
+        QVERIFY(stage.desk->second() && stage.desk->third());
+        QTRY_VERIFY(stage.desk->second()->isVisible() && stage.desk->third()->isVisible());
+        QCOMPARE(stage.desk->second()->screen()->name(), QStringLiteral("second"));
+        QCOMPARE(stage.desk->third()->screen()->name(), QStringLiteral("third"));
+        QVERIFY(stage.desk->second()->findChild<TopologyCanvas*>() != nullptr);
+        auto* copy = stage.desk->third()->findChild<ReferenceImageView*>();
+        QVERIFY(copy != nullptr);
+        const QSize live = stage.window.regionGeometry(Region::Live).size();
+        QTRY_VERIFY(copy->width() <= live.width() && copy->height() <= live.height());
+        QVERIFY(!copy->size().isEmpty());
+    }
+
+    void aFurtherScreenInFocusTakesTheKeysFromTheHandAndStillStops()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        auto* side = stage.desk->second();
+        side->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(side));
+        side->setFocus();
+        QVERIFY(!stage.window.handHasKeys());
+        QSignalSpy pressed(&stage.window, &CockpitWindow::handKeyPressed);
+        QSignalSpy stop(&stage.window, &CockpitWindow::emergencyStopRequested);
+        QSignalSpy hold(&stage.window, &CockpitWindow::panicHoldRequested);
+        QTest::keyClick(side, Qt::Key_D);
+        QTest::keyClick(side, Qt::Key_F12);
+        QTest::keyClick(side, Qt::Key_Escape);
+        QCOMPARE(pressed.count(), 0);
+        QCOMPARE(hold.count(), 1);
+        QCOMPARE(stop.count(), 1);
+        QVERIFY(side->isVisible());
+        QTest::keyClick(side, Qt::Key_F1);
+        QTRY_VERIFY(stage.window.isActiveWindow());
+    }
+
+    void aVanishedScreenFoldsAtOnceAndTheHandKeepsItsKeysIfItWasElsewhere()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        Q_EMIT stage.view->thirdChosen(QStringLiteral("third"));
+        stage.window.activateWindow();
+        stage.window.setFocus();
+        QTRY_VERIFY(stage.window.handHasKeys());
+        QSignalSpy hand(&stage.window, &CockpitWindow::handFocusChanged);
+        Q_EMIT qGuiApp->screenRemoved(screenNamed("second"));
+        QVERIFY(!stage.desk->second()); // in the same turn of the event loop
+        QVERIFY(stage.desk->third());
+        QVERIFY(stage.saidInTheLog(QStringLiteral("second is gone")));
+        QCOMPARE(hand.count(), 0);
+        QVERIFY(stage.window.handHasKeys());
+    }
+
+    void theCockpitsScreenVanishesAndTheHandLosesItsKeysUntilAPersonTakesThem_data()
+    {
+        QTest::addColumn<bool>("byMouse");
+        QTest::newRow("a click") << true;
+        QTest::newRow("F1") << false;
+    }
+
+    void theCockpitsScreenVanishesAndTheHandLosesItsKeysUntilAPersonTakesThem()
+    {
+        QFETCH(bool, byMouse);
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        QCOMPARE(stage.desk->present().cockpit, QStringLiteral("first"));
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        Q_EMIT stage.view->thirdChosen(QStringLiteral("third"));
+        stage.window.activateWindow();
+        stage.window.setFocus();
+        QTRY_VERIFY(stage.window.handHasKeys());
+        QSignalSpy hand(&stage.window, &CockpitWindow::handFocusChanged);
+        Q_EMIT qGuiApp->screenRemoved(screenNamed("first"));
+        QCOMPARE(hand.count(), 1);
+        QCOMPARE(hand.first().first().toBool(), false);
+        QCOMPARE(stage.desk->present().cockpit, QStringLiteral("second"));
+        QVERIFY(!stage.desk->second()); // the cockpit needs the room
+        QVERIFY(stage.desk->third());
+        QTRY_COMPARE(stage.window.screen()->name(), QStringLiteral("second"));
+        QVERIFY(stage.window.isVisible());
+        stage.window.activateWindow();
+        stage.window.setFocus();
+        QTRY_VERIFY(stage.window.isActiveWindow());
+        QVERIFY(!stage.window.handHasKeys()); // activity and focus alone do not give them back
+        QSignalSpy pressed(&stage.window, &CockpitWindow::handKeyPressed);
+        QTest::keyClick(&stage.window, Qt::Key_D);
+        QCOMPARE(pressed.count(), 0);
+        if (byMouse)
+            QTest::mouseClick(&stage.window, Qt::LeftButton, {}, stage.window.regionGeometry(Region::Status).center());
+        else
+            QTest::keyClick(&stage.window, Qt::Key_F1);
+        QTRY_VERIFY(stage.window.handHasKeys());
+    }
+
+    void layoutsAreSavedRestoredByOneKeyAndDeleted()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        stage.window.setArrangement(Arrangement::ReferenceBeside);
+        stage.window.showView(View::Screens);
+        auto* name = stage.named<QLineEdit>(QStringLiteral("Name for the present layout"));
+        QVERIFY(name != nullptr);
+        name->setFocus();
+        QTest::keyClicks(name, QStringLiteral("Two \"screens\""));
+        QTest::keyClick(name, Qt::Key_Return);
+        QCOMPARE(stage.desk->book().layouts().size(), std::size_t(1));
+        Q_EMIT stage.view->secondChosen(QString());
+        stage.window.setArrangement(Arrangement::Usual);
+        QVERIFY(!stage.desk->second());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(stage.desk->second());
+        QVERIFY(stage.window.arrangement() == Arrangement::ReferenceBeside);
+        auto* remove = stage.named<QPushButton>(QStringLiteral("Delete the layout Two \"screens\""));
+        QVERIFY(remove != nullptr);
+        QTest::mouseClick(remove, Qt::LeftButton);
+        QVERIFY(stage.desk->book().layouts().empty());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_1, Qt::ControlModifier);
+        QVERIFY(stage.saidInTheLog(QStringLiteral("There is no layout 1")));
+    }
+
+    void armedScreensStayAndPicturesMayChangePlaces()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        stage.cockpit.openAll();
+        stage.cockpit.arm();
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        QVERIFY(!stage.desk->second());
+        QVERIFY(stage.saidInTheLog(QStringLiteral("stay as they are")));
+        QTest::keyClick(&stage.window, Qt::Key_F10);
+        QVERIFY(stage.window.arrangement() == Arrangement::ReferenceBeside);
+        QVERIFY(stage.cockpit.models.permit.phase() == PermitPhase::Armed);
+    }
+};
+
+QTEST_MAIN(TestScreens)
+#include "test_screens.moc"
