@@ -25,6 +25,41 @@
     </message>
 </context>
 <context>
+    <name>console::AboutView</name>
+    <message>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
+    </message>
+    <message>
+        <source>Facts</source>
+        <translation>事实</translation>
+    </message>
+    <message>
+        <source>Licences of the parts</source>
+        <translation>各组成部分的许可证</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>关于</translation>
+    </message>
+    <message>
+        <source>About LiENa</source>
+        <translation>关于 LiENa</translation>
+    </message>
+    <message>
+        <source>It comes without any warranty. Where its words sound like those of a standard it follows the conventions of that standard and claims no more.</source>
+        <translation>不提供任何担保。其用语若与某项标准相似，仅表示遵循该标准的惯例，别无其他主张。</translation>
+    </message>
+    <message>
+        <source>Parts used, and their licences as named by Debian 12</source>
+        <translation>所用组成部分及 Debian 12 所称的许可证</translation>
+    </message>
+    <message>
+        <source>Leave About</source>
+        <translation>离开“关于”</translation>
+    </message>
+</context>
+<context>
     <name>console::AlarmBand</name>
     <message>
         <source>SELF-TEST, no alarm: red, flashing fast, five pulses</source>
@@ -558,6 +593,13 @@
     </message>
 </context>
 <context>
+    <name>console::ChoiceRow</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>console::CineReview</name>
     <message>
         <source>older than the %1 frames that are kept</source>
@@ -647,6 +689,10 @@
     <message>
         <source>F8 alarm test · F9 audio pause · F1 cockpit · F2 topology · F4 log</source>
         <translation>F8 报警自检 · F9 暂停报警声 · F1 驾驶舱 · F2 拓扑 · F4 日志</translation>
+    </message>
+    <message>
+        <source>F6 preferences · F7 screens · F10 F11 change places</source>
+        <translation>F6 首选项 · F7 屏幕 · F10 F11 互换位置</translation>
     </message>
 </context>
 <context>
@@ -1694,6 +1740,45 @@
     </message>
 </context>
 <context>
+    <name>console::LayoutBook</name>
+    <message>
+        <source>%1 cannot be read as layouts of screens. There are none until one is saved.</source>
+        <translation>无法将 %1 读作屏幕布局。在保存布局之前没有任何布局。</translation>
+    </message>
+    <message>
+        <source>%1 is not understood at byte %2: %3. There are no layouts until one is saved.</source>
+        <translation>%1 在第 %2 字节处无法理解：%3。在保存布局之前没有任何布局。</translation>
+    </message>
+    <message>
+        <source>no list of layouts</source>
+        <translation>不是布局列表</translation>
+    </message>
+    <message>
+        <source>%1: layout %2 makes no sense and is left out.</source>
+        <translation>%1：布局 %2 无意义，已略去。</translation>
+    </message>
+    <message>
+        <source>A layout needs a name.</source>
+        <translation>布局须有名称。</translation>
+    </message>
+    <message>
+        <source>There are %1 layouts already. Delete one first.</source>
+        <translation>已有 %1 个布局。请先删除一个。</translation>
+    </message>
+    <message>
+        <source>This run has no file of layouts: the layout lasts for this run only.</source>
+        <translation>本次运行没有布局文件：该布局仅在本次运行中有效。</translation>
+    </message>
+    <message>
+        <source>%1 was not understood, and no copy of it can be kept. Nothing was written; move it away.</source>
+        <translation>%1 无法理解，也无法保留其副本。未写入任何内容；请将其移走。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. The layout lasts for this run only.</source>
+        <translation>无法写入 %1：%2。该布局仅在本次运行中有效。</translation>
+    </message>
+</context>
+<context>
     <name>console::LinkCard</name>
     <message>
         <source>Link to %1</source>
@@ -2645,8 +2730,307 @@
         <translation>图像仍在保存。完成后请再次保存。</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made. Name another one with --pictures.</source>
-        <translation>无法创建文件夹 %1。请用 --pictures 指定另一个。</translation>
+        <source>The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).</source>
+        <translation>无法创建文件夹 %1。请用 --pictures 或在首选项 (F6) 中指定另一个。</translation>
+    </message>
+</context>
+<context>
+    <name>console::PreferenceDesk</name>
+    <message>
+        <source>Read only: the permit is %1. Preferences can be changed when nothing is armed or in hold.</source>
+        <translation>只读：许可为 %1。在未解锁且未保持时才能更改首选项。</translation>
+    </message>
+    <message>
+        <source>This run has no file of preferences: it begins with the defaults, and changes are not kept.</source>
+        <translation>本次运行没有首选项文件：以默认值开始，更改不予保存。</translation>
+    </message>
+    <message>
+        <source>For this run the command line decides on the folder of pictures: %1.</source>
+        <translation>本次运行由命令行决定图像文件夹：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>console::PreferenceStore</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 is &apos;%3&apos;, which is none of: %4. The default is used.</source>
+        <translation>%1：%2 为“%3”，不属于：%4。使用默认值。</translation>
+    </message>
+    <message>
+        <source>the name of a folder</source>
+        <translation>文件夹名称</translation>
+    </message>
+    <message>
+        <source>%1 is not a file. The defaults are used.</source>
+        <translation>%1 不是文件。使用默认值。</translation>
+    </message>
+    <message>
+        <source>%1 is too long for preferences (%2 bytes). The defaults are used.</source>
+        <translation>%1 对首选项来说过长（%2 字节）。使用默认值。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2. The defaults are used.</source>
+        <translation>无法读取 %1：%2。使用默认值。</translation>
+    </message>
+    <message>
+        <source>%1 is not a file of preferences. The defaults are used.</source>
+        <translation>%1 不是首选项文件。使用默认值。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as a whole: what was not understood has its default.</source>
+        <translation>%1 无法完整读取：无法理解的部分使用默认值。</translation>
+    </message>
+    <message>
+        <source>%1 was not understood, and no copy of it can be kept beside it. Nothing was written; move it away.</source>
+        <translation>%1 无法理解，也无法在其旁保留副本。未写入任何内容；请将其移走。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: this choice lasts for this run only. Look at the folder&apos;s permissions and the disk.</source>
+        <translation>无法写入 %1：此选择仅在本次运行中有效。请检查文件夹权限和磁盘。</translation>
+    </message>
+</context>
+<context>
+    <name>console::Preferences</name>
+    <message>
+        <source>dim</source>
+        <translation>暗</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>bright</source>
+        <translation>亮</translation>
+    </message>
+</context>
+<context>
+    <name>console::PreferencesView</name>
+    <message>
+        <source>as the computer</source>
+        <translation>与计算机相同</translation>
+    </message>
+    <message>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>关于</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>恢复默认值</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Entries</source>
+        <translation>条目</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Of everything on this screen. Takes effect when the console is started next.</source>
+        <translation>本屏幕全部内容的语言。下次启动控制台时生效。</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>Of what surrounds the pictures. The pictures and the alarms&apos; colours are the same in each.</source>
+        <translation>图像周围部分的亮度。各档中图像和报警颜色均相同。</translation>
+    </message>
+    <message>
+        <source>Audio pause</source>
+        <translation>报警声暂停</translation>
+    </message>
+    <message>
+        <source>How long F9 silences alarms. A new high alarm ends it; 120 s is the site&apos;s limit.</source>
+        <translation>F9 使报警静音的时长。新的高优先级报警会结束暂停；120 s 为本机构的上限。</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Trends</source>
+        <translation>趋势</translation>
+    </message>
+    <message>
+        <source>The span that the trends begin with; their own button changes it at any time.</source>
+        <translation>趋势开始时的时间跨度；随时可用其按钮更改。</translation>
+    </message>
+    <message>
+        <source>60 s</source>
+        <translation>60 s</translation>
+    </message>
+    <message>
+        <source>10 min</source>
+        <translation>10 min</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>调窗</translation>
+    </message>
+    <message>
+        <source>Brightness and contrast that pictures begin with. The picture&apos;s own controls change it.</source>
+        <translation>图像开始时的亮度和对比度。可用图像自身的控件更改。</translation>
+    </message>
+    <message>
+        <source>Noise reduction</source>
+        <translation>降噪</translation>
+    </message>
+    <message>
+        <source>That pictures begin with. It mixes pictures of before in, so movement is shown later; the age counts it, and less is mixed in where the age limit leaves no room.</source>
+        <translation>图像开始时的降噪。它混入先前的图像，因此运动显示得更晚；时龄已将其计入，时龄上限不留余地时混入较少。</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>边缘</translation>
+    </message>
+    <message>
+        <source>Enhancement of edges that pictures begin with.</source>
+        <translation>图像开始时的边缘增强。</translation>
+    </message>
+    <message>
+        <source>Folder of pictures</source>
+        <translation>图像文件夹</translation>
+    </message>
+    <message>
+        <source>liena, in your folder of pictures</source>
+        <translation>您的图片文件夹中的 liena</translation>
+    </message>
+    <message>
+        <source>Where “Save” under a picture writes to; Enter takes it. It is made when it is missing.</source>
+        <translation>图像下方“保存”写入的位置；按 Enter 采用。不存在时会自动创建。</translation>
+    </message>
+    <message>
+        <source>About this software and its parts</source>
+        <translation>关于本软件及其组成部分</translation>
+    </message>
+    <message>
+        <source>Restore the defaults of all entries</source>
+        <translation>恢复所有条目的默认值</translation>
+    </message>
+    <message>
+        <source>Leave the preferences</source>
+        <translation>离开首选项</translation>
+    </message>
+    <message>
+        <source>Kept for you on this computer. Nothing here changes how the robot moves.</source>
+        <translation>为您保存在本机上。此处任何设置都不改变机器人的运动方式。</translation>
+    </message>
+</context>
+<context>
+    <name>console::ProgramFacts</name>
+    <message>
+        <source>System</source>
+        <translation>系统</translation>
+    </message>
+    <message>
+        <source>no topology is loaded</source>
+        <translation>未加载拓扑</translation>
+    </message>
+    <message>
+        <source>, version %1</source>
+        <translation>，版本 %1</translation>
+    </message>
+    <message>
+        <source>%1%2, %3 devices, %4 links of this console</source>
+        <translation>%1%2，%3 台设备，本控制台 %4 条链路</translation>
+    </message>
+    <message>
+        <source>Topology hash</source>
+        <translation>拓扑哈希</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>sessions are encrypted</source>
+        <translation>会话已加密</translation>
+    </message>
+    <message>
+        <source>SESSIONS ARE NOT ENCRYPTED</source>
+        <translation>会话未加密</translation>
+    </message>
+    <message>
+        <source>%1 %2… · %3</source>
+        <translation>%1 %2… · %3</translation>
+    </message>
+    <message>
+        <source>%1 (in use): %2</source>
+        <translation>%1（使用中）：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Masters</source>
+        <translation>主手设备</translation>
+    </message>
+    <message>
+        <source>not known yet</source>
+        <translation>尚不清楚</translation>
+    </message>
+    <message>
+        <source>Alarm sound</source>
+        <translation>报警声</translation>
+    </message>
+    <message>
+        <source>DOES NOT WORK: see the alarm band</source>
+        <translation>不工作：见报警栏</translation>
+    </message>
+    <message>
+        <source>the last self-test was not confirmed</source>
+        <translation>上次自检未获确认</translation>
+    </message>
+    <message>
+        <source>seen and heard in this run; F8 tests again before each arming</source>
+        <translation>本次运行中已看到并听到；每次解锁前按 F8 再次自检</translation>
+    </message>
+    <message>
+        <source>not known: nobody has tested it in this run (F8)</source>
+        <translation>未知：本次运行中无人做过自检 (F8)</translation>
+    </message>
+    <message>
+        <source>Research software. Not a medical device: it has no approval for use on patients anywhere.</source>
+        <translation>研究用软件。非医疗器械：在任何地方均未获准用于患者。</translation>
+    </message>
+    <message>
+        <source>liena-console --help</source>
+        <translation>liena-console --help</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>版本</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>nobody is named (--operator NAME)</source>
+        <translation>未指定 (--operator NAME)</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3637,167 @@
     </message>
 </context>
 <context>
+    <name>console::ScreenDesk</name>
+    <message>
+        <source>layout saved: %1</source>
+        <translation>布局已保存：%1</translation>
+    </message>
+    <message>
+        <source>layout deleted</source>
+        <translation>布局已删除</translation>
+    </message>
+    <message>
+        <source>There is no layout %1; F7 saves one.</source>
+        <translation>没有布局 %1；按 F7 保存一个。</translation>
+    </message>
+    <message>
+        <source>Screens stay as they are while the permit is %1.</source>
+        <translation>许可为 %1 时屏幕保持原样。</translation>
+    </message>
+    <message>
+        <source>A screen that this layout asks for is not there: what was on it is in the cockpit.</source>
+        <translation>该布局所需的屏幕不在：其内容在驾驶舱中。</translation>
+    </message>
+    <message>
+        <source>layout: %1</source>
+        <translation>布局：%1</translation>
+    </message>
+    <message>
+        <source>The screen %1 is gone; the cockpit is on %2. The hand has no keys until you click into the cockpit or press F1.</source>
+        <translation>屏幕 %1 已移除；驾驶舱在 %2 上。在您点击驾驶舱或按 F1 之前，主手没有按键。</translation>
+    </message>
+    <message>
+        <source>The screen %1 is gone; what was on it is in the cockpit.</source>
+        <translation>屏幕 %1 已移除；其内容在驾驶舱中。</translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation>总览</translation>
+    </message>
+    <message>
+        <source>Event log, oldest first</source>
+        <translation>事件日志，最早的在前</translation>
+    </message>
+    <message>
+        <source>Reference picture</source>
+        <translation>参考图像</translation>
+    </message>
+    <message>
+        <source>Screens and layouts stay as they are: the permit is %1. Pictures can change places.</source>
+        <translation>屏幕和布局保持原样：许可为 %1。图像可以互换位置。</translation>
+    </message>
+</context>
+<context>
+    <name>console::ScreenPlan</name>
+    <message>
+        <source>live large</source>
+        <translation>实时图像为大图</translation>
+    </message>
+    <message>
+        <source>reference beside it</source>
+        <translation>参考图像在旁</translation>
+    </message>
+    <message>
+        <source>scene beside it</source>
+        <translation>三维场景在旁</translation>
+    </message>
+</context>
+<context>
+    <name>console::ScreensView</name>
+    <message>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>保存布局</translation>
+    </message>
+    <message>
+        <source>Screens and layouts</source>
+        <translation>屏幕和布局</translation>
+    </message>
+    <message>
+        <source>Leave screens and layouts</source>
+        <translation>离开屏幕和布局</translation>
+    </message>
+    <message>
+        <source>Screens, pictures and layouts</source>
+        <translation>屏幕、图像和布局</translation>
+    </message>
+    <message>
+        <source>Name for the present layout</source>
+        <translation>当前布局的名称</translation>
+    </message>
+    <message>
+        <source>name for the present layout</source>
+        <translation>当前布局的名称</translation>
+    </message>
+    <message>
+        <source>Save the present layout under this name</source>
+        <translation>以此名称保存当前布局</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>F10 changes the reference and the live picture over, F11 the scene. The live picture keeps its unbroken frame and is never smaller than another.</source>
+        <translation>F10 互换参考图像与实时图像，F11 互换三维场景。实时图像保留其实线边框，且绝不小于其他图像。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Second screen</source>
+        <translation>第二屏幕</translation>
+    </message>
+    <message>
+        <source>Topology, trends and log. It moves nothing; the hand has no keys in it.</source>
+        <translation>拓扑、趋势和日志。它不引起任何运动；主手在其中没有按键。</translation>
+    </message>
+    <message>
+        <source>no further screen is there</source>
+        <translation>没有其他屏幕</translation>
+    </message>
+    <message>
+        <source>Third screen</source>
+        <translation>第三屏幕</translation>
+    </message>
+    <message>
+        <source>The reference picture, at most as large as the live one.</source>
+        <translation>参考图像，至多与实时图像一样大。</translation>
+    </message>
+    <message>
+        <source>No layout is saved yet</source>
+        <translation>尚未保存布局</translation>
+    </message>
+    <message>
+        <source>Layouts</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>Ctrl+%1  %2</source>
+        <translation>Ctrl+%1  %2</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Restore the layout %1</source>
+        <translation>恢复布局 %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Delete the layout %1</source>
+        <translation>删除布局 %1</translation>
+    </message>
+</context>
+<context>
     <name>console::SdlPads</name>
     <message>
         <source>game pads cannot be heard: %1</source>
@@ -3401,6 +3946,23 @@
     </message>
 </context>
 <context>
+    <name>console::SideWindow</name>
+    <message>
+        <source>LiENa %1 — research system, not a medical device</source>
+        <translation>LiENa %1 — 研究用系统，非医疗器械</translation>
+    </message>
+    <message>
+        <source>The live picture, alarms and motion are in the cockpit (F1). Esc is the emergency stop here, too.</source>
+        <translation>实时图像、报警和运动都在驾驶舱 (F1)。此处 Esc 同样是急停。</translation>
+    </message>
+    <message>
+        <source>RESEARCH SYSTEM
+NOT A MEDICAL DEVICE</source>
+        <translation>研究用系统
+非医疗器械</translation>
+    </message>
+</context>
+<context>
     <name>console::SpaceMouseMaster</name>
     <message>
         <source>left button dead-man · push, twist guidewire · lift, tilt catheter · right button clutch · F X-ray · R arm · Page Up/Down scale</source>
@@ -3427,6 +3989,81 @@
     <message>
         <source>never received</source>
         <translation>从未收到</translation>
+    </message>
+</context>
+<context>
+    <name>console::StartView</name>
+    <message>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>关于</translation>
+    </message>
+    <message>
+        <source>How it stands</source>
+        <translation>当前状态</translation>
+    </message>
+    <message>
+        <source>Start page</source>
+        <translation>起始页</translation>
+    </message>
+    <message>
+        <source>LiENa: a surgeon&apos;s console for remote vascular intervention</source>
+        <translation>LiENa：远程血管介入的医生控制台</translation>
+    </message>
+    <message>
+        <source>Leave the start page</source>
+        <translation>离开起始页</translation>
+    </message>
+    <message>
+        <source>About this software and its parts</source>
+        <translation>关于本软件及其组成部分</translation>
+    </message>
+    <message>
+        <source>How to begin</source>
+        <translation>如何开始</translation>
+    </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>Alarm self-test: three colours and three sounds; say whether they were there. Before each arming.</source>
+        <translation>报警自检：三种颜色和三种声音；请回答是否都有。每次解锁前进行。</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Topology, then “Open all”: opens the sessions with the devices. Nothing moves by it.</source>
+        <translation>拓扑，然后“全部打开”：打开与各设备的会话。不会引起任何运动。</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Held: X-ray pictures. Then look at the list of conditions in the bar below.</source>
+        <translation>按住：X 射线图像。然后查看下方栏中的条件列表。</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Held for 1.5 s: arms, when every condition is met. Motion lasts only while the dead-man is held.</source>
+        <translation>按住 1.5 s：条件全部满足时解锁。只有按住握持开关时才运动。</translation>
+    </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
+    <message>
+        <source>Hold. Esc: emergency stop, always, from everywhere on this screen.</source>
+        <translation>保持。Esc：急停，随时有效，在本屏幕任何位置均可。</translation>
     </message>
 </context>
 <context>
@@ -3519,6 +4156,18 @@ NOT A MEDICAL DEVICE</source>
         <source>Not started</source>
         <translation>未开始</translation>
     </message>
+    <message>
+        <source>About</source>
+        <translation>关于</translation>
+    </message>
+    <message>
+        <source>About this software</source>
+        <translation>关于本软件</translation>
+    </message>
+    <message>
+        <source>What this is, its version, and the licences of its parts</source>
+        <translation>本软件是什么、其版本及组成部分的许可证</translation>
+    </message>
 </context>
 <context>
     <name>console::StopButton</name>
@@ -3580,6 +4229,10 @@ NOT A MEDICAL DEVICE</source>
     <message>
         <source>Button on the console&apos;s screen</source>
         <translation>控制台屏幕上的按钮</translation>
+    </message>
+    <message>
+        <source>Esc key on the console&apos;s further screen</source>
+        <translation>控制台另一屏幕上的 Esc 键</translation>
     </message>
 </context>
 <context>
