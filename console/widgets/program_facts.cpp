@@ -33,7 +33,7 @@ Fact hashFact(const SessionModel& sessions)
     if (hash.isEmpty())
         return {Text::tr("Topology hash"), Text::tr("not known"), false};
     const QString secured = sessions.secured() ? Text::tr("sessions are encrypted") : Text::tr("SESSIONS ARE NOT ENCRYPTED");
-    return {Text::tr("Topology hash"), Text::tr("%1 %2\u2026 \u00B7 %3").arg(hash.left(6), hash.mid(6, shownHash - 6), secured)};
+    return {Text::tr("Topology hash"), Text::tr("%1 %2 \u00B7 %3").arg(hash.left(6), hash.mid(6, shownHash - 6), secured)};
 }
 
 Fact masterFact(const HandState& hand)

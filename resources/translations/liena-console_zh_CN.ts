@@ -2969,8 +2969,8 @@
         <translation>会话未加密</translation>
     </message>
     <message>
-        <source>%1 %2… · %3</source>
-        <translation>%1 %2… · %3</translation>
+        <source>%1 %2 · %3</source>
+        <translation>%1 %2 · %3</translation>
     </message>
     <message>
         <source>%1 (in use): %2</source>

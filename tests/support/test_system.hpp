@@ -47,8 +47,8 @@ public:
     struct Options {
         std::string mode = "tls";
         /// Slower than a real system: sanitizers and a busy machine must not look like a lost peer.
-        std::string name = R"(name="test")"; ///< of the topology, and what else its first element says
         std::string timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
+        std::string name = R"(name="test")"; ///< of the topology, and what else its first element says
     };
 
     /// `links` are as in the topology: "cockpit robot", or with a timing of their own: R"(cockpit robot|heartbeat="20ms")".

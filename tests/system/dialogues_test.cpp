@@ -45,10 +45,12 @@ private Q_SLOTS:
         QTRY_VERIFY2(robot.heard(Kind::Opened, cockpitId), robot.story().c_str());
         QCOMPARE(words(cockpit.state(robotId)), words(SessionState::Open));
 
-        Result<void> sent = fail(Errc::NotYet, "");
-        QTRY_VERIFY2((sent = cockpit->send(robotId, motion(*cockpit, robotId, 7))).has_value(), sent ? "" : sent.error().what.c_str());
+        // A stream, as a hand's is: one command alone may be too old when a busy computer comes to it.
         std::vector<Message> received;
-        QTRY_VERIFY2(!(received = robot.messages("MotionCommand")).empty(), (cockpit.story() + robot.story()).c_str());
+        const auto arrives = [&] {
+            return !(received = robot.messages("MotionCommand")).empty() || (cockpit->send(robotId, motion(*cockpit, robotId, 7)), false);
+        };
+        QTRY_VERIFY2(arrives(), (cockpit.story() + robot.story()).c_str());
         QCOMPARE(received[0].get<std::uint32_t>("sequence"), 7U);
         QCOMPARE(received[0].get<float>("guidewire_velocity"), 2.5F);
         QCOMPARE(received[0].origin(), cockpitId);
