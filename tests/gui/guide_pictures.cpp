@@ -35,8 +35,8 @@ public:
     bool save() const
     {
         for (const auto& [state, picture] : m_taken) {
-            const auto path = m_folder.filePath(QStringLiteral("%1-%2.png").arg(state).arg(picture.height()));
-            const bool saved = picture.save(path, "PNG", 0);
+            const auto path = m_folder.filePath(QStringLiteral("%1-%2.jpg").arg(state).arg(picture.height()));
+            const bool saved = picture.save(path, "JPG", 88);
             std::printf("%s\n", qPrintable(saved ? path : QStringLiteral("cannot write ") + path));
             if (!saved)
                 return false;
