@@ -145,7 +145,10 @@ std::optional<PaintingReading> AlarmWatch::painting() const
         return std::nullopt;
     const double span = seconds(m_counted.back().at - m_counted.front().at);
     const auto painted = m_counted.back().painted - m_counted.front().painted;
-    return PaintingReading{static_cast<double>(delivered) / span, static_cast<double>(painted) / span};
+    const auto& alarms = m_models.alarms.alarms();
+    const bool alarmed = std::any_of(alarms.begin(), alarms.end(),
+                                     [](const Alarm& alarm) { return alarm.condition == AlarmCondition::PaintingBehind && alarm.present; });
+    return PaintingReading{static_cast<double>(delivered) / span, static_cast<double>(painted) / span, alarmed};
 }
 
 /// One for each link of the topology, no more.

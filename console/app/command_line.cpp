@@ -219,6 +219,18 @@ QString readOptions(const Declared& declared, Options& options)
     return readUnattended(declared, options);
 }
 
+/// Where an installation beside this program has `name`.
+QString installed(const QString& name) { return QCoreApplication::applicationDirPath() + QStringLiteral("/../share/") + name; }
+
+/// The first of them that exists; empty when none does.
+QString firstOf(const QString& one, const QString& other)
+{
+    for (const auto& place : {one, other})
+        if (QFileInfo::exists(place))
+            return QDir::cleanPath(place);
+    return {};
+}
+
 } // namespace
 
 CommandLine readCommandLine(const QStringList& arguments)
@@ -239,12 +251,15 @@ CommandLine readCommandLine(const QStringList& arguments)
 
 QString resource(const QString& name)
 {
-    const QStringList places{QCoreApplication::applicationDirPath() + QStringLiteral("/../share/liena/") + name,
-                             QStringLiteral(LIENA_RESOURCE_DIR "/") + name};
-    for (const auto& place : places)
-        if (QFileInfo::exists(place))
-            return QDir::cleanPath(place);
-    return {};
+    return firstOf(installed(QStringLiteral("liena/") + name), QStringLiteral(LIENA_RESOURCE_DIR "/") + name);
+}
+
+QString guide()
+{
+    const auto page = QStringLiteral("console/GUIDE.md");
+    const auto found = firstOf(installed(QStringLiteral("doc/liena/") + page), QStringLiteral(LIENA_RESOURCE_DIR "/../") + page);
+    const auto here = QDir::current().relativeFilePath(found);
+    return found.isEmpty() || here.startsWith(QStringLiteral("..")) ? found : here;
 }
 
 } // namespace console

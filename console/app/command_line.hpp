@@ -58,4 +58,7 @@ CommandLine readCommandLine(const QStringList& arguments);
 /// has it.
 QString resource(const QString& name);
 
+/// The surgeon's guide, found in the same two places; as seen from the current folder when it lies below it, else whole.
+QString guide();
+
 } // namespace console

@@ -62,6 +62,7 @@ void PreferenceDesk::apply()
         theme::setBrightness(*qApp, p.brightness);
     if (p.trendSpan != m_inForce.trendSpan)
         m_window->setTrendSpan(p.trendSpan);
+    m_models.xray.setRequestedRate(p.pulseRate);
     if (m_options.pictures.isEmpty())
         m_pictures.setFolder(p.pictureFolder);
     DisplaySettings shown = m_pictures.display().settings();

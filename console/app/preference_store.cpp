@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <algorithm>
 #include <array>
 
 namespace console {
@@ -23,6 +24,8 @@ constexpr int mostCopies = 20;
 constexpr std::array<const char*, brightnessCount> brightnessWords{"dim", "usual", "bright"};
 constexpr std::array<const char*, 2> spanWords{"60s", "10min"};
 constexpr std::array<const char*, 5> windowWords{"as-sent", "automatic", "full-range", "narrow", "wide"}; // as in WindowChoice
+
+constexpr std::array<const char*, pulseRates.size()> rateWords{"7.5", "15", "30"}; // as in pulseRates
 
 /// Reads entries one by one, and says of each that makes no sense which it is.
 class Entries {
@@ -81,6 +84,9 @@ constexpr const char* folderKey = "picture-folder";
 constexpr const char* windowKey = "window";
 constexpr const char* noiseKey = "noise-reduction";
 constexpr const char* edgeKey = "edge";
+constexpr const char* rateKey = "pulse-rate";
+
+int placeOf(double pulseRate) { return int(std::find(pulseRates.begin(), pulseRates.end(), pulseRate) - pulseRates.begin()); }
 
 Preferences readEntries(QSettings& settings, QStringList& troubles)
 {
@@ -97,6 +103,7 @@ Preferences readEntries(QSettings& settings, QStringList& troubles)
     p.window = WindowChoice(entries.choice(windowKey, windowWords, int(p.window)));
     p.noiseReduction = entries.number(noiseKey, 0, 100, p.noiseReduction);
     p.edge = entries.number(edgeKey, 0, 100, p.edge);
+    p.pulseRate = pulseRates.at(std::size_t(entries.choice(rateKey, rateWords, placeOf(p.pulseRate))));
     const Preferences bounded = withinBounds(p);
     if (bounded.pictureFolder != p.pictureFolder.trimmed())
         entries.refuse(folderKey, p.pictureFolder, Text::tr("the name of a folder"));
@@ -114,6 +121,7 @@ void writeEntries(QSettings& settings, const Preferences& p)
     set(windowKey, QString::fromLatin1(windowWords.at(std::size_t(p.window))));
     set(noiseKey, p.noiseReduction);
     set(edgeKey, p.edge);
+    set(rateKey, QString::fromLatin1(rateWords.at(std::size_t(placeOf(p.pulseRate)))));
 }
 
 /// Why the file is not even tried; nothing when it can be.

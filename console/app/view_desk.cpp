@@ -14,7 +14,7 @@ ViewDesk::ViewDesk(const Options& options, ConsoleModels& models, QObject* paren
 
 void ViewDesk::build(CockpitWindow& window)
 {
-    const ProgramFacts program{QCoreApplication::applicationVersion(), m_options.user, resource(QStringLiteral("../docs/OPERATING.md"))};
+    const ProgramFacts program{QCoreApplication::applicationVersion(), m_options.user, guide()};
     auto* start = new StartView(m_models, program);
     auto* about = new AboutView(m_models, program);
     window.addView(View::Start, start);

@@ -223,7 +223,10 @@ void Rules::addKerma(double milligrays)
 
 void Rules::addPainting()
 {
-    if (!m_readings.painting || m_readings.painting->paintedPerSecond >= paintedPart * m_readings.painting->deliveredPerSecond)
+    if (!m_readings.painting)
+        return;
+    const double enough = m_readings.painting->alarmed ? paintedPartAgain : paintedPart;
+    if (m_readings.painting->paintedPerSecond >= enough * m_readings.painting->deliveredPerSecond)
         return;
     add(AlarmCondition::PaintingBehind, whenArmed(Priority::Medium, Priority::Low), false,
         Text::tr("Console paints %1 of %2 pictures a second")

@@ -35,6 +35,7 @@ inline constexpr double plannedInjection = 5; ///< the default of the robot's me
 struct PaintingReading {
     double deliveredPerSecond = 0;
     double paintedPerSecond = 0;
+    bool alarmed = false; ///< already: then it takes more to end it than it took to raise it
 };
 
 struct AlarmReadings {
@@ -64,7 +65,8 @@ struct AlarmReadings {
 };
 
 inline constexpr std::chrono::milliseconds holdConfirmationLimit{200};
-inline constexpr double paintedPart = 0.8; ///< of the delivered pictures; fewer is too few
+inline constexpr double paintedPart = 0.8;      ///< of the delivered pictures; fewer is too few
+inline constexpr double paintedPartAgain = 0.9; ///< of them, until enough are painted again
 
 // Air kerma at the reference point: from the first on and at every whole gray, and where it becomes more urgent.
 inline constexpr double kermaFirst = 3000;  ///< mGy

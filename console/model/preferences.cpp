@@ -39,6 +39,8 @@ Preferences withinBounds(Preferences preferences)
     preferences.audioPause = std::clamp(preferences.audioPause, AlarmList::leastAudioPause, AlarmList::mostAudioPause);
     preferences.noiseReduction = std::clamp(preferences.noiseReduction, 0, 100);
     preferences.edge = std::clamp(preferences.edge, 0, 100);
+    if (std::find(pulseRates.begin(), pulseRates.end(), preferences.pulseRate) == pulseRates.end())
+        preferences.pulseRate = Preferences().pulseRate;
     if (preferences.window == WindowChoice::Fixed) // a window by hand belongs to one picture
         preferences.window = WindowChoice::AsSent;
     preferences.pictureFolder = preferences.pictureFolder.trimmed();

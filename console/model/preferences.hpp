@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <array>
 #include <chrono>
 
 namespace console {
@@ -18,6 +19,9 @@ enum class PermitPhase : std::uint8_t;
 enum class Brightness : std::uint8_t { Dim, Usual, Bright };
 inline constexpr int brightnessCount = 3;
 QString word(Brightness brightness);
+
+/// Pictures per second while the X-ray pedal is down. A slower one would be late by the age limit's reckoning.
+inline constexpr std::array<double, 3> pulseRates{7.5, 15, 30};
 
 struct Preferences {
     static constexpr int mostFolder = 1024; ///< characters
@@ -30,6 +34,7 @@ struct Preferences {
     WindowChoice window = WindowChoice::AsSent; ///< what the console begins with; never Fixed
     int noiseReduction = 0;                     ///< %
     int edge = 0;                               ///< %
+    double pulseRate = 15;                      ///< one of pulseRates
 
     bool operator==(const Preferences&) const = default;
 };

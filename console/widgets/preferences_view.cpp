@@ -23,18 +23,18 @@ namespace {
 constexpr std::array<int, 4> pauses{30, 60, 90, 120};           // s
 constexpr std::array<int, 6> strengths{0, 20, 40, 60, 80, 100}; // %
 
-template <std::size_t n>
-int placeOf(const std::array<int, n>& values, int value)
+template <typename Number, std::size_t n>
+int placeOf(const std::array<Number, n>& values, Number value)
 {
     const auto place = std::find(values.begin(), values.end(), value);
     return place == values.end() ? -1 : int(place - values.begin());
 }
 
-template <std::size_t n>
-QStringList numbers(const std::array<int, n>& values, const QString& pattern)
+template <typename Number, std::size_t n>
+QStringList numbers(const std::array<Number, n>& values, const QString& pattern)
 {
     QStringList texts;
-    for (const int value : values)
+    for (const Number value : values)
         texts << pattern.arg(value);
     return texts;
 }
@@ -142,6 +142,9 @@ void PreferencesView::addGeneral(QVBoxLayout* column)
 void PreferencesView::addPictures(QVBoxLayout* column)
 {
     addFolder(column);
+    m_rate = addChoice(column, tr("X-ray pulses"),
+                       tr("Pictures per second while the pedal is down; the dose grows with them. A recorded run keeps its own rate."),
+                       numbers(pulseRates, tr("%1 /s")));
     QStringList windows;
     for (int i = 0; i < int(WindowChoice::Fixed); ++i)
         windows << word(WindowChoice(i));
@@ -152,6 +155,7 @@ void PreferencesView::addPictures(QVBoxLayout* column)
                            "less is mixed in where the age limit leaves no room."),
                         numbers(strengths, tr("%1 %")));
     m_edge = addChoice(column, tr("Edges"), tr("Enhancement of edges that pictures begin with."), numbers(strengths, tr("%1 %")));
+    connect(m_rate, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.pulseRate = pulseRates.at(std::size_t(i)); }); });
     connect(m_window, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.window = WindowChoice(i); }); });
     connect(m_noise, &ChoiceRow::chosen, this,
             [this](int i) { ask([i](Preferences& p) { p.noiseReduction = strengths.at(std::size_t(i)); }); });
@@ -209,6 +213,7 @@ void PreferencesView::setPreferences(const Preferences& preferences)
     m_pause->setValue(placeOf(pauses, int(preferences.audioPause.count())), tr("%1 s").arg(preferences.audioPause.count()));
     m_span->setValue(int(preferences.trendSpan), preferences.trendSpan == TrendSpan::Minute ? tr("60 s") : tr("10 min"));
     m_folder->setText(preferences.pictureFolder);
+    m_rate->setValue(placeOf(pulseRates, preferences.pulseRate), tr("%1 /s").arg(preferences.pulseRate));
     m_window->setValue(int(preferences.window), word(preferences.window));
     m_noise->setValue(placeOf(strengths, preferences.noiseReduction), tr("%1 %").arg(preferences.noiseReduction));
     m_edge->setValue(placeOf(strengths, preferences.edge), tr("%1 %").arg(preferences.edge));
@@ -219,7 +224,7 @@ void PreferencesView::setReadOnly(const QString& why)
     m_readOnly = !why.isEmpty();
     m_state->setText(m_readOnly ? why : tr("Kept for you on this computer. Nothing here changes how the robot moves."));
     setInk(m_state, m_readOnly ? colour::bright : colour::secondary);
-    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_window, m_noise, m_edge})
+    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge})
         row->setReadOnly(m_readOnly);
     m_folder->setReadOnly(m_readOnly);
     m_defaults->setEnabled(!m_readOnly);

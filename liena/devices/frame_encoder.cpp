@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace liena::devices {
 
@@ -44,59 +45,63 @@ std::optional<Encoding> encodingFrom(std::string_view name)
     return std::nullopt;
 }
 
-void FrameEncoder::pack(const Picture& picture)
+FrameEncoder::Bytes FrameEncoder::pack(const Picture& picture)
 {
     const bool wide = picture.format.bitsStored > 8;
-    m_packed.resize(picture.pixels.size() * (wide ? 2 : 1));
-    auto out = m_packed.begin();
+    Bytes packed(picture.pixels.size() * (wide ? 2 : 1));
+    auto out = packed.begin();
     for (const std::uint16_t pixel : picture.pixels) {
         *out++ = static_cast<std::byte>(pixel & 0xFFU);
         if (wide)
             *out++ = static_cast<std::byte>(pixel >> 8U);
     }
+    return packed;
 }
 
-Result<std::span<const std::byte>> FrameEncoder::encode(Picture& picture)
+Result<EncodedPicture> FrameEncoder::encode(Picture& picture)
 {
     if (m_encoding == Encoding::Jpeg && picture.format.bitsStored > 8)
         showInEightBits(picture);
-    pack(picture);
     if (m_encoding == Encoding::Raw)
-        return std::span<const std::byte>(m_packed);
-    const Result<std::size_t> size = m_encoding == Encoding::JpegLs ? encodeJpegLs(picture) : encodeJpeg(picture);
-    if (!size)
-        return size.error();
-    return std::span<const std::byte>(m_encoded).first(size.value());
+        return std::make_shared<const Bytes>(pack(picture));
+    Result<Bytes> encoded = m_encoding == Encoding::JpegLs ? encodeJpegLs(picture) : encodeJpeg(picture);
+    if (!encoded)
+        return encoded.error();
+    return std::make_shared<const Bytes>(std::move(encoded.value()));
 }
 
-Result<std::size_t> FrameEncoder::encodeJpegLs(const Picture& picture)
+Result<FrameEncoder::Bytes> FrameEncoder::encodeJpegLs(const Picture& picture) const
 {
     const auto bits = std::max<std::int32_t>(2, picture.format.bitsStored);
+    const Bytes packed = pack(picture);
     try {
         charls::jpegls_encoder encoder;
         encoder.frame_info({picture.format.columns, picture.format.rows, bits, 1});
         encoder.near_lossless(static_cast<std::int32_t>(m_quality));
-        m_encoded.resize(encoder.estimated_destination_size());
-        encoder.destination(m_encoded.data(), m_encoded.size());
-        return encoder.encode(m_packed.data(), m_packed.size());
+        Bytes encoded(encoder.estimated_destination_size());
+        encoder.destination(encoded.data(), encoded.size());
+        encoded.resize(encoder.encode(packed.data(), packed.size()));
+        return encoded;
     } catch (const std::exception& error) {
         return failed("JPEG-LS", error.what());
     }
 }
 
-Result<std::size_t> FrameEncoder::encodeJpeg(const Picture& picture)
+Result<FrameEncoder::Bytes> FrameEncoder::encodeJpeg(const Picture& picture) const
 {
     const std::unique_ptr<void, int (*)(tjhandle)> codec(tjInitCompress(), tjDestroy);
     const int columns = picture.format.columns;
     const int rows = picture.format.rows;
-    m_encoded.resize(tjBufSize(columns, rows, TJSAMP_GRAY));
-    auto* out = reinterpret_cast<unsigned char*>(m_encoded.data());
-    unsigned long size = m_encoded.size();
-    const auto* in = reinterpret_cast<const unsigned char*>(m_packed.data());
+    const Bytes packed = pack(picture);
+    Bytes encoded(tjBufSize(columns, rows, TJSAMP_GRAY));
+    auto* out = reinterpret_cast<unsigned char*>(encoded.data());
+    unsigned long size = encoded.size();
+    const auto* in = reinterpret_cast<const unsigned char*>(packed.data());
     if (!codec || tjCompress2(codec.get(), in, columns, 0, rows, TJPF_GRAY, &out, &size, TJSAMP_GRAY, static_cast<int>(m_quality),
                               TJFLAG_NOREALLOC) != 0)
         return failed("JPEG", tjGetErrorStr2(codec.get()));
-    return size;
+    encoded.resize(size);
+    return encoded;
 }
 
 } // namespace liena::devices

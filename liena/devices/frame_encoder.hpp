@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +17,10 @@ enum class Encoding : std::uint8_t { Raw = 0, JpegLs = 1, Jpeg = 2 };
 
 std::optional<Encoding> encodingFrom(std::string_view name);
 
-/// Not for two threads at once; the memory is used again from picture to picture.
+/// A picture as it travels; whoever sends it lends it.
+using EncodedPicture = std::shared_ptr<const std::vector<std::byte>>;
+
+/// Not for two threads at once.
 class FrameEncoder {
 public:
     /// `quality`: JPEG-LS: no pixel is off by more than this; JPEG: 1 to 100.
@@ -30,22 +33,21 @@ public:
         m_quality = quality;
     }
 
-    /// The bytes stay valid until the next call. JPEG has 8 bits: a deeper picture is first brought through its window, and
-    /// `picture.format` then says what it has become.
-    Result<std::span<const std::byte>> encode(Picture& picture);
+    /// JPEG has 8 bits: a deeper picture is first brought through its window, and `picture.format` then says what it has become.
+    Result<EncodedPicture> encode(Picture& picture);
 
     Encoding encoding() const { return m_encoding; }
     unsigned quality() const { return m_encoding == Encoding::Raw ? 0 : m_quality; }
 
 private:
-    void pack(const Picture& picture);
-    Result<std::size_t> encodeJpegLs(const Picture& picture);
-    Result<std::size_t> encodeJpeg(const Picture& picture);
+    using Bytes = std::vector<std::byte>;
+
+    static Bytes pack(const Picture& picture);
+    Result<Bytes> encodeJpegLs(const Picture& picture) const;
+    Result<Bytes> encodeJpeg(const Picture& picture) const;
 
     Encoding m_encoding;
     unsigned m_quality;
-    std::vector<std::byte> m_packed;
-    std::vector<std::byte> m_encoded;
 };
 
 } // namespace liena::devices

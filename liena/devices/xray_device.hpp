@@ -66,7 +66,7 @@ private:
     bool chooseRung();
     void tellRung() const;
     bool produce(const Exposure& exposure, std::uint64_t frame);
-    Message compose(const Exposure& exposure, std::uint64_t frame, std::span<const std::byte> pixels, Timestamp captured) const;
+    Message compose(const Exposure& exposure, std::uint64_t frame, const EncodedPicture& pixels, Timestamp captured) const;
     bool deliver(Message message);
     void measure(const PictureRung& rung, std::size_t unencoded);
     void complain(const std::string& what);

@@ -96,14 +96,14 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
         complain(pixels.error().what);
         return false;
     }
-    m_ladder.measured(std::chrono::steady_clock::now(), m_ladder.rung(), pixels.value().size(), unencoded);
+    m_ladder.measured(std::chrono::steady_clock::now(), m_ladder.rung(), pixels.value()->size(), unencoded);
     const bool sent = deliver(compose(exposure, frame, pixels.value(), captured));
     if (other)
         measure(*other, unencoded);
     return sent;
 }
 
-Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, std::span<const std::byte> pixels, Timestamp captured) const
+Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const EncodedPicture& pixels, Timestamp captured) const
 {
     const PictureFormat& format = m_picture.format;
     Message message = m_system.report("XrayFrame").value();
@@ -116,7 +116,7 @@ Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, std::
     message.set("source_detector_distance", format.sourceDetectorDistance).set("source_object_distance", format.sourceObjectDistance);
     message.set("rung", static_cast<std::uint8_t>(m_ladder.step())).set("rate", m_askedRate / m_ladder.rung().divisor);
     message.set("asked_rate", m_askedRate).set("asked_encoding", m_ladder.rungs().front().encoding);
-    message.set("mask", format.mask).set("pixels", pixels);
+    message.set("mask", format.mask).lend("pixels", pixels, *pixels);
     return message;
 }
 
@@ -125,7 +125,7 @@ void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
 {
     m_measuring.use(rung.encoding, rung.quality);
     if (const auto pixels = m_measuring.encode(m_spare))
-        m_ladder.measured(std::chrono::steady_clock::now(), rung, pixels.value().size(), unencoded);
+        m_ladder.measured(std::chrono::steady_clock::now(), rung, pixels.value()->size(), unencoded);
 }
 
 // To those who look at pictures: the robot on the same network needs none.

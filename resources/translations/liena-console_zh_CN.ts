@@ -2933,6 +2933,18 @@
         <source>Kept for you on this computer. Nothing here changes how the robot moves.</source>
         <translation>为您保存在本机上。此处任何设置都不改变机器人的运动方式。</translation>
     </message>
+    <message>
+        <source>X-ray pulses</source>
+        <translation>X 射线脉冲</translation>
+    </message>
+    <message>
+        <source>Pictures per second while the pedal is down; the dose grows with them. A recorded run keeps its own rate.</source>
+        <translation>踩下踏板时每秒的图像数；越多剂量越高。已记录的序列保持其自身的帧率。</translation>
+    </message>
+    <message>
+        <source>%1 /s</source>
+        <translation>%1 /s</translation>
+    </message>
 </context>
 <context>
     <name>console::ProgramFacts</name>

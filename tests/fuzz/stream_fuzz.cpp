@@ -4,6 +4,7 @@
 #include "protocol/datagram_decoder.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -58,18 +59,26 @@ Reading expectedOf(std::span<const std::byte> stream)
     return reading;
 }
 
-/// A connection hands its decoder on behind the first datagram: there the decoder is stopped once and goes on.
+/// A connection hands its decoder on behind the first datagram: there the decoder is stopped once and goes on. `lands`: what is awaited of
+/// a body goes past the decoder's buffer.
 class Reader {
 public:
-    explicit Reader(bool handsOn) : m_handsOn(handsOn) {}
+    Reader(bool handsOn, bool lands) : m_handsOn(handsOn), m_lands(lands) {}
 
     bool read(std::span<const std::byte> chunk)
     {
         while (!chunk.empty()) {
-            const auto room = m_decoder.writable();
-            expect(!room.empty(), "there is always room for more bytes");
-            const auto part = chunk.first(std::min(chunk.size(), room.size()));
-            std::copy(part.begin(), part.end(), room.begin());
+            if (m_lands && m_decoder.awaited() > 0) {
+                const auto place = std::make_shared<std::vector<std::byte>>(m_decoder.awaited());
+                m_decoder.landIn(*place, place);
+            }
+            const auto room = m_decoder.room();
+            expect(!room.buffer.empty(), "there is always room for more bytes");
+            const auto part = chunk.first(std::min(chunk.size(), room.landing.size() + room.buffer.size()));
+            const auto landing = part.first(std::min(part.size(), room.landing.size()));
+            std::copy(landing.begin(), landing.end(), room.landing.begin());
+            const auto rest = part.subspan(landing.size());
+            std::copy(rest.begin(), rest.end(), room.buffer.begin());
             m_decoder.commit(part.size());
             chunk = chunk.subspan(part.size());
             if (!process())
@@ -113,6 +122,7 @@ private:
     DatagramDecoder m_decoder;
     std::vector<std::byte> m_pieces;
     bool m_handsOn;
+    bool m_lands;
     Reading m_reading;
 };
 
@@ -127,15 +137,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         chunk = input.number<std::uint8_t>();
     const auto stream = input.rest();
 
-    Reader reader(handsOn);
-    auto left = stream;
-    for (std::size_t i = 0; !left.empty(); ++i) {
-        const auto wanted = chunks[i % chunks.size()];
-        const auto chunk = left.first(std::min(left.size(), wanted == 0 ? std::size_t{40000} : wanted));
-        left = left.subspan(chunk.size());
-        if (!reader.read(chunk))
-            break;
+    for (const bool lands : {false, true}) {
+        Reader reader(handsOn, lands);
+        auto left = stream;
+        for (std::size_t i = 0; !left.empty(); ++i) {
+            const auto wanted = chunks[i % chunks.size()];
+            const auto chunk = left.first(std::min(left.size(), wanted == 0 ? std::size_t{40000} : wanted));
+            left = left.subspan(chunk.size());
+            if (!reader.read(chunk))
+                break;
+        }
+        expect(reader.reading() == expectedOf(stream), "chunks and landing places change nothing");
     }
-    expect(reader.reading() == expectedOf(stream), "chunks change nothing");
     return 0;
 }

@@ -96,9 +96,11 @@ private Q_SLOTS:
         stage.choose(QStringLiteral("Trends: 10 min"));
         stage.choose(QStringLiteral("Noise reduction: 40 %"));
         stage.choose(QStringLiteral("Brightness: dim"));
+        stage.choose(QStringLiteral("X-ray pulses: 30 /s"));
         QVERIFY(stage.window.findChild<TrendsPane*>()->span() == TrendSpan::TenMinutes);
         QCOMPARE(stage.pictures.display().settings().noiseReduction, 40);
         QVERIFY(theme::brightness() == Brightness::Dim);
+        QCOMPARE(stage.cockpit.models.xray.requestedRate(), 30.0);
         stage.cockpit.models.alarms.pauseAudio(stage.cockpit.now);
         QVERIFY(stage.cockpit.models.alarms.audioPauseLeft(stage.cockpit.now + std::chrono::seconds(119)));
         QCOMPARE(stage.kept(), stage.desk.preferences());

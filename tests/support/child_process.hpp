@@ -23,6 +23,7 @@ public:
     void thaw();                   ///< SIGCONT
     int terminate();               ///< SIGTERM, and waits; the exit status, -1 when it crashed or hung
 
+    qint64 id() const { return m_process.processId(); }
     bool isRunning() const { return m_process.state() == QProcess::Running; }
     int waitForEnd(); ///< the exit status, -1 when it crashed or did not end in 30 s
     QString output(); ///< all of stderr and stdout so far

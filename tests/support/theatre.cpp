@@ -1,6 +1,8 @@
 // Starting the system, and the ways of a hand on the window.
 #include "theatre.hpp"
 
+#include "app/preference_store.hpp"
+
 #include <QDeadlineTimer>
 #include <QTest>
 
@@ -51,6 +53,7 @@ Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
     options.key = text(settings.key);
     options.authority = text(settings.authority);
     options.alarmLog = text(files.folder() / "alarms");
+    options.preferences = text(files.folder() / "preferences.ini");
     options.watchdog = wishes.watchdog;
     options.size = wishes.window;
     options.profile = wishes.profile;
@@ -67,7 +70,10 @@ Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wi
     if (wishes.arm)
         armDevice = start("arm");
     xray = start("xray", {QStringLiteral("--size"), QString::number(wishes.pictureSize)});
-    cockpit = std::make_unique<CockpitApplication>(optionsOf(files, wishes));
+    const auto options = optionsOf(files, wishes);
+    if (const auto trouble = PreferenceStore(options.preferences).write(wishes.preferences); !trouble.isEmpty())
+        throw std::runtime_error(trouble.toStdString());
+    cockpit = std::make_unique<CockpitApplication>(options);
     if (wishes.voice != nullptr)
         cockpit->setVoice(*wishes.voice);
     QString error;

@@ -3,6 +3,7 @@
 
 #include "app/cockpit_application.hpp"
 #include "child_process.hpp"
+#include "model/preferences.hpp"
 #include "test_system.hpp"
 #include "widgets/cockpit_window.hpp"
 
@@ -32,7 +33,8 @@ public:
         liena::test::TestSystem::Options system = {}; ///< timing, for one
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
         QString user;
-        QString watchdog;            ///< program; empty: none
+        QString watchdog; ///< program; empty: none
+        Preferences preferences = {};
         AlarmVoice* voice = nullptr; ///< in place of the loudspeaker; outlives the theatre
     };
 

@@ -27,6 +27,12 @@ namespace liena {
 /// The encoded fields. Messages of the control path fit the inline part, so they need no allocation.
 using FieldBytes = boost::container::small_vector<std::byte, 192>;
 
+/// Bytes that are sent from where they lie. Whoever lends them does not change them as long as `owner` is held.
+struct LentBytes {
+    std::shared_ptr<const void> owner;
+    std::span<const std::byte> bytes;
+};
+
 /// A value type; copying copies the fields, moving does not. Not for use by two threads at once.
 ///
 /// A field is named by its name, or in hot loops by its position in `definition().fields`. A name that the definition does not have and a
@@ -104,11 +110,24 @@ public:
         return *this;
     }
 
+    /// Sets a Bytes field as set() does, without copying an image: it is sent from where it lies. `owner` keeps the bytes, which must not
+    /// change until it is let go, and is let go on the network thread when they have left, or will not. Only the last field can be lent to.
+    /// What is short, and what does not travel as `bulk`, is copied all the same, and `owner` let go at once.
+    Message& lend(std::string_view field, std::shared_ptr<const void> owner, std::span<const std::byte> bytes)
+    {
+        return lend(position(field), std::move(owner), bytes);
+    }
+    Message& lend(std::size_t field, std::shared_ptr<const void> owner, std::span<const std::byte> bytes);
+
     /// The first value that the definition refused, if any: message, field, value and bounds.
     const std::optional<Error>& fault() const { return m_fault; }
 
-    /// The encoded fields in wire form, without the safety record.
+    /// The encoded fields in wire form, without the safety record; what was lent comes behind them.
     std::span<const std::byte> fieldBytes() const { return {m_fields.data(), m_fields.size()}; }
+    std::span<const std::byte> lentBytes() const { return m_lent ? m_lent->bytes : std::span<const std::byte>(); }
+
+    /// Bytes of both.
+    std::size_t encodedSize() const { return m_fields.size() + lentBytes().size(); }
 
     /// `MotionCommand permit=4 engaged=true …`, for logs and for the tool; long values are cut.
     std::string toString() const;
@@ -177,6 +196,7 @@ private:
     void assignText(std::size_t field, std::string_view value);
     void assignBytes(std::size_t field, std::span<const std::byte> value);
     void assignReals(std::size_t field, std::span<const double> value);
+    void writeLength(std::size_t length);
 
     std::shared_ptr<const MessageSet> m_set;
     const MessageDefinition* m_definition; ///< inside *m_set
@@ -188,6 +208,7 @@ private:
     std::chrono::steady_clock::time_point m_arrival;
     std::optional<std::chrono::nanoseconds> m_latency;
     FieldBytes m_fields;
+    std::shared_ptr<const LentBytes> m_lent; ///< the content of the last field, whose length is in m_fields
     std::optional<Error> m_fault;
 };
 

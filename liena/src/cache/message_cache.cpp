@@ -67,7 +67,7 @@ void MessageCacheAccess::put(MessageCache& cache, Message message)
     auto& state = *cache.m_state;
     std::unique_lock lock(state.mutex);
     makeRoom(state, message);
-    state.bytes += message.fieldBytes().size();
+    state.bytes += message.encodedSize();
     state.messages.push_back(std::move(message));
     notify(state, lock);
 }
@@ -94,7 +94,7 @@ void MessageCacheAccess::makeRoom(MessageCache::State& state, const Message& mes
             ++state.superseded;
         }
     }
-    while (!state.messages.empty() && (state.messages.size() >= mostMessages || state.bytes + message.fieldBytes().size() > mostBytes)) {
+    while (!state.messages.empty() && (state.messages.size() >= mostMessages || state.bytes + message.encodedSize() > mostBytes)) {
         noteLost(state, state.messages.front());
         dropOldest(state, state.messages.begin());
     }
@@ -113,7 +113,7 @@ void MessageCacheAccess::noteLost(MessageCache::State& state, const Message& mes
 
 void MessageCacheAccess::dropOldest(MessageCache::State& state, std::deque<Message>::iterator at)
 {
-    state.bytes -= at->fieldBytes().size();
+    state.bytes -= at->encodedSize();
     state.messages.erase(at);
 }
 

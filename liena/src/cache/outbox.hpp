@@ -30,7 +30,7 @@ public:
     /// False when the outbox is full.
     bool put(DeviceId target, Message message)
     {
-        const auto size = message.fieldBytes().size();
+        const auto size = message.encodedSize();
         bool first = false;
         {
             const std::lock_guard lock(m_mutex);

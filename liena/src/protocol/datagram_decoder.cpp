@@ -15,4 +15,19 @@ std::span<std::byte> DatagramDecoder::writable()
     return {m_buffer.get() + m_end, bufferSize - m_end};
 }
 
+/// Behind a body comes a header: more than that is not read with it, so that the next body can land, too.
+DatagramDecoder::Room DatagramDecoder::room()
+{
+    const auto buffer = writable();
+    return {m_landing, m_landing.empty() ? buffer : buffer.first(headerSize)};
+}
+
+void DatagramDecoder::commit(std::size_t bytes)
+{
+    const auto landed = std::min(bytes, m_landing.size());
+    m_landed = m_landing.first(landed);
+    m_landing = {};
+    m_end += bytes - landed;
+}
+
 } // namespace liena::protocol

@@ -19,14 +19,33 @@ enum class HeaderVerdict : std::uint8_t {
     TakeInPieces, ///< the body is handed on as it comes, and need not wait here until it is whole
 };
 
-/// A fixed buffer that one datagram always fits. What is handed on is valid until the next call of writable().
+/// A fixed buffer that one datagram always fits. What is handed on is valid until the next call of writable() or room().
+///
+/// The rest of a body that is taken in pieces may land where it is wanted at once, past the buffer: see landIn().
 class DatagramDecoder {
 public:
     DatagramDecoder() : m_buffer(std::make_unique_for_overwrite<std::byte[]>(bufferSize)) {}
 
     /// Where the next bytes of the stream go.
     std::span<std::byte> writable();
-    void commit(std::size_t bytes) { m_end += bytes; }
+
+    /// The same in two places, the first of them first; it is empty where nothing is to land elsewhere.
+    struct Room {
+        std::span<std::byte> landing;
+        std::span<std::byte> buffer;
+    };
+    Room room();
+    void commit(std::size_t bytes);
+
+    /// How much of a body that is taken in pieces has not come yet, when nothing of what follows it has.
+    std::size_t awaited() const { return m_judged && m_verdict == HeaderVerdict::TakeInPieces && buffered() == 0 ? m_missing : 0; }
+
+    /// The next bytes of that body go to `place`, of at most awaited() bytes, which `keeper` keeps for as long as a read may be in flight.
+    void landIn(std::span<std::byte> place, std::shared_ptr<const void> keeper)
+    {
+        m_landing = place;
+        m_keeper = std::move(keeper);
+    }
 
     /// Calls `judge(const DatagramHeader&) -> HeaderVerdict` once per header, `take(const DatagramHeader&, span body) -> bool` for each
     /// datagram that is whole, and `piece(const DatagramHeader&, span bytes, bool last) -> bool` for each part of a body that is taken in
@@ -46,6 +65,10 @@ public:
                 m_missing = m_header.length;
                 m_begin += headerSize;
             }
+            if (!m_landed.empty() && !handOnLanded(piece))
+                return false;
+            if (!m_judged)
+                continue;
             const bool inPieces = m_verdict == HeaderVerdict::TakeInPieces || m_verdict == HeaderVerdict::Skip;
             if (inPieces ? m_missing > 0 && buffered() == 0 : buffered() < m_missing)
                 return true;
@@ -73,6 +96,16 @@ public:
 private:
     static constexpr std::size_t bufferSize = 2 * (headerSize + maximumBody);
 
+    template <typename Piece>
+    bool handOnLanded(Piece&& piece)
+    {
+        const auto bytes = std::exchange(m_landed, {});
+        const auto keeper = std::exchange(m_keeper, nullptr);
+        m_missing -= bytes.size();
+        m_judged = m_missing > 0;
+        return piece(m_header, std::span<const std::byte>(bytes), !m_judged);
+    }
+
     std::unique_ptr<std::byte[]> m_buffer; ///< not filled beforehand: what is never used of it takes no memory
     std::size_t m_begin = 0;
     std::size_t m_end = 0;
@@ -80,6 +113,9 @@ private:
     HeaderVerdict m_verdict = HeaderVerdict::Take;
     bool m_judged = false;
     std::size_t m_missing = 0; ///< of the body, once its header is judged
+    std::span<std::byte> m_landing;
+    std::span<std::byte> m_landed;
+    std::shared_ptr<const void> m_keeper; ///< of both
 };
 
 } // namespace liena::protocol

@@ -5,6 +5,7 @@
 #include "protocol/datagram.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,21 +14,40 @@ namespace liena::protocol {
 /// A message in wire form on its way out.
 struct EncodedMessage {
     DatagramHeader header; ///< length and moreSegments are written per segment
-    FieldBytes part;       ///< the information part with its safety record, if any
+    FieldBytes part;       ///< the information part with its safety record, if any, up to what was lent
+    std::shared_ptr<const LentBytes> lent = nullptr;
+
+    std::size_t size() const { return part.size() + (lent ? lent->bytes.size() : 0); }
+};
+
+/// The bytes of an information part: the message's own, and behind them those that were lent to it.
+struct PartBytes {
+    std::span<const std::byte> own;
+    std::span<const std::byte> lent;
+
+    std::size_t size() const { return own.size() + lent.size(); }
 };
 
 /// One datagram whose body lies where its message lies.
 struct Segment {
     HeaderBytes header;
+    std::span<const std::byte> lead; ///< the body's beginning where the rest of it is lent; else empty
     std::span<const std::byte> body;
-    bool last = false; ///< of its message
+    bool last = false;   ///< of its message
+    bool isLent = false; ///< `body` is
+
+    std::size_t size() const { return header.size() + lead.size() + body.size(); }
 };
 
 /// How far a message has been cut. It does not hold the message, so that a queue may move it.
 class DatagramEncoder {
 public:
     /// The next segment of the message of this header and information part, with a body of at most `maximum` bytes.
-    Segment next(const DatagramHeader& header, std::span<const std::byte> part, std::size_t maximum);
+    Segment next(const DatagramHeader& header, PartBytes part, std::size_t maximum);
+    Segment next(const DatagramHeader& header, std::span<const std::byte> part, std::size_t maximum)
+    {
+        return next(header, PartBytes{part, {}}, maximum);
+    }
 
     /// Appends the next segment of `message` to `out`; true when it was the last.
     bool appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out);

@@ -22,6 +22,8 @@ using protocol::store;
 
 namespace {
 
+constexpr std::size_t bytesPrefix = 4; // the length of a field of type bytes
+
 std::logic_error misuse(const MessageDefinition& definition, std::string_view field, std::string_view why)
 {
     return std::logic_error(fmt::format("{}.{} {}", definition.name, field, why));
@@ -190,8 +192,10 @@ std::span<const std::byte> Message::bytesAt(std::size_t field) const
 {
     if (!isBytes(m_definition->fields.at(field)))
         throw misuse(*m_definition, m_definition->fields[field].name, "is not of type bytes");
+    if (m_lent && field + 1 == m_definition->fields.size())
+        return m_lent->bytes;
     const auto span = m_layout->locate(fieldBytes(), field);
-    return fieldBytes().subspan(span.begin + 4, span.size - 4);
+    return fieldBytes().subspan(span.begin + bytesPrefix, span.size - bytesPrefix);
 }
 
 std::vector<double> Message::realsAt(std::size_t field) const
@@ -253,7 +257,34 @@ void Message::assignBytes(std::size_t index, std::span<const std::byte> value)
     if (value.size() > field.count) {
         return refuse(fmt::format("{}.{} holds at most {} bytes, not {}", m_definition->name, field.name, field.count, value.size()));
     }
-    splice(m_fields, m_layout->locate(fieldBytes(), index), 4, value.size(), value);
+    if (m_lent && index + 1 == m_definition->fields.size())
+        writeLength(0);
+    splice(m_fields, m_layout->locate(fieldBytes(), index), bytesPrefix, value.size(), value);
+    if (index + 1 == m_definition->fields.size())
+        m_lent = nullptr; // last: `value` may be what was lent
+}
+
+Message& Message::lend(std::size_t index, std::shared_ptr<const void> owner, std::span<const std::byte> bytes)
+{
+    constexpr std::size_t worthLending = 4096;
+    if (index + 1 != m_definition->fields.size())
+        throw misuse(*m_definition, m_definition->fields.at(index).name, "is not the last field, and only that can be lent to");
+    const bool copied = bytes.size() < worthLending || m_definition->priority != Priority::Bulk || m_definition->path != Path::Stream;
+    if (copied || bytes.size() > m_definition->fields[index].count) {
+        assignBytes(index, bytes);
+        return *this;
+    }
+    assignBytes(index, {});
+    writeLength(bytes.size());
+    m_lent = std::make_shared<const LentBytes>(LentBytes{std::move(owner), bytes});
+    return *this;
+}
+
+/// Of the last field, which is of type bytes and has no content in m_fields.
+void Message::writeLength(std::size_t length)
+{
+    const auto count = static_cast<std::uint32_t>(length);
+    std::memcpy(m_fields.data() + m_fields.size() - bytesPrefix, &count, bytesPrefix);
 }
 
 void Message::assignReals(std::size_t index, std::span<const double> values)

@@ -30,6 +30,7 @@ public:
     }
 
     static FieldBytes takeFields(Message& message) { return std::move(message.m_fields); }
+    static std::shared_ptr<const LentBytes> takeLent(Message& message) { return std::move(message.m_lent); }
 };
 
 } // namespace liena

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace liena::protocol {
@@ -72,7 +73,7 @@ Reassembler::Partials::iterator Reassembler::begin(const DatagramHeader& header,
     partial->second.target = header.target;
     const auto last = m_lastSize.find(header.message.number);
     auto buffer = m_budget.buffer(last != m_lastSize.end() ? std::min(last->second, maximum) : 0);
-    partial->second.bytes = std::move(buffer.bytes);
+    partial->second.bytes = std::make_shared<FieldBytes>(std::move(buffer.bytes));
     partial->second.room = buffer.room;
     return partial;
 }
@@ -85,7 +86,7 @@ bool Reassembler::reserve(Partial& partial, std::size_t bytes)
         return true;
     }
     release(partial);
-    partial.bytes = {};
+    partial.bytes = nullptr;
     partial.discarding = true;
     return false;
 }
@@ -94,8 +95,28 @@ void Reassembler::add(std::span<const std::byte> piece)
 {
     if (!m_open || m_open->partial->second.discarding)
         return;
-    auto& bytes = m_open->partial->second.bytes;
-    bytes.insert(bytes.end(), piece.data(), piece.data() + piece.size()); // pointers: one copy, not byte by byte
+    auto& partial = m_open->partial->second;
+    const auto place = tail(partial, piece.size());
+    if (!piece.empty() && place.data() != piece.data())
+        std::memcpy(place.data(), piece.data(), piece.size());
+    partial.filled += piece.size();
+}
+
+Reassembler::Place Reassembler::place(std::size_t bytes)
+{
+    if (!m_open || m_open->partial->second.discarding || bytes == 0)
+        return {};
+    auto& partial = m_open->partial->second;
+    return {tail(partial, bytes), partial.bytes};
+}
+
+/// The next so many bytes of its buffer, which is made longer when it must be.
+std::span<std::byte> Reassembler::tail(Partial& partial, std::size_t bytes)
+{
+    auto& buffer = *partial.bytes;
+    if (buffer.size() < partial.filled + bytes)
+        buffer.resize(partial.filled + bytes, boost::container::default_init);
+    return {buffer.data() + partial.filled, bytes};
 }
 
 Reassembler::Outcome Reassembler::close()
@@ -111,8 +132,9 @@ Reassembler::Outcome Reassembler::close()
     auto& partial = segment->partial->second;
     release(partial);
     if (!partial.discarding) {
-        m_lastSize[segment->partial->first] = partial.bytes.size();
-        outcome = Assembled{std::move(partial.bytes)};
+        partial.bytes->resize(partial.filled, boost::container::default_init);
+        m_lastSize[segment->partial->first] = partial.filled;
+        outcome = Assembled{std::move(*partial.bytes)};
     }
     m_partials.erase(segment->partial);
     return outcome;
@@ -131,7 +153,8 @@ void Reassembler::drop(Partials::iterator partial)
     if (m_open && m_open->partial == partial)
         m_open.reset();
     release(partial->second);
-    m_budget.recycle(std::move(partial->second.bytes));
+    if (partial->second.bytes.use_count() == 1) // else a read in flight writes to it
+        m_budget.recycle(std::move(*partial->second.bytes));
     m_partials.erase(partial);
 }
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,14 @@ public:
     void add(std::span<const std::byte> piece);
     Outcome close();
 
+    /// Where the next `bytes` bytes of that body will be in the end: a piece that lies there already is not copied by add(). Empty when
+    /// there is no such place. The keeper keeps it, whatever becomes of the message.
+    struct Place {
+        std::span<std::byte> bytes;
+        std::shared_ptr<const void> keeper;
+    };
+    Place place(std::size_t bytes);
+
     /// The sender gave the partial message up.
     void abandon(std::uint16_t number, Timestamp timestamp);
 
@@ -59,7 +68,8 @@ private:
     struct Partial {
         Timestamp timestamp;
         DeviceId target;
-        FieldBytes bytes;
+        std::shared_ptr<FieldBytes> bytes;
+        std::size_t filled = 0;   ///< of `bytes`
         std::size_t heard = 0;    ///< bytes of its segments so far, kept or not
         std::size_t reserved = 0; ///< taken from the budget
         std::size_t room = 0;     ///< kept by the budget
@@ -77,6 +87,7 @@ private:
     std::optional<Violation> judge(const Partial& partial, const DatagramHeader& header, std::size_t length, std::size_t maximum) const;
     Partials::iterator begin(const DatagramHeader& header, std::size_t maximum);
     bool reserve(Partial& partial, std::size_t bytes);
+    static std::span<std::byte> tail(Partial& partial, std::size_t bytes);
     void release(Partial& partial);
     void drop(Partials::iterator partial);
 

@@ -56,6 +56,7 @@ Result<void> DistributedModule::send(Message&& message)
         protocol::ByteWriter(encoded.part).append(std::span<const std::byte>(bytes)).append(fields);
     } else {
         encoded.part = MessageAccess::takeFields(message);
+        encoded.lent = MessageAccess::takeLent(message);
     }
     if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded, m_host.now().mono)) {
         m_books.sentInPacket(encoded.part.size());

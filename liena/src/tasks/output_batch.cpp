@@ -3,12 +3,13 @@
 
 namespace liena::tasks {
 
-void OutputBatch::append(const protocol::Segment& segment, const std::shared_ptr<const FieldBytes>& owner)
+void OutputBatch::append(const protocol::Segment& segment, const std::shared_ptr<const void>& owner)
 {
-    m_size += segment.header.size() + segment.body.size();
+    m_size += segment.size();
     if (!m_refers || owner == nullptr || segment.body.size() < longBody)
         return protocol::appendTo(m_own, segment);
     m_own.insert(m_own.end(), segment.header.begin(), segment.header.end());
+    m_own.insert(m_own.end(), segment.lead.begin(), segment.lead.end());
     m_pieces.push_back({m_own.size() - m_listed, segment.body});
     m_listed = m_own.size();
     if (m_owners.empty() || m_owners.back() != owner)

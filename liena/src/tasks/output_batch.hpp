@@ -24,7 +24,7 @@ public:
     OutputBatch(std::size_t room, bool refers) : m_refers(refers) { m_own.reserve(room); }
 
     /// `owner` keeps the body; null: it is copied.
-    void append(const protocol::Segment& segment, const std::shared_ptr<const FieldBytes>& owner);
+    void append(const protocol::Segment& segment, const std::shared_ptr<const void>& owner);
 
     std::size_t size() const { return m_size; }
     bool empty() const { return m_size == 0; }
@@ -45,7 +45,7 @@ private:
     std::size_t m_listed = 0; ///< of our own bytes, before the run that is open
     std::vector<std::byte> m_own;
     boost::container::small_vector<Piece, 8> m_pieces;
-    boost::container::small_vector<std::shared_ptr<const FieldBytes>, 4> m_owners;
+    boost::container::small_vector<std::shared_ptr<const void>, 4> m_owners;
     boost::container::small_vector<std::span<const std::byte>, 16> m_parts;
 };
 

@@ -7,12 +7,9 @@ namespace liena::tasks {
 
 namespace {
 
-void place(OutputBatch& out, const protocol::Segment& segment, const std::shared_ptr<const FieldBytes>& owner)
-{
-    out.append(segment, owner);
-}
+void place(OutputBatch& out, const protocol::Segment& segment, const std::shared_ptr<const void>& owner) { out.append(segment, owner); }
 
-void place(std::vector<std::byte>& out, const protocol::Segment& segment, const std::shared_ptr<const FieldBytes>& /*owner*/)
+void place(std::vector<std::byte>& out, const protocol::Segment& segment, const std::shared_ptr<const void>& /*owner*/)
 {
     protocol::appendTo(out, segment);
 }
@@ -45,7 +42,7 @@ bool OutputQueue::push(Entry&& entry)
     auto& ofRank = m_classes[static_cast<std::size_t>(entry.rank)];
     auto& stream = streamOf(ofRank, entry);
     const bool session = entry.message.header.message.isSessionManagement();
-    const auto size = entry.message.part.size();
+    const auto size = entry.message.size();
     const auto gone = superseded(stream, entry);
     std::size_t freed = 0;
     for (const auto at : gone)
@@ -118,7 +115,9 @@ bool OutputQueue::expire(Class& from, std::size_t maximumSegment, std::chrono::s
             endTurn(from);
         if (begun) {
             const auto abandon = m_abandoning(header);
-            place(out, protocol::DatagramEncoder().next(abandon.header, {abandon.part.data(), abandon.part.size()}, maximumSegment),
+            place(out,
+                  protocol::DatagramEncoder().next(abandon.header, std::span<const std::byte>(abandon.part.data(), abandon.part.size()),
+                                                   maximumSegment),
                   nullptr);
             return true;
         }
@@ -137,8 +136,8 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
         front.begun = std::make_shared<const FieldBytes>(std::move(front.entry.message.part));
     const auto part = front.part();
     const auto segment = front.encoder.next(front.entry.message.header, part, maximumSegment);
-    place(out, segment, front.begun);
-    stream.credit -= static_cast<std::ptrdiff_t>(segment.header.size() + segment.body.size());
+    place(out, segment, segment.isLent ? std::shared_ptr<const void>(front.entry.message.lent) : front.begun);
+    stream.credit -= static_cast<std::ptrdiff_t>(segment.size());
     if (segment.last) {
         if (!front.entry.message.header.message.isSessionManagement()) {
             m_left.bytes += part.size();

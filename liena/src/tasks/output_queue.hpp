@@ -88,10 +88,11 @@ private:
         protocol::DatagramEncoder encoder;
         std::shared_ptr<const FieldBytes> begun = nullptr; ///< the part of a long message once it is being sent: a write may need it longer
 
-        std::span<const std::byte> part() const
+        protocol::PartBytes part() const
         {
             const auto& bytes = begun ? *begun : entry.message.part;
-            return {bytes.data(), bytes.size()};
+            const auto& lent = entry.message.lent;
+            return {{bytes.data(), bytes.size()}, lent ? lent->bytes : std::span<const std::byte>()};
         }
     };
     using Places = boost::container::small_vector<std::size_t, 16>;

@@ -60,8 +60,17 @@ void ReceptionTask::process()
                        });
     if (!m_closed && !m_paused && !m_reading) {
         m_reading = true;
-        m_channel->read(m_decoder->writable(), m_decoder);
+        readOn();
     }
+}
+
+/// What is missing of a long message's segment goes from the connection to the message's own buffer.
+void ReceptionTask::readOn()
+{
+    if (auto place = m_reassembler.place(m_decoder->awaited()); !place.bytes.empty())
+        m_decoder->landIn(place.bytes, std::move(place.keeper));
+    const auto room = m_decoder->room();
+    m_channel->read({room.landing, room.buffer}, m_decoder);
 }
 
 /// The segments of a long message go to its own buffer as they come.

@@ -68,6 +68,7 @@ private:
     void bytesWritten() override {}
     void channelLost(const std::string& detail, bool identity) override;
     void process();
+    void readOn();
     protocol::HeaderVerdict judge(const protocol::DatagramHeader& header);
     bool conclude(const protocol::DatagramHeader& header, protocol::Reassembler::Outcome outcome, std::span<const std::byte> body);
 

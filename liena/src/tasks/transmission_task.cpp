@@ -34,8 +34,9 @@ void TransmissionTask::close()
 
 void TransmissionTask::sendFirst(const protocol::EncodedMessage& message)
 {
-    m_buffers->batch.append(
-        protocol::DatagramEncoder().next(message.header, {message.part.data(), message.part.size()}, m_settings.segment), nullptr);
+    m_buffers->batch.append(protocol::DatagramEncoder().next(
+                                message.header, std::span<const std::byte>(message.part.data(), message.part.size()), m_settings.segment),
+                            nullptr);
     wake();
 }
 

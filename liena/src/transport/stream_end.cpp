@@ -110,18 +110,19 @@ StreamEnd::Step StreamEnd::shakeHands()
     return explain(SSL_do_handshake(m_tls.get()), {});
 }
 
-StreamEnd::Step StreamEnd::read(std::span<std::byte> buffer, std::size_t most)
+StreamEnd::Step StreamEnd::read(Room room, std::size_t most)
 {
     if (m_tls == nullptr)
-        return readClear(buffer);
+        return readClear(room);
     if (m_ended)
         return {0, Need::Nothing, m_ended};
     Step step;
-    const auto limit = std::min(most, buffer.size());
+    const auto limit = std::min(most, room.size());
     while (step.bytes < limit) {
         std::size_t count = 0;
         ERR_clear_error();
-        const int result = SSL_read_ex(m_tls.get(), buffer.data() + step.bytes, buffer.size() - step.bytes, &count);
+        const auto place = room.behind(step.bytes);
+        const int result = SSL_read_ex(m_tls.get(), place.data(), place.size(), &count);
         step.bytes += count;
         if (result != 1 && step.bytes == 0)
             return explain(result, step);
@@ -183,11 +184,16 @@ std::optional<StreamEnd::Failure> StreamEnd::lastWords()
     return m_ended && m_ended->tls ? m_ended : std::nullopt;
 }
 
-StreamEnd::Step StreamEnd::readClear(std::span<std::byte> buffer)
+StreamEnd::Step StreamEnd::readClear(Room room)
 {
-    const auto got = ::recv(m_wire.descriptor, buffer.data(), buffer.size(), MSG_DONTWAIT);
+    std::array<iovec, 2> list{{{room.first.data(), room.first.size()}, {room.second.data(), room.second.size()}}};
+    msghdr message{};
+    message.msg_iov = list.data();
+    message.msg_iovlen = list.size();
+    const auto got = room.first.empty() ? ::recv(m_wire.descriptor, room.second.data(), room.second.size(), MSG_DONTWAIT)
+                                        : ::recvmsg(m_wire.descriptor, &message, MSG_DONTWAIT);
     const int error = errno;
-    m_wire.drained = got < static_cast<ssize_t>(buffer.size());
+    m_wire.drained = got < static_cast<ssize_t>(room.size());
     if (got > 0)
         return {static_cast<std::size_t>(got), Need::Nothing, std::nullopt};
     if (got == 0)

@@ -32,6 +32,20 @@ public:
 
     using Parts = std::span<const std::span<const std::byte>>;
 
+    /// Where bytes go that are read: to the first place until it is full, then to the second.
+    struct Room {
+        std::span<std::byte> first;
+        std::span<std::byte> second;
+
+        std::size_t size() const { return first.size() + second.size(); }
+
+        /// What is left in one piece behind `done` bytes.
+        std::span<std::byte> behind(std::size_t done) const
+        {
+            return done < first.size() ? first.subspan(done) : second.subspan(done - first.size());
+        }
+    };
+
     explicit StreamEnd(int descriptor) : m_wire{descriptor} {}
     StreamEnd(const StreamEnd&) = delete;
     StreamEnd& operator=(const StreamEnd&) = delete;
@@ -45,7 +59,7 @@ public:
 
     /// At least one byte, or what is needed for it; no more than fit, and no more than about `most`. A peer that only renews its keys takes
     /// no longer than a buffer of such records does.
-    Step read(std::span<std::byte> buffer, std::size_t most);
+    Step read(Room room, std::size_t most);
 
     /// The bytes of `parts` behind the first `done` of them; about `most` at once.
     Step write(Parts parts, std::size_t done, std::size_t most);
@@ -66,7 +80,7 @@ public:
     };
 
 private:
-    Step readClear(std::span<std::byte> buffer);
+    Step readClear(Room room);
     Step writeClear(Parts parts, std::size_t done);
     Step explain(int result, Step step);
     std::optional<Failure> lastWords();

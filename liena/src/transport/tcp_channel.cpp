@@ -28,7 +28,7 @@ namespace {
 constexpr int promptUnsent = 16 * 1024; // bytes in the kernel that are not on the wire yet: behind them the next message waits
 constexpr int promptBuffer = 256 * 1024;
 constexpr int mostBulkUnsent = 128 * 1024;
-constexpr std::size_t networkStep = 16 * 1024; // bytes, about, in one turn of the network thread
+constexpr std::size_t networkStep = 16 * 1024 + 64; // bytes, about, in one turn of the network thread: a segment and a header
 constexpr std::size_t workerStep = 1024 * 1024;
 
 std::size_t sizeOf(TcpChannel::Parts parts)
@@ -145,9 +145,9 @@ Result<void> TcpChannel::admitSession(security::TlsIdentity& identity)
     return isSecured() ? identity.trust().admitSession(m_end.tls()) : ok();
 }
 
-void TcpChannel::read(std::span<std::byte> buffer, Keeper keeper)
+void TcpChannel::read(Room room, Keeper keeper)
 {
-    m_buffer = buffer;
+    m_room = room;
     m_reading.keeper = std::move(keeper);
     m_reading.active = true;
     if (m_stepInFlight)
@@ -202,7 +202,7 @@ TcpChannel::Step TcpChannel::step(Way& way, std::size_t most)
     const auto begin = counted ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point();
     if (&way == &m_writing)
         m_end.limitBursts(m_burst);
-    auto done = &way == &m_reading ? m_end.read(m_buffer, most) : m_end.write(m_parts, m_done, most);
+    auto done = &way == &m_reading ? m_end.read(m_room, most) : m_end.write(m_parts, m_done, most);
     if (counted)
         m_workers->noteTime(std::chrono::steady_clock::now() - begin);
     return done;

@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace liena::security {
 class TlsIdentity;
@@ -43,6 +44,7 @@ public:
 
     using HandshakeHandler = std::function<void(Result<void>)>;
     using Parts = StreamEnd::Parts;
+    using Room = StreamEnd::Room;
 
     /// What keeps bytes where they are while a step in flight needs them.
     using Keeper = std::shared_ptr<const void>;
@@ -67,8 +69,9 @@ public:
     /// From now on worker threads do the steps, whenever there are some; `workers` outlives the connection.
     void shareWork(WorkerThreads& workers) { m_workers = &workers; }
 
-    /// One read in flight at a time. `buffer` stays until bytesRead; after close() for as long as `keeper` does.
-    void read(std::span<std::byte> buffer, Keeper keeper = nullptr);
+    /// One read in flight at a time. `room` stays until bytesRead; after close() for as long as `keeper` does.
+    void read(Room room, Keeper keeper = nullptr);
+    void read(std::span<std::byte> buffer, Keeper keeper = nullptr) { read(Room{{}, buffer}, std::move(keeper)); }
 
     /// One write in flight at a time; all of `parts`, in order. They and their bytes stay until bytesWritten; after close() for as long as
     /// `keeper` does. Under TLS each part is sealed by itself.
@@ -137,7 +140,7 @@ private:
     HandshakeHandler m_handshake;
     Way m_reading;
     Way m_writing;
-    std::span<std::byte> m_buffer;
+    Room m_room;
     Parts m_parts;
     std::size_t m_done = 0;  ///< bytes of m_parts that have left
     std::size_t m_burst = 0; ///< for the next write

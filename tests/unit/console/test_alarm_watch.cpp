@@ -178,6 +178,21 @@ private Q_SLOTS:
         QVERIFY(!w.priorityOf(C::PaintingBehind));
     }
 
+    void aConsoleAtTheLimitOfItsSpeedDoesNotFlicker()
+    {
+        Watched w;
+        passTime(w, 3s, 20, 17);
+        QVERIFY(!w.priorityOf(C::PaintingBehind));
+        passTime(w, 3s, 20, 15);
+        QVERIFY(w.priorityOf(C::PaintingBehind).has_value());
+        const auto raised = w.models().alarms.raisedInAll();
+        passTime(w, 3s, 20, 17);
+        QVERIFY(w.priorityOf(C::PaintingBehind).has_value());
+        QCOMPARE(w.models().alarms.raisedInAll(), raised);
+        passTime(w, 3s, 20, 19);
+        QVERIFY(!w.priorityOf(C::PaintingBehind));
+    }
+
     void eachConditionIsRaisedByItsCause_data()
     {
         QTest::addColumn<int>("number");

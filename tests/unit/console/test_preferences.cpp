@@ -42,6 +42,7 @@ Preferences unusual()
     p.window = WindowChoice::Wide;
     p.noiseReduction = 40;
     p.edge = 30;
+    p.pulseRate = 7.5;
     return p;
 }
 
@@ -161,11 +162,13 @@ private Q_SLOTS:
         Preferences p = unusual();
         p.audioPause = 4000s;
         p.noiseReduction = 900;
+        p.pulseRate = 3;
         p.window = WindowChoice::Fixed;
         p.language = QStringLiteral("xx");
         const Preferences bounded = withinBounds(p);
         QCOMPARE(bounded.audioPause, 120s);
         QCOMPARE(bounded.noiseReduction, 100);
+        QCOMPARE(bounded.pulseRate, 15.0);
         QVERIFY(bounded.window == WindowChoice::AsSent);
         QVERIFY(bounded.language.isEmpty());
     }

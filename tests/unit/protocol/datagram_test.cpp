@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <memory>
 
 using namespace liena;
 using namespace liena::protocol;
@@ -107,6 +108,8 @@ private slots:
     void handsOnABodyInPiecesAsItComes();
     void piecesKeepTheirOrderBesideWholeBodies_data();
     void piecesKeepTheirOrderBesideWholeBodies();
+    void bodiesInPiecesLandWhereTheyAreWanted_data() { piecesKeepTheirOrderBesideWholeBodies_data(); }
+    void bodiesInPiecesLandWhereTheyAreWanted();
 };
 
 void DatagramTest::writesTheHeaderAsThePageSays()
@@ -339,6 +342,49 @@ void DatagramTest::piecesKeepTheirOrderBesideWholeBodies()
     }
     QVERIFY(bytes == wanted);
     QCOMPARE(ends, 5 + 1 + 1); // segments of 0x0200
+}
+
+/// As a connection reads: what is awaited of a body goes past the decoder's buffer, and then comes one header with it.
+void DatagramTest::bodiesInPiecesLandWhereTheyAreWanted()
+{
+    QFETCH(quint64, chunk);
+    const std::vector messages{messageOf(40000, 0x0200), messageOf(30, 0x0201), messageOf(5000, 0x0200), messageOf(20, 0x0200)};
+    const auto stream = streamOf(messages, 16384);
+    DatagramDecoder decoder;
+    std::map<std::uint16_t, std::vector<std::byte>> bytes;
+    std::map<std::uint16_t, std::vector<std::byte>> wanted;
+    for (const auto& message : messages)
+        wanted[message.header.message.number].insert(wanted[message.header.message.number].end(), message.part.begin(), message.part.end());
+    std::size_t landed = 0;
+    const auto place = std::make_shared<std::vector<std::byte>>(maximumBody);
+    for (std::span<const std::byte> left = stream; !left.empty();) {
+        if (decoder.awaited() > 0)
+            decoder.landIn(std::span(*place).first(decoder.awaited()), place);
+        const auto room = decoder.room();
+        QVERIFY(room.landing.empty() || room.buffer.size() == headerSize);
+        const auto count = std::min({static_cast<std::size_t>(chunk), left.size(), room.landing.size() + room.buffer.size()});
+        const auto first = std::min(count, room.landing.size());
+        std::copy_n(left.begin(), first, room.landing.begin());
+        std::copy_n(left.begin() + static_cast<std::ptrdiff_t>(first), count - first, room.buffer.begin());
+        decoder.commit(count);
+        left = left.subspan(count);
+        QVERIFY(decoder.process(
+            [](const DatagramHeader& header) {
+                return header.message.number == 0x0200 ? HeaderVerdict::TakeInPieces : HeaderVerdict::Take;
+            },
+            [&](const DatagramHeader& header, std::span<const std::byte> body) {
+                bytes[header.message.number].insert(bytes[header.message.number].end(), body.begin(), body.end());
+                return true;
+            },
+            [&](const DatagramHeader& header, std::span<const std::byte> piece, bool) {
+                landed += piece.data() == place->data() ? piece.size() : 0;
+                bytes[header.message.number].insert(bytes[header.message.number].end(), piece.begin(), piece.end());
+                return true;
+            }));
+        QVERIFY(place.use_count() == 1); // what was read is handed on, and nothing keeps the place
+    }
+    QVERIFY(bytes == wanted);
+    QVERIFY(chunk >= 16384 || landed > 40000); // with small steps, nearly all of it
 }
 
 QTEST_APPLESS_MAIN(DatagramTest)

@@ -30,6 +30,10 @@ private slots:
     void keepsTheFirstFaultAndTheOldValue();
     void throwsForMistakesOfTheProgram();
     void copiesAreTheirOwn();
+    void whatIsLentIsNotCopied();
+    void whatIsNotWorthLendingIsCopied_data();
+    void whatIsNotWorthLendingIsCopied();
+    void onlyTheLastFieldCanBeLentTo();
     void carriesItsMetaData();
     void saysItselfInOneLine();
     void cutsLongValuesForPeople();
@@ -216,6 +220,95 @@ void MessageTest::copiesAreTheirOwn()
     second.set("note", "second");
     QVERIFY(first.get<std::string_view>("note") == "first");
     QVERIFY(second.get<std::string_view>("note") == "second");
+}
+
+namespace {
+
+std::shared_ptr<const MessageSet> imageSet()
+{
+    const auto set = MessageSet::parse(R"(<message-set xmlns="urn:liena:message-set:1" name="images" version="1.0" class="eye"
+        manufacturer="7" type="5" device-version="1" vendor="Sample" title="Images">
+      <message number="0x0200" name="Image" role="report" priority="bulk" title="An image">
+        <field name="note" type="string" max-length="40" title="Note"/>
+        <field name="number" type="uint32" min="0" max="1000" title="Number"/>
+        <field name="pixels" type="bytes" max-length="100000" title="Pixels"/>
+      </message>
+      <message number="0x0201" name="Small" role="report" priority="status" title="Not a bulk message">
+        <field name="first" type="bytes" max-length="100000" title="First"/>
+        <field name="pixels" type="bytes" max-length="100000" title="Pixels"/>
+      </message></message-set>)",
+                                       "images.xml");
+    return set ? set.value() : nullptr;
+}
+
+using Pixels = std::shared_ptr<std::vector<std::byte>>;
+
+Pixels pixelsOf(std::size_t size) { return std::make_shared<std::vector<std::byte>>(filled(size, 0x5A)); }
+
+} // namespace
+
+void MessageTest::whatIsLentIsNotCopied()
+{
+    const auto pixels = pixelsOf(50000);
+    {
+        auto image = sampleMessage(imageSet(), "Image");
+        image.lend("pixels", pixels, *pixels);
+        image.set("note", "behind").set("number", 12); // before it in the message, after it in time
+        QVERIFY(image.get<std::span<const std::byte>>("pixels").data() == pixels->data());
+        QVERIFY(image.lentBytes().data() == pixels->data());
+        QVERIFY(image.get<std::string_view>("note") == "behind");
+        QVERIFY(image.toString().find("(50000 bytes)") != std::string::npos);
+        auto copied = sampleMessage(imageSet(), "Image");
+        copied.set("note", "behind").set("number", 12).set("pixels", std::span<const std::byte>(*pixels));
+        QCOMPARE(image.encodedSize(), copied.encodedSize());
+        std::vector<std::byte> wire(image.fieldBytes().begin(), image.fieldBytes().end());
+        wire.insert(wire.end(), image.lentBytes().begin(), image.lentBytes().end());
+        QVERIFY(std::equal(wire.begin(), wire.end(), copied.fieldBytes().begin(), copied.fieldBytes().end()));
+        const auto second = image;
+        QVERIFY(second.lentBytes().data() == pixels->data());
+        QVERIFY(pixels.use_count() == 2); // both messages together
+        image.set("pixels", image.get<std::span<const std::byte>>("pixels").first(10));
+        QVERIFY(image.lentBytes().empty());
+        QCOMPARE(image.get<std::span<const std::byte>>("pixels").size(), std::size_t{10});
+        QVERIFY(image.get<std::span<const std::byte>>("pixels")[9] == std::byte{0x5A});
+        QVERIFY(!image.fault());
+        image.lend("pixels", pixels, *pixels);
+        QCOMPARE(image.encodedSize(), copied.encodedSize());
+    }
+    QVERIFY(pixels.use_count() == 1);
+}
+
+void MessageTest::whatIsNotWorthLendingIsCopied_data()
+{
+    QTest::addColumn<QString>("message");
+    QTest::addColumn<quint64>("size");
+    QTest::newRow("short") << "Image" << quint64{100};
+    QTest::newRow("empty") << "Image" << quint64{0};
+    QTest::newRow("not bulk") << "Small" << quint64{50000};
+}
+
+void MessageTest::whatIsNotWorthLendingIsCopied()
+{
+    QFETCH(QString, message);
+    QFETCH(quint64, size);
+    const auto pixels = pixelsOf(size);
+    auto image = sampleMessage(imageSet(), message.toStdString());
+    image.lend("pixels", pixels, *pixels);
+    QVERIFY(pixels.use_count() == 1 && image.lentBytes().empty());
+    const auto held = image.get<std::span<const std::byte>>("pixels");
+    QVERIFY(std::equal(held.begin(), held.end(), pixels->begin(), pixels->end()));
+}
+
+void MessageTest::onlyTheLastFieldCanBeLentTo()
+{
+    const auto pixels = pixelsOf(100001);
+    auto small = sampleMessage(imageSet(), "Small");
+    QVERIFY_EXCEPTION_THROWN(small.lend("first", pixels, *pixels), std::logic_error);
+    auto image = sampleMessage(imageSet(), "Image");
+    QVERIFY_EXCEPTION_THROWN(image.lend("number", pixels, *pixels), std::logic_error);
+    image.lend("pixels", pixels, *pixels); // one too many
+    QVERIFY(image.fault() && image.fault()->what.find("100000") != std::string::npos);
+    QVERIFY(pixels.use_count() == 1);
 }
 
 void MessageTest::carriesItsMetaData()

@@ -78,6 +78,8 @@ private slots:
     void judgesABodyBeforeItsPieces();
     void abandonedBetweenPiecesStaysAbandoned();
     void expectsTheNextToBeAsLong();
+    void whatLiesInItsPlaceIsNotCopied();
+    void aPlaceOutlivesItsMessage();
 };
 
 void ReassemblerTest::takesSingleSegmentAsItIs()
@@ -345,6 +347,44 @@ void ReassemblerTest::expectsTheNextToBeAsLong()
     QVERIFY(is<Reassembler::Incomplete>(lane.take(9, half, true)));
     lane.reassembler.clear(); // what was given up serves the next
     QVERIFY(lane.own.kept() >= 2 * half.size());
+}
+
+void ReassemblerTest::whatLiesInItsPlaceIsNotCopied()
+{
+    Lane lane;
+    auto& reassembler = lane.reassembler;
+    QVERIFY(reassembler.place(5).bytes.empty()); // nothing is open
+    const std::string half(1000, 'h');
+    for (const bool more : {true, false}) {
+        QVERIFY(is<Reassembler::Incomplete>(reassembler.open(segment(1, half.size() + 3, more), half.size() + 3, plenty)));
+        const auto place = reassembler.place(half.size());
+        QCOMPARE(place.bytes.size(), half.size());
+        std::copy_n(bytesOfText(half).begin(), half.size(), place.bytes.begin());
+        reassembler.add(place.bytes.first(400)); // a read may bring less than there is place for
+        QVERIFY(reassembler.place(600).bytes.data() == place.bytes.data() + 400);
+        reassembler.add(place.bytes.subspan(400));
+        reassembler.add(bytesOfText("end")); // from elsewhere
+        const auto outcome = reassembler.close();
+        if (!more)
+            QCOMPARE(textOf(outcome), half + "end" + half + "end");
+    }
+    QCOMPARE(lane.own.used(), std::size_t{0});
+}
+
+/// AddressSanitizer sees it when it does not.
+void ReassemblerTest::aPlaceOutlivesItsMessage()
+{
+    Lane lane;
+    auto& reassembler = lane.reassembler;
+    QVERIFY(is<Reassembler::Incomplete>(reassembler.open(segment(1, 60000, true), 60000, plenty)));
+    const auto place = reassembler.place(60000);
+    reassembler.abandon(0x0200, Timestamp{1}); // while a worker still reads into it
+    QVERIFY(reassembler.place(10).bytes.empty());
+    std::fill(place.bytes.begin(), place.bytes.end(), std::byte{'x'});
+    reassembler.add(place.bytes);
+    QVERIFY(is<Reassembler::Incomplete>(reassembler.close()));
+    QCOMPARE(lane.own.used(), std::size_t{0});
+    QCOMPARE(lane.own.kept(), std::size_t{0}); // nobody else gets that buffer meanwhile
 }
 
 QTEST_APPLESS_MAIN(ReassemblerTest)

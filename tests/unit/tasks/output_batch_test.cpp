@@ -68,6 +68,9 @@ private slots:
     void mixedMessagesComeInOrder();
     void messageOutlivesItsQueueUntilTheWriteIsOver();
     void clearedBatchBeginsAnew();
+    void lentBytesLeaveFromWhereTheyLie_data();
+    void lentBytesLeaveFromWhereTheyLie();
+    void lentBytesAreHeldUntilTheWriteIsOver();
 };
 
 void OutputBatchTest::longMessageLeavesFromItsOwnBuffer()
@@ -158,6 +161,72 @@ void OutputBatchTest::clearedBatchBeginsAnew()
         batch.clear();
         QVERIFY(batch.empty() && batch.parts().empty());
     }
+}
+
+namespace {
+
+/// The end of `entry` lent, so that its own bytes are the first `own`.
+OutputQueue::Entry lending(OutputQueue::Entry entry, std::size_t own)
+{
+    auto& part = entry.message.part;
+    auto owner = std::make_shared<const std::vector<std::byte>>(part.begin() + static_cast<std::ptrdiff_t>(own), part.end());
+    const std::span<const std::byte> bytes(*owner);
+    entry.message.lent = std::make_shared<const LentBytes>(LentBytes{std::move(owner), bytes});
+    part.resize(own);
+    return entry;
+}
+
+} // namespace
+
+void OutputBatchTest::lentBytesLeaveFromWhereTheyLie_data()
+{
+    QTest::addColumn<quint64>("own");
+    QTest::addColumn<bool>("refers");
+    for (const quint64 own : {0, 24, 5000, 16384, 20000})
+        for (const bool refers : {true, false})
+            QTest::addRow("%llu own, %s", static_cast<unsigned long long>(own), refers ? "refers" : "copies") << own << refers;
+}
+
+void OutputBatchTest::lentBytesLeaveFromWhereTheyLie()
+{
+    QFETCH(quint64, own);
+    QFETCH(bool, refers);
+    const auto entry = entryOf(50000);
+    auto lent = lending(entry, own);
+    const auto bytes = lent.message.lent->bytes;
+    QCOMPARE(lent.message.size(), entry.message.size());
+    auto queue = makeQueue();
+    queue.push(std::move(lent));
+    QCOMPARE(queue.bytes(), entry.message.size());
+    OutputBatch batch(65536, refers);
+    while (queue.appendNext(segmentSize, now, batch)) {
+    }
+    QCOMPARE(queue.bytes(), std::size_t{0});
+    QCOMPARE(queue.left().bytes, std::uint64_t{50000});
+    QVERIFY(bytesOf(batch) == expected({entry}));
+    std::size_t referred = 0;
+    for (const auto part : batch.parts())
+        referred += lies(part, bytes) ? part.size() : 0;
+    if (refers)
+        QVERIFY(referred + OutputBatch::longBody > bytes.size());
+    else
+        QCOMPARE(referred, std::size_t{0});
+}
+
+void OutputBatchTest::lentBytesAreHeldUntilTheWriteIsOver()
+{
+    auto entry = lending(entryOf(2 * segmentSize), 24);
+    const std::weak_ptr<const void> owner = entry.message.lent->owner;
+    OutputBatch batch(65536, true);
+    {
+        auto queue = makeQueue();
+        queue.push(std::move(entry));
+        QVERIFY(queue.appendNext(segmentSize, now, batch));
+        queue.discardApplication();
+    }
+    QVERIFY(!owner.expired());
+    batch.clear();
+    QVERIFY(owner.expired());
 }
 
 QTEST_APPLESS_MAIN(OutputBatchTest)

@@ -50,7 +50,7 @@ struct Connection {
     std::optional<StreamEnd> far;
     std::array<std::byte, 65536> buffer{};
 
-    Connection()
+    explicit Connection(bool secured = true)
     {
         const auto listening = listenAt(0);
         nearSocket = tcpTo(portOf(listening.number()));
@@ -59,8 +59,13 @@ struct Connection {
         farSocket = Descriptor(::accept4(listening.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
         near.emplace(nearSocket.number());
         far.emplace(farSocket.number());
-        if (!near->secure(identity(nearId, "near")->clientContext(), false) || !far->secure(identity(farId, "far")->serverContext(), true))
+        if (secured && !secure())
             throw std::runtime_error("no memory");
+    }
+
+    bool secure()
+    {
+        return near->secure(identity(nearId, "near")->clientContext(), false) && far->secure(identity(farId, "far")->serverContext(), true);
     }
 
     std::shared_ptr<security::TlsIdentity> identity(DeviceId device, const std::string& name)
@@ -89,7 +94,7 @@ struct Connection {
         return near->write(parts, 0, 65536).bytes == text.size();
     }
 
-    StreamEnd::Step read() { return far->read(buffer, buffer.size()); }
+    StreamEnd::Step read() { return far->read({{}, buffer}, buffer.size()); }
 };
 
 } // namespace
@@ -139,8 +144,39 @@ private Q_SLOTS:
         const std::array parts{bytesOf("more")};
         QTRY_VERIFY(failure || (failure = connection.near->write(parts, 0, 65536).failure));
         QVERIFY2(failure->tls, failure->detail.c_str());
-        const auto told = connection.near->read(connection.buffer, connection.buffer.size());
+        const auto told = connection.near->read({{}, connection.buffer}, connection.buffer.size());
         QVERIFY(told.failure && told.failure->tls); // whoever is asked first
+    }
+
+    void fillsTheFirstPlaceThenTheSecond_data()
+    {
+        QTest::addColumn<bool>("secured");
+        QTest::newRow("TLS") << true;
+        QTest::newRow("clear") << false;
+    }
+
+    void fillsTheFirstPlaceThenTheSecond()
+    {
+        QFETCH(bool, secured);
+        Connection connection(secured);
+        QVERIFY(!secured || connection.shakeHands());
+        std::string first(20000, '.');
+        std::string second(5, '.');
+        std::string text(20003, 'a');
+        text += "rest";
+        QVERIFY(connection.say(text));
+        std::size_t got = 0;
+        const auto room = [&] {
+            const StreamEnd::Room whole{std::as_writable_bytes(std::span(first)), std::as_writable_bytes(std::span(second))};
+            return got < 20000 ? StreamEnd::Room{whole.first.subspan(got), whole.second}
+                               : StreamEnd::Room{{}, whole.second.subspan(got - 20000)};
+        };
+        QTRY_VERIFY((got += connection.far->read(room(), 65536).bytes) == 20005);
+        QCOMPARE(first, text.substr(0, 20000));
+        QCOMPARE(second, std::string("aaare"));
+        std::size_t rest = 0;
+        QTRY_VERIFY((rest += connection.read().bytes) == 2);
+        QCOMPARE(textOf(std::span(connection.buffer).first(2)), std::string("st"));
     }
 
     void forgedRecordBehindAGoodOneIsNamed()

@@ -49,7 +49,7 @@ public:
           m_command(options.packets ? "Nudge" : "Move"),
           m_echo(options.packets ? "Nudged" : "Moved"),
           m_frame(options.workload == WorkloadKind::Load ? "Frame" : "Block"),
-          m_pixels(options.frameBytes),
+          m_pixels(std::make_shared<const std::vector<std::byte>>(options.frameBytes)),
           m_system(valueOf(DistributedSystem::create(settingsOf(options)))),
           m_peer(m_system->topology().find(m_client ? "far" : "near")->id)
     {}
@@ -82,7 +82,7 @@ public:
     void sendFrame(const Stamp& stamp) override
     {
         auto message = valueOf(m_system->report(m_frame));
-        message.set(numberField, stamp.number).set(sentField, stamp.sentNs).set(bodyField, std::span<const std::byte>(m_pixels));
+        message.set(numberField, stamp.number).set(sentField, stamp.sentNs).lend(bodyField, m_pixels, *m_pixels);
         tellRefusal(m_system->send(m_peer, std::move(message)));
     }
 
@@ -149,7 +149,7 @@ private:
     std::string m_command;
     std::string m_echo;
     std::string m_frame;
-    std::vector<std::byte> m_pixels;
+    std::shared_ptr<const std::vector<std::byte>> m_pixels;
     std::unique_ptr<DistributedSystem> m_system;
     DeviceId m_peer;
     std::promise<void> m_ended;
