@@ -165,10 +165,13 @@ private:
     void setReal(std::size_t field, T value)
     {
         using protocol::SlotKind;
+        const auto wide = static_cast<double>(value);
+        if (const auto* at = slot(field, SlotKind::Real64); at != nullptr && at->allows(wide))
+            return protocol::store(m_fields.data() + at->offset, wide);
         const auto narrow = static_cast<float>(value);
         if (const auto* at = slot(field, SlotKind::Real32); at != nullptr && at->allows(narrow))
             return protocol::store(m_fields.data() + at->offset, narrow);
-        assign(field, Number(static_cast<double>(value)));
+        assign(field, Number(wide));
     }
 
     template <typename T>

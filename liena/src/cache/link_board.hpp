@@ -82,6 +82,14 @@ public:
         m_sets.insert_or_assign(device, std::move(set));
     }
 
+    /// Whether `set` is that of the device.
+    bool hasSet(DeviceId device, const MessageSet& set) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_sets.find(device);
+        return found != m_sets.end() && found->second && (found->second.get() == &set || found->second->hash() == set.hash());
+    }
+
     std::shared_ptr<const MessageSet> set(DeviceId device) const
     {
         const std::lock_guard lock(m_mutex);

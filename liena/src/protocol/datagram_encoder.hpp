@@ -7,15 +7,19 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace liena::protocol {
 
 /// A message in wire form on its way out.
 struct EncodedMessage {
+    EncodedMessage() {} // not defaulted: else `{}` fills the inline part of `part` with zeros first, for each message that is sent
+    EncodedMessage(const DatagramHeader& itsHeader, FieldBytes itsPart) : header(itsHeader), part(std::move(itsPart)) {}
+
     DatagramHeader header; ///< length and moreSegments are written per segment
     FieldBytes part;       ///< the information part with its safety record, if any, up to what was lent
-    std::shared_ptr<const LentBytes> lent = nullptr;
+    std::shared_ptr<const LentBytes> lent;
 
     std::size_t size() const { return part.size() + (lent ? lent->bytes.size() : 0); }
 };

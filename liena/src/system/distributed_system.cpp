@@ -285,8 +285,7 @@ Result<void> DistributedSystem::State::checkSend(DeviceId target, const Message&
         return boost::outcome_v2::failure(*message.fault());
     const auto& definition = message.definition();
     const auto owner = definition.role == Role::Command ? target : ownTopologyDevice.id;
-    const auto set = board.set(owner);
-    if (!set || (set.get() != &message.messageSet() && set->hash() != message.messageSet().hash()))
+    if (!board.hasSet(owner, message.messageSet()))
         return fail(Errc::UnknownMessage, fmt::format("{} does not belong to the message set of {}", definition.name, owner.toString()));
     if (isNetworkThread())
         return ok(); // the module says the rest

@@ -8,7 +8,7 @@ namespace liena {
 
 using namespace std::chrono_literals;
 
-void DistributedSystem::State::deliver(Message message)
+void DistributedSystem::State::deliver(Message&& message)
 {
     const auto found = messageHandlers.find(message.name());
     if (found == messageHandlers.end())

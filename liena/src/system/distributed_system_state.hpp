@@ -98,7 +98,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void sessionHealed(DeviceId peer) override { perform(ledger.greet(peer)); }
     void sessionLost(DeviceId peer, const session::SessionLost& lost) override;
     void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) override;
-    void deliver(Message message) override;
+    void deliver(Message&& message) override;
     void tell(SessionEvent event) override;
     void show(const LinkStatus& status) override { board.show(status); }
     void showDrops(DeviceId peer, std::vector<DropCount> drops) override { board.showDrops(peer, std::move(drops)); }

@@ -68,7 +68,7 @@ public:
     virtual void sessionLost(DeviceId peer, const session::SessionLost& lost) = 0;
     virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) = 0;
 
-    virtual void deliver(Message message) = 0;
+    virtual void deliver(Message&& message) = 0;
     virtual void tell(SessionEvent event) = 0;
     virtual void show(const LinkStatus& status) = 0;
     virtual void showDrops(DeviceId peer, std::vector<DropCount> drops) = 0;

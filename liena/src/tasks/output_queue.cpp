@@ -53,7 +53,9 @@ bool OutputQueue::push(Entry&& entry)
         append(ofRank.turns, &stream);
     ++m_count;
     m_bytes += size;
-    append(stream.waiting, Waiting{std::move(entry), {}});
+    Waiting place;
+    append(stream.waiting, std::move(place));
+    stream.waiting.back().entry = std::move(entry); // a message is moved once
     for (auto at = gone.rbegin(); at != gone.rend(); ++at)
         drop(stream, *at, Fate::Superseded);
     return true;
