@@ -93,6 +93,8 @@ AlarmReadings AlarmWatch::readings(Instant now) const
             all.links.push_back(linkReading(link, now));
     if (m_stopAt)
         all.awaitingHold = now - *m_stopAt;
+    if (const auto asked = m_models.instrument.stopUnheard())
+        all.stopUnheard = now - *asked;
     all.picture = m_models.picture.reading(now);
     all.pictureLimit = m_models.picture.limit();
     all.line = lineLimits(m_models.picture.profile());

@@ -136,7 +136,10 @@ void CockpitApplication::connectIntents()
     });
     connect(window, &CockpitWindow::interruptionReadRequested, m_control.get(),
             [this] { m_control->interruptionWatch().acknowledge(m_options.user, std::chrono::steady_clock::now()); });
-    connect(window, &CockpitWindow::emergencyStopRequested, link, &SystemLink::emergencyStop);
+    connect(window, &CockpitWindow::emergencyStopRequested, link, [this](const QString& reason) {
+        m_control->panicHold(); // what the robot hears of it is another matter: from here no motion goes out any more
+        m_link->emergencyStop(reason);
+    });
     connect(window, &CockpitWindow::emergencyStopResetRequested, link, &SystemLink::resetEmergencyStop);
 }
 

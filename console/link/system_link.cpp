@@ -255,9 +255,11 @@ void SystemLink::emergencyStop(const QString& reason)
     while (m_stopToken == 0)
         m_stopToken = QRandomGenerator::system()->generate64();
     m_stopReason = reason;
+    m_models.instrument.noteStopAsked(std::chrono::steady_clock::now());
     repeatEmergencyStop();
 }
 
+/// Until the robot reports a stop: also over a session that is opened later.
 void SystemLink::repeatEmergencyStop()
 {
     if (m_stopToken == 0 || !m_robot)
@@ -277,10 +279,10 @@ void SystemLink::repeatEmergencyStop()
             .set("reason", m_stopReason.left(40).toStdString());
         sent = m_system->send(target, std::move(message).value());
     }
-    if (!sent) {
-        note(LogKind::Trouble, tr("EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.").arg(text(sent.error().what)));
-        m_stopToken = 0;
-    }
+    const auto trouble = sent ? QString() : text(sent.error().what);
+    if (!sent && trouble != m_stopTrouble)
+        note(LogKind::Trouble, tr("EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.").arg(trouble));
+    m_stopTrouble = trouble;
 }
 
 void SystemLink::resetEmergencyStop()

@@ -116,6 +116,7 @@ private:
     QTimer m_figures;
     quint64 m_stopToken = 0; ///< of the stop that the robot has not reported yet; 0: none
     QString m_stopReason;
+    QString m_stopTrouble; ///< why it could not be sent when it was tried last; empty
     std::atomic<quint64> m_framesReceived{0};
     std::atomic<Duration::rep> m_xrayUncertainty{0};
     std::atomic<bool> m_frameComplaint{false};

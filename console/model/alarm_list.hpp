@@ -28,6 +28,7 @@ enum class AlarmCondition : std::uint8_t {
     ForceWarn,
     DriveFault,
     EmergencyStop,
+    StopUnheard,    ///< a person asks for an emergency stop, and the robot has not told of one after 200 ms
     DeadlineMissed, ///< subject: the peer
     LinkUnsteady,   ///< subject: the peer; suspect three times within a minute, or jitter or loss above the limit
     ClockUncertain, ///< subject: the peer

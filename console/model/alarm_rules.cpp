@@ -137,6 +137,9 @@ void Rules::addHold()
     if (m_readings.awaitingHold && *m_readings.awaitingHold > holdConfirmationLimit)
         add(AlarmCondition::HoldNotConfirmed, whenArmed(Priority::High, Priority::Medium), true, Text::tr("Robot's hold NOT CONFIRMED"),
             Text::tr("Ask the patient side now whether the robot stands still."));
+    if (m_readings.stopUnheard && *m_readings.stopUnheard > holdConfirmationLimit)
+        add(AlarmCondition::StopUnheard, Priority::High, true, Text::tr("EMERGENCY STOP NOT HEARD by the robot"),
+            Text::tr("Use the stop at the patient side now. This console goes on asking."));
     if (m_readings.emergencyStop)
         add(AlarmCondition::EmergencyStop, whenArmed(Priority::High, Priority::Medium), true, Text::tr("EMERGENCY STOP is in force"),
             Text::tr("Settle why it was pressed before it is reset."));

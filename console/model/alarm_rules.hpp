@@ -43,6 +43,7 @@ struct AlarmReadings {
     bool engaged = false;
     std::vector<AlarmLinkReading> links;
     std::optional<Duration> awaitingHold; ///< since the stop or the loss, while the robot has not confirmed its hold
+    std::optional<Duration> stopUnheard;  ///< since the person asked, while the robot has not told of a stop
     PictureReading picture;
     Duration pictureLimit{};
     LineLimits line;

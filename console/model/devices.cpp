@@ -25,11 +25,20 @@ bool InstrumentState::drivesHealthy(Instant now) const
     return std::all_of(warm.begin(), warm.end(), [this](double celsius) { return celsius <= m_limits.driveTemperature; });
 }
 
+void InstrumentState::noteStopAsked(Instant at)
+{
+    const bool inForce = m_robot.known() && m_robot.value.emergencyStopToken != 0;
+    if (!inForce && !m_stopUnheard)
+        m_stopUnheard = at;
+}
+
 void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
 {
     const bool changed = !m_robot.known() || m_robot.value.state != status.state;
     m_robot.receive(status, at);
     ++m_statusCount;
+    if (status.emergencyStopToken != 0)
+        m_stopUnheard.reset();
     m_peakForce = std::max(m_peakForce, std::abs(status.guidewireForce));
     m_forces.push_back({at, status.guidewireForce});
     while (m_forces.front().at < at - forceTrail)

@@ -46,7 +46,11 @@ public:
     void resetPeakForce() { m_peakForce = 0; }
     quint64 statusCount() const { return m_statusCount; }
 
+    /// Since when a person has been asking for an emergency stop of which the robot has not told; nothing when none is asked for.
+    std::optional<Instant> stopUnheard() const { return m_stopUnheard; }
+
     // For the link room.
+    void noteStopAsked(Instant at);
     void receiveRobot(const RobotStatus& status, Instant at);
     void receiveDrives(const DriveStatus& status, Instant at);
     void receiveTip(const TipPose& pose, Instant at);
@@ -66,6 +70,7 @@ private:
     std::deque<InjectionStatus> m_injections;
     std::deque<ForceSample> m_forces;
     RobotLimits m_limits;
+    std::optional<Instant> m_stopUnheard;
     double m_peakForce = 0;
     quint64 m_statusCount = 0;
 };

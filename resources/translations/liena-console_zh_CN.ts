@@ -442,6 +442,14 @@
         <source>; </source>
         <translation>；</translation>
     </message>
+    <message>
+        <source>EMERGENCY STOP NOT HEARD by the robot</source>
+        <translation>机器人未收到急停</translation>
+    </message>
+    <message>
+        <source>Use the stop at the patient side now. This console goes on asking.</source>
+        <translation>请立即使用患者端的急停。本控制台将继续发送请求。</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>

@@ -102,6 +102,7 @@ private:
         wishes.window = QSize(1920, 1080);
         wishes.pictureSize = wanted.edge;
         wishes.preferences.pulseRate = wanted.rate;
+        wishes.system.timing = R"(heartbeat="20ms" suspect="70ms" lost="110ms" reconnect="500ms")"; // as in topologies/cerebrovascular.xml
         wishes.voice = &voice;
         return wishes;
     }

@@ -127,6 +127,48 @@ private Q_SLOTS:
         QVERIFY(theatre.models().hand.reading().alive);
     }
 
+    void anEmergencyStopEndsMotionHereAtThePressAndThenAtTheRobot()
+    {
+        Theatre theatre(wishes());
+        QVERIFY(theatre.openAll());
+        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+        QTest::keyClick(&theatre.window(), Qt::Key_Escape);
+        QCOMPARE(theatre.phase(), PermitPhase::Hold); // before anybody answered
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().emergencyStopToken != 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, patience);
+        QVERIFY(!theatre.models().instrument.stopUnheard());
+        const auto applied = theatre.robotStatus().appliedCommands;
+        theatre.releaseAll();
+        theatre.hold(Qt::Key_D);
+        theatre.hold(Qt::Key_Up);
+        const auto reports = theatre.models().instrument.statusCount();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.statusCount() > reports + 10, patience);
+        QCOMPARE(theatre.robotStatus().appliedCommands, applied);
+    }
+
+    void anEmergencyStopThatTheRobotDoesNotHearIsAnAlarmAndIsNotForgotten()
+    {
+        Theatre theatre(wishes());
+        QVERIFY(theatre.openAll());
+        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+        theatre.robot->kill();
+        QTest::keyClick(&theatre.window(), Qt::Key_Escape);
+        QVERIFY(theatre.phase() != PermitPhase::Engaged);
+        const auto alarm = [&theatre] {
+            const auto& alarms = theatre.models().alarms.alarms();
+            return std::any_of(alarms.begin(), alarms.end(), [](const Alarm& one) {
+                return one.condition == AlarmCondition::StopUnheard && one.present && one.priority == AlarmPriority::High;
+            });
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(alarm(), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::StandBy, patience);
+        theatre.releaseAll();
+        theatre.robot = theatre.start("robot");
+        QVERIFY(theatre.click(QStringLiteral("Re-open channel"), theatre.window().findChild<DiagnosisSheet*>()));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().emergencyStopToken != 0, qPrintable(theatre.story()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!alarm(), patience);
+    }
+
     void everyArmingAsksForTheSelfTestAnew()
     {
         Theatre theatre(wishes());

@@ -119,6 +119,12 @@ const std::vector<Case>& deviceCases()
     static const std::vector<Case> all{
         {"5 force", robot([](auto& s) { s.guidewireForce = 2.1; }), C::ForceStop},
         {"6 drive", robot([](auto& s) { s.faultCode = 2; }), C::DriveFault},
+        {"emergency stop unheard",
+         [](Watched& w) {
+             w.models().instrument.noteStopAsked(w.now);
+             w.now += 201ms;
+         },
+         C::StopUnheard},
         {"7 emergency stop", robot([](auto& s) { s.emergencyStopToken = 4; }), C::EmergencyStop},
         {"11 tracker invalid",
          [](Watched& w) {

@@ -66,6 +66,7 @@ const std::vector<Case>& cases()
         {"force warning", [](auto& r) { r.force = 1.0; }, C::ForceWarn, Medium, std::nullopt, false},
         {"drive fault", [](auto& r) { r.faultCode = 2; }, C::DriveFault, High, Medium, true},
         {"emergency stop", [](auto& r) { r.emergencyStop = true; }, C::EmergencyStop, High, Medium, true},
+        {"emergency stop unheard", [](auto& r) { r.stopUnheard = 201ms; }, C::StopUnheard, High, High, true},
         {"deadline", [](auto& r) { r.links[0].deadlineMissed = QStringLiteral("RobotStatus"); }, C::DeadlineMissed, Medium, Low, false},
         {"unsteady", [](auto& r) { r.links[0].suspectsInMinute = 3; }, C::LinkUnsteady, Low, Low, false},
         {"clock", [](auto& r) { r.links[0].clockUncertain = true; }, C::ClockUncertain, Medium, Low, false},
