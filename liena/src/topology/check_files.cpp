@@ -8,11 +8,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 
 namespace liena {
 
 namespace {
+
+double milliseconds(std::chrono::nanoseconds time) { return std::chrono::duration<double, std::milli>(time).count(); }
 
 struct CheckedFile {
     explicit CheckedFile(const std::string& file, std::string_view bytes) : findings(file, bytes) {}
@@ -34,6 +37,7 @@ private:
     void collectSet(CheckedFile& file);
     void checkDevices(CheckedFile& file) const;
     void checkFlows(CheckedFile& file) const;
+    void checkAges(CheckedFile& file) const;
     void checkFlow(CheckedFile& file, std::size_t place, const TopologyLink& link, const TopologyFlow& flow) const;
     const CheckedFile* setOf(DeviceId device) const;
 
@@ -88,6 +92,7 @@ Findings FileChecker::run()
         if (file->topology) {
             checkDevices(*file);
             checkFlows(*file);
+            checkAges(*file);
         }
     Findings all;
     for (const auto& file : m_files) {
@@ -140,6 +145,32 @@ void FileChecker::checkFlows(CheckedFile& file) const
     for (std::size_t i = 0; i < links.size(); ++i)
         for (std::size_t j = 0; j < links[i].flows.size(); ++j)
             checkFlow(file, file.places.flows[i][j], links[i], links[i].flows[j]);
+}
+
+/// A command is as old as the heartbeat that it echoes, up to a heartbeat's period and both ways of the line: what may be no older than
+/// that is refused as stale again and again, and more than ten such in a second end the session.
+void FileChecker::checkAges(CheckedFile& file) const
+{
+    const auto& links = file.topology->links();
+    for (std::size_t i = 0; i < links.size(); ++i)
+        for (const auto end : {links[i].a, links[i].b}) {
+            const auto* owner = setOf(end);
+            if (!owner)
+                continue;
+            for (const auto& message : owner->set->messages()) {
+                const auto flows = std::count_if(links[i].flows.begin(), links[i].flows.end(),
+                                                 [&](const TopologyFlow& flow) { return flow.message == message.name; });
+                const bool mayFlow = links[i].flows.empty() || flows > 0;
+                const auto oldest = message.maxAge.value_or(links[i].timing.lost);
+                if (message.role == Role::Command && message.priority == Priority::Control && mayFlow &&
+                    oldest < 2 * links[i].timing.heartbeat)
+                    file.findings.warning(file.places.links[i],
+                                          fmt::format("'{}' to '{}' may be {} ms old, and the link's heartbeat comes every {} ms",
+                                                      message.name, file.topology->find(end)->name, milliseconds(oldest),
+                                                      milliseconds(links[i].timing.heartbeat)),
+                                          "its age is that of the last heartbeat: make the heartbeat at least twice as fast");
+            }
+        }
 }
 
 void FileChecker::checkFlow(CheckedFile& file, std::size_t place, const TopologyLink& link, const TopologyFlow& flow) const

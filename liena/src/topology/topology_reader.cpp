@@ -176,6 +176,7 @@ std::optional<std::pair<const TopologyDevice*, const TopologyDevice*>> TopologyR
 void TopologyReader::readFlows(const Element& element, const std::vector<Element>& children, TopologyLink& link)
 {
     Once<std::pair<std::string, DeviceId>> flows;
+    m_places.links.push_back(element.at());
     auto& places = m_places.flows.emplace_back();
     for (const auto& child : children) {
         if (child.name() != "flow")

@@ -24,7 +24,8 @@ struct TopologyPlaces {
         std::size_t messageSetAt = 0;
     };
     std::vector<Device> devices;
-    std::vector<std::vector<std::size_t>> flows;
+    std::vector<std::size_t> links;
+    std::vector<std::vector<std::size_t>> flows; ///< of each link
 };
 
 class TopologyReader {

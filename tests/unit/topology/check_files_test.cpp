@@ -40,6 +40,8 @@ class CheckFilesTest : public QObject {
 private Q_SLOTS:
     void checksFlows_data();
     void checksFlows();
+    void warnsOfCommandsThatOutliveNoHeartbeat_data();
+    void warnsOfCommandsThatOutliveNoHeartbeat();
     void warnsOfDeviceWithoutSet();
     void warnsOfSetWithAnotherName();
     void saysNothingOfSetsWhenNoneAreGiven();
@@ -91,6 +93,36 @@ void CheckFilesTest::checksFlows()
         QVERIFY2(findings.empty(), listed(findings).c_str());
     else
         QVERIFY2(findings.size() == 1 && holds(findings, Severity::Error, input, fragment.toStdString()), listed(findings).c_str());
+}
+
+void CheckFilesTest::warnsOfCommandsThatOutliveNoHeartbeat_data()
+{
+    QTest::addColumn<QByteArray>("age");
+    QTest::addColumn<QByteArray>("inLink");
+    QTest::addColumn<bool>("warned");
+    const QByteArray timing = R"(<timing heartbeat="25ms" suspect="70ms" lost="110ms" reconnect="500ms"/>)";
+    QTest::newRow("twice as old") << QByteArray("50ms") << timing << false;
+    QTest::newRow("nearly") << QByteArray("49ms") << timing << true;
+    QTest::newRow("as old as the link's lost") << QByteArray() << timing << false;
+    QTest::newRow("does not flow") << QByteArray("20ms") << timing + "<flow message=\"State\" from=\"hand\"/>" << false;
+    QTest::newRow("flows") << QByteArray("20ms") << timing + "<flow message=\"Move\" from=\"brain\"/>" << true;
+}
+
+void CheckFilesTest::warnsOfCommandsThatOutliveNoHeartbeat()
+{
+    QFETCH(QByteArray, age);
+    QFETCH(QByteArray, inLink);
+    QFETCH(bool, warned);
+    auto set = handSet;
+    if (!age.isEmpty())
+        set.replace("priority=\"control\"", "priority=\"control\" max-age=\"" + age + "\"");
+    const auto input = unmarked(topology(inLink).replace("<link", "@@<link").toStdString());
+    const auto findings =
+        checked({write("t.xml", QByteArray::fromStdString(input.text)), write("hand.xml", set), write("brain.xml", brainSet)});
+    if (warned)
+        QVERIFY2(findings.size() == 1 && holds(findings, Severity::Warning, input, "twice as fast"), listed(findings).c_str());
+    else
+        QVERIFY2(findings.empty(), listed(findings).c_str());
 }
 
 void CheckFilesTest::warnsOfDeviceWithoutSet()
