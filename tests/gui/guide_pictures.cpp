@@ -1,17 +1,13 @@
 // Takes the pictures of the user's guide from the running console and real devices: `guide_pictures FOLDER WIDTHxHEIGHT`.
 //
 // The console is the whole one, on Qt's offscreen platform; robot, arm and X-ray system are liena-devices in processes of their own. The
-// links' timing is slower than a real one, so that a moment lasts long enough for its picture. Where the platform has three screens
-// (three_screens.json), the second and the third are taken as well.
+// links' timing is slower than a real one, so that a moment lasts long enough for its picture.
 #include "theatre.hpp"
 #include "widgets/diagnosis_sheet.hpp"
-#include "widgets/screens_view.hpp"
-#include "widgets/side_window.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
 #include <QDir>
-#include <QScreen>
 #include <QTest>
 
 #include <cstdio>
@@ -33,10 +29,7 @@ public:
     Photographer(const QDir& folder, const QSize& size, AlarmVoice& voice) : m_folder(folder), m_theatre(wishes(size, voice)) {}
 
     /// False at the first state that is not reached.
-    bool work()
-    {
-        return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views() && furtherScreens();
-    }
+    bool work() { return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views(); }
 
     /// What was taken until now.
     bool save() const
@@ -149,35 +142,6 @@ private:
                 return false;
         }
         return true;
-    }
-
-    bool furtherScreens()
-    {
-        const auto screens = QGuiApplication::screens();
-        if (screens.size() < 3)
-            return true;
-        QTest::keyClick(&m_theatre.window(), Qt::Key_F1);
-        auto* chooser = m_theatre.window().findChild<ScreensView*>();
-        Q_EMIT chooser->secondChosen(screens[1]->name());
-        Q_EMIT chooser->thirdChosen(screens[2]->name());
-        m_theatre.window().activateWindow();
-        m_theatre.window().setFocus();
-        if (!until([this] { return m_theatre.window().handHasKeys(); }))
-            return false;
-        m_theatre.hold(Qt::Key_F);
-        if (!until([this] { return picture() == PictureCondition::Live; }))
-            return false;
-        m_theatre.releaseAll();
-        if (!until([this] { return picture() == PictureCondition::Held; }))
-            return false;
-        int taken = 0;
-        for (QWidget* widget : QApplication::topLevelWidgets())
-            for (const auto& [screen, name] : {std::pair{1, "second-screen"}, std::pair{2, "third-screen"}})
-                if (qobject_cast<SideWindow*>(widget) != nullptr && widget->screen() == screens[screen]) {
-                    m_taken.emplace_back(QString::fromLatin1(name), widget->grab().toImage());
-                    ++taken;
-                }
-        return taken == 2;
     }
 
     QDir m_folder;
