@@ -255,7 +255,8 @@ void SystemLink::emergencyStop(const QString& reason)
     while (m_stopToken == 0)
         m_stopToken = QRandomGenerator::system()->generate64();
     m_stopReason = reason;
-    m_models.instrument.noteStopAsked(std::chrono::steady_clock::now());
+    if (m_robot)
+        m_models.instrument.noteStopAsked(std::chrono::steady_clock::now());
     repeatEmergencyStop();
 }
 
@@ -264,8 +265,8 @@ void SystemLink::repeatEmergencyStop()
 {
     if (m_stopToken == 0 || !m_robot)
         return;
-    const auto& robot = m_models.instrument.robot();
-    if (robot.known() && robot.value.emergencyStopToken != 0) {
+    const auto& instrument = m_models.instrument;
+    if (instrument.robotFresh(std::chrono::steady_clock::now()) && instrument.robot().value.emergencyStopToken != 0) {
         m_stopToken = 0;
         return;
     }

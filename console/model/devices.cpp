@@ -27,7 +27,8 @@ bool InstrumentState::drivesHealthy(Instant now) const
 
 void InstrumentState::noteStopAsked(Instant at)
 {
-    const bool inForce = m_robot.known() && m_robot.value.emergencyStopToken != 0;
+    // A report from before says nothing: the robot may have been started anew since.
+    const bool inForce = robotFresh(at) && m_robot.value.emergencyStopToken != 0;
     if (!inForce && !m_stopUnheard)
         m_stopUnheard = at;
 }

@@ -125,6 +125,14 @@ const std::vector<Case>& deviceCases()
              w.now += 201ms;
          },
          C::StopUnheard},
+        {"emergency stop unheard, an old one was reported long ago",
+         [robot](Watched& w) {
+             robot([](auto& s) { s.emergencyStopToken = 4; })(w);
+             w.now += 1s;
+             w.models().instrument.noteStopAsked(w.now);
+             w.now += 201ms;
+         },
+         C::StopUnheard},
         {"7 emergency stop", robot([](auto& s) { s.emergencyStopToken = 4; }), C::EmergencyStop},
         {"11 tracker invalid",
          [](Watched& w) {
