@@ -59,6 +59,7 @@ AlarmJournal::AlarmJournal(const QString& folder, const QString& name, QObject* 
     }
     m_trouble = checkRoom();
     m_reported = m_trouble;
+    m_keeps = true;
     m_thread = std::thread([this] { run(); });
 }
 
@@ -146,15 +147,15 @@ void AlarmJournal::run()
         const auto entries = std::exchange(m_waiting, {});
         const auto lost = std::exchange(m_lost, 0);
         lock.unlock();
-        QString trouble = checkRoom();
+        QString failure;
         for (const auto& entry : entries)
             if (const auto wrong = write(entry); !wrong.isEmpty())
-                trouble = wrong;
+                failure = wrong;
         if (lost > 0)
-            trouble = tr("%1 entries were lost, the disk is too slow").arg(lost);
-        if (m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0 && trouble.isEmpty())
-            trouble = because(tr("%1 is not kept: %2"), m_file);
-        report(trouble);
+            failure = tr("%1 entries were lost, the disk is too slow").arg(lost);
+        if (m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0 && failure.isEmpty())
+            failure = because(tr("%1 is not kept: %2"), m_file);
+        report(failure.isEmpty() ? checkRoom() : failure, failure.isEmpty());
         lock.lock();
     }
 }
@@ -184,13 +185,15 @@ QString AlarmJournal::write(const AlarmLogEntry& entry)
     return {};
 }
 
-void AlarmJournal::report(const QString& trouble)
+void AlarmJournal::report(const QString& trouble, bool keeps)
 {
-    if (trouble == m_reported)
+    if (trouble == m_reported && keeps == m_reportedKeeps)
         return;
     m_reported = trouble;
-    QMetaObject::invokeMethod(this, [this, trouble] {
+    m_reportedKeeps = keeps;
+    QMetaObject::invokeMethod(this, [this, trouble, keeps] {
         m_trouble = trouble;
+        m_keeps = keeps;
         Q_EMIT troubleChanged(trouble);
     });
 }

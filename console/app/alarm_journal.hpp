@@ -37,8 +37,11 @@ public:
     /// What was found when it was opened, in words: a last line that a loss of power tore, a line that does not fit. Empty: all is well.
     const QString& remark() const { return m_remark; }
 
-    /// Why entries do not reach the disk; empty: they do. Later changes are told by troubleChanged.
+    /// Why entries do not reach the disk, or soon will not; empty: they do. Later changes are told by troubleChanged.
     const QString& trouble() const { return m_trouble; }
+
+    /// They do reach it, as far as is known.
+    bool keeps() const { return m_keeps; }
 
     QString fileName() const { return m_file; }
 
@@ -53,7 +56,7 @@ private:
     QString write(const AlarmLogEntry& entry);
     bool openNewest();
     QString checkRoom() const;
-    void report(const QString& trouble);
+    void report(const QString& trouble, bool keeps);
 
     QString m_folder;
     QString m_file;
@@ -61,7 +64,8 @@ private:
     std::unique_ptr<QLockFile> m_lock;
     std::vector<AlarmLogEntry> m_restored;
     QString m_remark;
-    QString m_trouble; ///< GUI thread
+    QString m_trouble;    ///< GUI thread
+    bool m_keeps = false; ///< GUI thread
 
     // Of the writing thread, from its start on.
     int m_descriptor = -1;
@@ -69,6 +73,7 @@ private:
     qint64 m_goodBytes = 0; ///< of the newest file: where its last whole line ends
     QByteArray m_chain;
     QString m_reported;
+    bool m_reportedKeeps = true;
 
     std::mutex m_mutex;
     std::condition_variable m_wake;

@@ -35,16 +35,23 @@ AlarmService::AlarmService(ConsoleModels& models, AlarmWatch& watch, const Alarm
 void AlarmService::openJournal(const AlarmSettings& settings)
 {
     if (settings.logFolder.isEmpty())
-        return m_watch.setLogTrouble(tr("alarms are not kept, no folder was named"));
+        return noteRecorder(tr("alarms are not kept, no folder was named"), false);
     m_journal = std::make_unique<AlarmJournal>(settings.logFolder, settings.logName);
     m_models.alarms.restoreLog(m_journal->restored());
-    m_watch.setLogTrouble(m_journal->trouble());
-    connect(m_journal.get(), &AlarmJournal::troubleChanged, this, [this](const QString& trouble) { m_watch.setLogTrouble(trouble); });
+    noteRecorder(m_journal->trouble(), m_journal->keeps());
+    connect(m_journal.get(), &AlarmJournal::troubleChanged, this,
+            [this](const QString& trouble) { noteRecorder(trouble, m_journal->keeps()); });
     connect(&m_models.alarms, &AlarmList::logged, m_journal.get(), &AlarmJournal::append);
     m_models.log.append(LogKind::Note, tr("alarm log: %1").arg(m_journal->fileName()), wallTime());
     if (!m_journal->remark().isEmpty())
         m_models.log.append(LogKind::Trouble, m_journal->remark().trimmed(), wallTime());
     m_models.alarms.note(wallTime(), tr("console started. %1").arg(m_journal->remark()).trimmed());
+}
+
+void AlarmService::noteRecorder(const QString& trouble, bool kept)
+{
+    m_models.recorder.logTrouble = trouble;
+    m_models.recorder.logKept = kept;
 }
 
 void AlarmService::listen(const AlarmSettings& settings)

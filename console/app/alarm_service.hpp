@@ -36,6 +36,7 @@ public:
 
 private:
     void openJournal(const AlarmSettings& settings);
+    void noteRecorder(const QString& trouble, bool kept);
     void listen(const AlarmSettings& settings);
     void run();
 

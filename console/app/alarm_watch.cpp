@@ -11,7 +11,6 @@ namespace console {
 namespace {
 
 constexpr std::chrono::seconds overdueMemory{5};
-constexpr std::chrono::milliseconds clockLimit{25};
 constexpr std::chrono::seconds paintingSpan{2};
 constexpr quint64 fewPictures = 10; ///< in that time; below it one late picture would be a large part
 
@@ -71,7 +70,8 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
         reading.jittery = line->second.jittery();
         reading.lossy = line->second.lossy();
     }
-    reading.clockUncertain = link.state == LinkState::Open && link.figures.clockOffset && link.figures.clockUncertainty > clockLimit;
+    reading.clockUncertain = link.state == LinkState::Open && link.figures.clockOffset &&
+                             link.figures.clockUncertainty > clockUncertaintyLimit(m_models.picture.limit());
     reading.images = kindOf(link.peer) == DeviceKind::Eye;
     reading.systemDiffers = link.systemDiffers;
     if (link.peer == m_robot)
@@ -109,9 +109,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.emergencyStop = robot.known() && robot.value.emergencyStopToken != 0;
     readInstruments(all, now);
     all.painting = painting();
-    for (const auto& trouble : {m_logTrouble, m_auditTrouble})
-        if (!trouble.isEmpty())
-            all.recorderTroubles << trouble;
+    all.recorderTroubles = m_models.recorder.troubles();
     all.soundTrouble = m_soundTrouble;
     all.watchdogTrouble = m_watchdogTrouble;
     return all;
@@ -127,8 +125,10 @@ void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
     all.injecting = !injections.empty() &&
                     (injections.back().progress == InjectionProgress::Accepted || injections.back().progress == InjectionProgress::Running);
     // What has been given stays given, however old the report.
-    if (m_models.xray.status().known())
-        all.airKerma = m_models.xray.status().value.airKerma;
+    if (const auto& xray = m_models.xray.status(); xray.known()) {
+        all.airKerma = xray.value.airKerma;
+        all.fluoroscopyTime = xray.value.fluoroscopyTime;
+    }
 }
 
 void AlarmWatch::noteDelivered(quint64 delivered, Instant now)
@@ -147,10 +147,8 @@ std::optional<PaintingReading> AlarmWatch::painting() const
         return std::nullopt;
     const double span = seconds(m_counted.back().at - m_counted.front().at);
     const auto painted = m_counted.back().painted - m_counted.front().painted;
-    const auto& alarms = m_models.alarms.alarms();
-    const bool alarmed = std::any_of(alarms.begin(), alarms.end(),
-                                     [](const Alarm& alarm) { return alarm.condition == AlarmCondition::PaintingBehind && alarm.present; });
-    return PaintingReading{static_cast<double>(delivered) / span, static_cast<double>(painted) / span, alarmed};
+    return PaintingReading{static_cast<double>(delivered) / span, static_cast<double>(painted) / span,
+                           m_models.alarms.stands(AlarmCondition::PaintingBehind)};
 }
 
 /// One for each link of the topology, no more.

@@ -26,8 +26,6 @@ public:
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
 
     // What this program says of itself, each in words; empty: it works.
-    void setAuditTrouble(const QString& trouble) { m_auditTrouble = trouble; }
-    void setLogTrouble(const QString& trouble) { m_logTrouble = trouble; }
     void setSoundTrouble(const QString& trouble) { m_soundTrouble = trouble; }
     void setWatchdogTrouble(const QString& trouble) { m_watchdogTrouble = trouble; }
 
@@ -59,8 +57,6 @@ private:
     std::map<quint32, Overdue> m_overdue;
     std::map<quint32, LineQuality> m_lines;
     std::deque<Counted> m_counted; ///< of the last two seconds
-    QString m_auditTrouble;
-    QString m_logTrouble;
     QString m_soundTrouble;
     QString m_watchdogTrouble;
 };

@@ -115,6 +115,16 @@ void CockpitApplication::buildLog()
         m_models.log.append(LogKind::Note, tr("log saved: %1").arg(path), QDateTime::currentMSecsSinceEpoch());
         view->showSaved(path);
     });
+    connect(m_window.get(), &CockpitWindow::reportRequested, &m_reportSaver,
+            [this](const QString& text) { m_reportSaver.save(text.toUtf8(), suggestedLogPath(QStringLiteral("incident"))); });
+    connect(&m_reportSaver, &LogSaver::saved, m_window.get(), [this](const QString& path) {
+        m_models.log.append(LogKind::Note, tr("report saved: %1").arg(path), QDateTime::currentMSecsSinceEpoch());
+        m_window->showReportNote(tr("Report saved: %1").arg(path));
+    });
+    connect(&m_reportSaver, &LogSaver::failed, m_window.get(), [this](const QString& reason) {
+        m_models.log.append(LogKind::Trouble, reason, QDateTime::currentMSecsSinceEpoch());
+        m_window->showReportNote(reason);
+    });
     connect(&m_logSaver, &LogSaver::failed, view, [this, view](const QString& reason) {
         m_models.log.append(LogKind::Trouble, reason, QDateTime::currentMSecsSinceEpoch());
         view->showFailure(reason);
@@ -162,6 +172,7 @@ void CockpitApplication::connectHand()
     connect(window, &CockpitWindow::armHoldChanged, control, &CockpitControl::setArmHeld);
     connect(window, &CockpitWindow::pedalChanged, control, &CockpitControl::setPedal);
     connect(window, &CockpitWindow::panicHoldRequested, control, &CockpitControl::panicHold);
+    connect(window, &CockpitWindow::forceAccepted, control, [this] { m_control->acceptForce(m_options.user); });
     connect(window, &CockpitWindow::handFocusChanged, control, &CockpitControl::setHandHasKeys);
     auto* keyboard = &m_hand.keyboard();
     connect(window, &CockpitWindow::handKeyPressed, keyboard, [keyboard](int key) { keyboard->press(key); });
@@ -193,7 +204,10 @@ void CockpitApplication::refreshScene()
     const auto now = std::chrono::steady_clock::now();
     const auto& tip = m_models.instrument.tip();
     const auto& xray = m_models.xray;
-    m_scene->showTip(tip.known() ? std::optional<TipPose>(tip.value) : std::nullopt, !m_models.instrument.tipFresh(now));
+    // In stand-by the last known place helps; while the robot can move, one that is no longer measured must not be steered by.
+    const bool linked = m_link->robot() && carriesMessages(m_models.sessions.state(*m_link->robot()));
+    const bool fresh = m_models.instrument.tipFresh(now);
+    m_scene->showTip(tip.known() && (fresh || !linked) ? std::optional<TipPose>(tip.value) : std::nullopt, !fresh);
     const auto& account = m_models.interruption;
     m_scene->showTipBefore(account.stage() == InterruptionAccount::Stage::Unread ? account.before().tip : std::nullopt);
     m_scene->showCArm(xray.fresh(now) ? std::optional<XrayGeometry>(xray.status().value.geometry) : std::nullopt);

@@ -67,6 +67,7 @@ private:
     std::unique_ptr<CockpitControl> m_control;
     std::unique_ptr<AlarmService> m_alarms;
     LogSaver m_logSaver;
+    LogSaver m_reportSaver;
     ViewDesk m_views{m_options, m_models};
     PreferenceDesk m_preferences{m_options, m_models, m_pictures};
     std::unique_ptr<CockpitWindow> m_window;

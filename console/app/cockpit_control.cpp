@@ -48,8 +48,8 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
     connect(&link.sessionEvents(), &SessionIntake::deadlineMissed, this,
             [this](quint32 peer, const QString& message) { m_alarms.noteDeadlineMissed(peer, message, presentTime()); });
     connect(&link.sessionEvents(), &SessionIntake::auditLost, this,
-            [this](const QString& reason) { m_alarms.setAuditTrouble(tr("the audit file is not written: %1").arg(reason)); });
-    connect(&link.sessionEvents(), &SessionIntake::auditRestored, this, [this] { m_alarms.setAuditTrouble({}); });
+            [this](const QString& reason) { m_models.recorder.auditTrouble = tr("the audit file is not written: %1").arg(reason); });
+    connect(&link.sessionEvents(), &SessionIntake::auditRestored, this, [this] { m_models.recorder.auditTrouble.clear(); });
     connectHand();
 }
 
@@ -193,8 +193,8 @@ void CockpitControl::publishMotion(Instant now)
     snapshot.guiTick = now;
     snapshot.pictureLimit = m_models.picture.limit();
     const auto& shown = m_models.picture.newest();
-    if (shown && shown->captured && m_models.picture.mayGuide(shown->source))
-        snapshot.shownCapture = *shown->captured - shown->filterDelay;
+    if (shown && m_models.picture.mayGuide(shown->source))
+        snapshot.shownCapture = m_models.picture.shownAtEarliest();
     m_link.setMotion(snapshot);
 }
 
@@ -227,6 +227,16 @@ void CockpitControl::setPedal(bool down)
 
 void CockpitControl::panicHold() { apply(PermitEventKind::PanicHold); }
 
+void CockpitControl::acceptForce(const QString& who)
+{
+    const auto force = m_models.instrument.robot().value.guidewireForce;
+    if (m_models.instrument.acceptForce(presentTime()))
+        m_models.log.append(
+            LogKind::Operator,
+            tr("force of %1 N accepted for the next arming by %2").arg(force, 0, 'f', 2).arg(who.isEmpty() ? tr("the operator") : who),
+            QDateTime::currentMSecsSinceEpoch());
+}
+
 void CockpitControl::setHandHasKeys(bool has)
 {
     if (!has)
@@ -236,6 +246,10 @@ void CockpitControl::setHandHasKeys(bool has)
 
 void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
 {
+    const bool wasArmed = from == PermitPhase::Armed || from == PermitPhase::Engaged;
+    const bool isArmed = to == PermitPhase::Armed || to == PermitPhase::Engaged;
+    if ((wasArmed && !isArmed) || to == PermitPhase::Hold || to == PermitPhase::Incident || to == PermitPhase::Off)
+        m_models.instrument.dropForce(); // what was accepted was accepted for one arming
     auto line = tr("%1 -> %2").arg(word(from), word(to));
     if (to == PermitPhase::Hold)
         line += tr(": %1").arg(word(m_models.permit.state().cause));

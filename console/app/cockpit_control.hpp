@@ -34,6 +34,9 @@ public:
     void setPedal(bool down);
     void panicHold();
 
+    /// `who` for the log; may be empty.
+    void acceptForce(const QString& who);
+
     /// The hand may use the keyboard: the window is active, and nothing else in it has the focus.
     void setHandHasKeys(bool has);
 

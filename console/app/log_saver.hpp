@@ -30,7 +30,7 @@ private:
     std::thread m_thread;
 };
 
-/// `…/liena` in the person's documents, with a name for a log that is written now.
+/// `…/liena` in the person's documents, with a name for a log or a report that is written now.
 QString suggestedLogPath(const QString& log);
 
 } // namespace console

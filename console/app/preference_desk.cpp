@@ -63,6 +63,7 @@ void PreferenceDesk::apply()
     if (p.trendSpan != m_inForce.trendSpan)
         m_window->setTrendSpan(p.trendSpan);
     m_models.xray.setRequestedRate(p.pulseRate);
+    m_models.patientSide = p.patientSide;
     if (m_options.pictures.isEmpty())
         m_pictures.setFolder(p.pictureFolder);
     DisplaySettings shown = m_pictures.display().settings();

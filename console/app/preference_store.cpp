@@ -85,6 +85,7 @@ constexpr const char* windowKey = "window";
 constexpr const char* noiseKey = "noise-reduction";
 constexpr const char* edgeKey = "edge";
 constexpr const char* rateKey = "pulse-rate";
+constexpr const char* patientSideKey = "patient-side";
 
 int placeOf(double pulseRate) { return int(std::find(pulseRates.begin(), pulseRates.end(), pulseRate) - pulseRates.begin()); }
 
@@ -104,9 +105,12 @@ Preferences readEntries(QSettings& settings, QStringList& troubles)
     p.noiseReduction = entries.number(noiseKey, 0, 100, p.noiseReduction);
     p.edge = entries.number(edgeKey, 0, 100, p.edge);
     p.pulseRate = pulseRates.at(std::size_t(entries.choice(rateKey, rateWords, placeOf(p.pulseRate))));
+    p.patientSide = entries.text(patientSideKey);
     const Preferences bounded = withinBounds(p);
     if (bounded.pictureFolder != p.pictureFolder.trimmed())
         entries.refuse(folderKey, p.pictureFolder, Text::tr("the name of a folder"));
+    if (bounded.patientSide != p.patientSide.trimmed())
+        entries.refuse(patientSideKey, p.patientSide, Text::tr("one short line"));
     return bounded;
 }
 
@@ -122,6 +126,7 @@ void writeEntries(QSettings& settings, const Preferences& p)
     set(noiseKey, p.noiseReduction);
     set(edgeKey, p.edge);
     set(rateKey, QString::fromLatin1(rateWords.at(std::size_t(placeOf(p.pulseRate)))));
+    set(patientSideKey, p.patientSide);
 }
 
 /// Why the file is not even tried; nothing when it can be.

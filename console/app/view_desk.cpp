@@ -3,6 +3,7 @@
 
 #include "widgets/about_view.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/plots_view.hpp"
 #include "widgets/start_view.hpp"
 
 #include <QCoreApplication>
@@ -18,10 +19,13 @@ void ViewDesk::build(CockpitWindow& window)
     auto* start = new StartView(m_models, program);
     auto* about = new AboutView(m_models, program);
     window.addView(View::Start, start);
+    auto* plots = new PlotsView(m_models);
     window.addView(View::About, about);
+    window.addView(View::Plots, plots);
     const auto leave = [&window] { window.showView(View::Cockpit); };
     connect(start, &StartView::leaveRequested, &window, leave);
     connect(about, &AboutView::leaveRequested, &window, leave);
+    connect(plots, &PlotsView::leaveRequested, &window, leave);
     connect(start, &StartView::aboutRequested, &window, [&window] { window.showView(View::About); });
 }
 

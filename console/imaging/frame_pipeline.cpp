@@ -4,14 +4,26 @@
 #include "imaging/cine_ring.hpp"
 #include "imaging/display_chain.hpp"
 
+#include <functional>
+#include <string_view>
 #include <utility>
 
 namespace console {
+
+namespace {
+
+std::size_t fingerprint(const XrayFrame& frame)
+{
+    return std::hash<std::string_view>()({reinterpret_cast<const char*>(frame.pixels.data()), frame.pixels.size()});
+}
+
+} // namespace
 
 // What the decoding thread keeps from one frame to the next.
 class FramePipeline::Worker {
 public:
     DisplayChain chain;
+    std::optional<std::size_t> newest; ///< fingerprint of the last frame that came
 };
 
 FramePipeline::FramePipeline(QObject* parent, PictureRole role) : QObject(parent), m_role(role), m_thread([this] { run(); }) {}
@@ -116,6 +128,14 @@ void FramePipeline::carryOut(Worker& worker, const Work& work)
         if (worker.chain.redraw(work.settings, picture))
             finish(std::move(picture), true);
         return;
+    }
+    // Two pulses never give the same bytes, noise alone sees to that: what comes twice was taken once, whatever its number and time say.
+    if (m_role == PictureRole::Live) {
+        const auto print = fingerprint(*work.frame);
+        if (std::exchange(worker.newest, print) == print) {
+            refuse(work.frame->frame, tr("it is the same as the one before it, though it says that it is new"));
+            return;
+        }
     }
     const QString refusal = worker.chain.process(*work.frame, work.settings, work.filterRoom, picture);
     if (!refusal.isEmpty()) {

@@ -112,6 +112,9 @@ void LiveImageView::notePainted()
     stamp.captured = about.captured();
     stamp.uncertainty = about.ageUncertainty;
     stamp.arrived = about.arrival;
+    stamp.decoding = m_picture->times.decode;
+    stamp.filters = m_picture->times.temporal + m_picture->times.edge;
+    stamp.window = m_picture->times.window;
     stamp.filterDelay = m_picture->treatment.filterDelay;
     stamp.painted = m_clock();
     m_state.notePainted(stamp);

@@ -64,9 +64,11 @@ QPixmap hatchTile()
 
 QString ageLine(const PictureReading& reading)
 {
-    return Text::tr("AGE %1  NET %2  PROC %3  %4 fps")
-        .arg(ageText(reading), wholeMilliseconds(reading.network), wholeMilliseconds(reading.processing))
-        .arg(std::lround(reading.shownPerSecond));
+    const auto shown = std::lround(reading.shownPerSecond);
+    const auto expected = std::lround(reading.expectedPerSecond);
+    return Text::tr("AGE %1  NET %2  PROC %3  %4")
+        .arg(ageText(reading), wholeMilliseconds(reading.network), wholeMilliseconds(reading.processing),
+             expected > 0 ? Text::tr("%1 of %2 fps").arg(shown).arg(expected) : Text::tr("%1 fps").arg(shown));
 }
 
 PictureOverlay::PictureOverlay(QRect area, const DisplayPicture& picture, const PictureReading& reading, quint64 paintedPictures,
@@ -89,7 +91,7 @@ void PictureOverlay::placeHead(const DisplayPicture& picture, const PictureReadi
                                       Qt::AlignLeft | Qt::AlignTop);
     m_headEnd = source.bottom();
     const QRect chip = m_plates.add(ageLine(reading), m_plates.font(), inner.topRight(), Qt::AlignRight | Qt::AlignTop,
-                                    Text::tr("AGE 8888 ±88 ms  NET 888  PROC 888  88 fps"));
+                                    Text::tr("AGE 8888 ±88 ms  NET 888  PROC 888  88 of 88 fps"));
     m_liveness = QRect(0, 0, livenessCells * m_gap, m_gap);
     m_liveness.moveTopRight(chip.bottomRight() + QPoint(0, m_gap));
 }

@@ -5,43 +5,61 @@
 
 #include <QDateTime>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
 
 namespace console {
 
-bool MessageIntake::dispatch(const liena::Message& message)
-{
-    const auto& name = message.name();
-    const auto at = message.arrival();
-    if (name == "RobotStatus")
-        m_models.instrument.receiveRobot(robotStatus(message), at);
-    else if (name == "TipPose")
-        m_models.instrument.receiveTip(tipPose(message), at);
-    else if (name == "DriveStatus")
-        m_models.instrument.receiveDrives(driveStatus(message), at);
-    else if (name == "InjectionReport")
-        m_models.instrument.receiveInjection(injectionStatus(message));
-    else if (name == "AcquisitionStatus")
-        m_models.xray.receive(acquisitionStatus(message), at);
-    else if (name == "ArmStatus")
-        m_models.arm.receive(armStatus(message), at);
-    else
-        return false;
-    return true;
-}
+namespace {
 
-bool MessageIntake::take(const liena::Message& message)
+struct Route {
+    std::string_view message;
+    DeviceKind from;
+    void (*put)(ConsoleModels& models, const liena::Message& message);
+};
+
+constexpr std::array routes{
+    Route{"RobotStatus", DeviceKind::Hand,
+          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveRobot(robotStatus(m), m.arrival()); }},
+    Route{"TipPose", DeviceKind::Hand,
+          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveTip(tipPose(m), m.arrival()); }},
+    Route{"DriveStatus", DeviceKind::Hand,
+          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveDrives(driveStatus(m), m.arrival()); }},
+    Route{"InjectionReport", DeviceKind::Hand,
+          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveInjection(injectionStatus(m)); }},
+    Route{"AcquisitionStatus", DeviceKind::Eye,
+          [](ConsoleModels& models, const liena::Message& m) { models.xray.receive(acquisitionStatus(m), m.arrival()); }},
+    Route{"ArmStatus", DeviceKind::Arm,
+          [](ConsoleModels& models, const liena::Message& m) { models.arm.receive(armStatus(m), m.arrival()); }},
+};
+
+} // namespace
+
+bool MessageIntake::take(quint32 origin, const liena::Message& message)
 {
-    const auto sender = m_models.sessions.titleOf(message.origin().value());
-    try {
-        if (dispatch(message))
-            return true;
+    const auto sender = m_models.sessions.titleOf(origin);
+    const auto* route = std::find_if(routes.begin(), routes.end(), [&message](const Route& one) { return one.message == message.name(); });
+    if (route == routes.end()) {
         complain(QObject::tr("%1 is sent by %2 and not known to this console; it is not shown").arg(text(message.name()), sender));
+        return false;
+    }
+    const auto expected = m_models.sessions.firstPeer(route->from);
+    if (expected != origin) {
+        complain(expected ? QObject::tr("%1 of %2 is not shown: this console works with %3")
+                                .arg(text(message.name()), sender, m_models.sessions.titleOf(*expected))
+                          : QObject::tr("%1 of %2 is not shown: it is no device of that kind").arg(text(message.name()), sender));
+        return false;
+    }
+    try {
+        route->put(m_models, message);
+        return true;
     } catch (const std::logic_error& mistake) {
         complain(QObject::tr("%1 of %2 does not have the fields that this console knows (%3); compare the message sets")
                      .arg(text(message.name()), sender, text(mistake.what())));
+        return false;
     }
-    return false;
 }
 
 void MessageIntake::complain(const QString& complaint)

@@ -15,11 +15,11 @@ class MessageIntake {
 public:
     explicit MessageIntake(ConsoleModels& models) : m_models(models) {}
 
-    /// True when the console knows that message and its fields.
-    bool take(const liena::Message& message);
+    /// True when the console knows that message and its fields, and `origin` is the one device whose reports of it are shown: the first of
+    /// its kind that is linked to this console. Two robots in one model would be a robot that is not there.
+    bool take(quint32 origin, const liena::Message& message);
 
 private:
-    bool dispatch(const liena::Message& message);
     void complain(const QString& complaint);
 
     ConsoleModels& m_models;

@@ -136,6 +136,14 @@ void SystemLink::stop()
 /// Network thread.
 void SystemLink::takeFrame(const liena::Message& message)
 {
+    if (message.origin().value() != m_xray) {
+        if (!m_foreignFrames.exchange(true))
+            QMetaObject::invokeMethod(this, [this, origin = message.origin().value()] {
+                note(LogKind::Trouble, tr("pictures of %1 are not shown: this console works with %2")
+                                           .arg(m_models.sessions.titleOf(origin), m_models.sessions.titleOf(*m_xray)));
+            });
+        return;
+    }
     m_framesReceived.fetch_add(1, std::memory_order_relaxed);
     try {
         // The handler may not keep the library's message: this is the one copy between the socket and the decoder.
@@ -156,7 +164,7 @@ void SystemLink::drain()
     for (const auto& event : drained.events)
         m_sessionIntake.take(event);
     for (const auto& message : drained.messages)
-        m_messageIntake.take(message);
+        m_messageIntake.take(message.origin().value(), message);
 }
 
 void SystemLink::readFigures()
@@ -166,7 +174,7 @@ void SystemLink::readFigures()
     m_sessionIntake.takeFigures(links, now);
     for (const auto& status : links)
         if (m_xray && status.peer.value() == *m_xray)
-            m_xrayUncertainty.store(status.clockUncertainty.count(), std::memory_order_relaxed);
+            m_xrayUncertainty.store((status.clockOffset ? status.clockUncertainty : Duration::max()).count(), std::memory_order_relaxed);
     if (m_motion)
         m_models.hand.setCommandsSent(m_motion->sent());
     repeatEmergencyStop();

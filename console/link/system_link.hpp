@@ -118,8 +118,9 @@ private:
     QString m_stopReason;
     QString m_stopTrouble; ///< why it could not be sent when it was tried last; empty
     std::atomic<quint64> m_framesReceived{0};
-    std::atomic<Duration::rep> m_xrayUncertainty{0};
+    std::atomic<Duration::rep> m_xrayUncertainty{Duration::max().count()}; ///< of its clock against ours
     std::atomic<bool> m_frameComplaint{false};
+    std::atomic<bool> m_foreignFrames{false}; ///< told once
     std::unique_ptr<MotionStreamer> m_motion;
     std::unique_ptr<PedalStreamer> m_pedal;
     std::unique_ptr<liena::DistributedSystem> m_system; ///< last: it goes first, and with it the network thread

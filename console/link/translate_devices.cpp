@@ -60,6 +60,7 @@ RobotStatus robotStatus(const liena::Message& m)
     status.contrastRemaining = m.get<double>("contrast_remaining");
     status.emergencyStopToken = m.get<std::uint64_t>("emergency_stop_token");
     status.faultCode = m.get<quint16>("fault_code");
+    status.clearance = m.get<Clearance>("clear_to_arm");
     return status;
 }
 

@@ -30,6 +30,12 @@ bool AlarmList::unacknowledgedHigh() const
                        [](const Alarm& alarm) { return alarm.priority == AlarmPriority::High && !alarm.acknowledged; });
 }
 
+bool AlarmList::stands(AlarmCondition condition) const
+{
+    return std::any_of(m_alarms.begin(), m_alarms.end(),
+                       [condition](const Alarm& alarm) { return alarm.condition == condition && alarm.present; });
+}
+
 void AlarmList::update(const std::vector<AlarmReport>& present, Instant now, qint64 wallMs)
 {
     const auto before = m_alarms.size();

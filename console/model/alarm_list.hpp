@@ -39,6 +39,7 @@ enum class AlarmCondition : std::uint8_t {
     ContrastLow,
     ContrastEmpty,
     AirKerma,        ///< raised anew with every further gray
+    FluoroscopyTime, ///< raised anew with every further five minutes
     PaintingBehind,  ///< pictures arrive faster than they are painted
     SystemDiffers,   ///< subject: the peer whose topology or message set is another
     RecorderStopped, ///< alarms or sessions are not recorded, or will soon not be
@@ -102,6 +103,9 @@ public:
     const Alarm* highest() const { return m_alarms.empty() ? nullptr : &m_alarms.front(); }
     int count(AlarmPriority priority) const;
     bool unacknowledgedHigh() const;
+
+    /// The condition is there now, of whatever device, acknowledged or not.
+    bool stands(AlarmCondition condition) const;
 
     /// Replaces the set of present conditions: new ones are raised, missing ones end; a condition whose priority rises is raised anew.
     void update(const std::vector<AlarmReport>& present, Instant now, qint64 wallMs);

@@ -56,6 +56,7 @@ private:
     void addUnsteady(const AlarmLinkReading& link);
     void addInstruments();
     void addKerma(double milligrays);
+    void addFluoroscopy(double seconds);
     void addPainting();
     void addConsole();
 
@@ -214,6 +215,8 @@ void Rules::addInstruments()
             Text::tr("Have the patient side refill the injector."));
     if (m_readings.airKerma && *m_readings.airKerma >= kermaFirst)
         addKerma(*m_readings.airKerma);
+    if (m_readings.fluoroscopyTime && *m_readings.fluoroscopyTime >= fluoroscopySignal)
+        addFluoroscopy(*m_readings.fluoroscopyTime);
 }
 
 void Rules::addKerma(double milligrays)
@@ -222,6 +225,15 @@ void Rules::addKerma(double milligrays)
     const int grays = static_cast<int>(std::min(milligrays, largest) / 1000);
     add(AlarmCondition::AirKerma, milligrays >= kermaUrgent ? Priority::Medium : Priority::Low, true,
         Text::tr("Air kerma has reached %1 Gy").arg(grays), Text::tr("Weigh the dose against what is still to do."), 0, grays);
+}
+
+void Rules::addFluoroscopy(double seconds)
+{
+    constexpr double longest = 1e6; // of what can be shown; a device may send anything
+    const int signal = static_cast<int>(std::min(seconds, longest) / fluoroscopySignal);
+    add(AlarmCondition::FluoroscopyTime, Priority::Low, true,
+        Text::tr("Fluoroscopy has reached %1 min").arg(signal * static_cast<int>(fluoroscopySignal) / 60),
+        Text::tr("Weigh the dose against what is still to do."), 0, signal);
 }
 
 void Rules::addPainting()

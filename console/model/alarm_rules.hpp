@@ -58,7 +58,8 @@ struct AlarmReadings {
     bool trackerOverdue = false; ///< it reported, its link is up, and there is no valid recent report
     double contrastLeft = 0;     ///< mL, meaningful while robotFresh
     bool injecting = false;
-    std::optional<double> airKerma; ///< mGy, as last repeated from the X-ray system
+    std::optional<double> airKerma;        ///< mGy, as last repeated from the X-ray system
+    std::optional<double> fluoroscopyTime; ///< s, the same
     std::optional<PaintingReading> painting;
     QStringList recorderTroubles; ///< what is not recorded, and why; empty when all is
     QString soundTrouble;         ///< why nothing would be heard; empty when it would
@@ -72,6 +73,9 @@ inline constexpr double paintedPartAgain = 0.9; ///< of them, until enough are p
 // Air kerma at the reference point: from the first on and at every whole gray, and where it becomes more urgent.
 inline constexpr double kermaFirst = 3000;  ///< mGy
 inline constexpr double kermaUrgent = 5000; ///< mGy
+
+/// Beam time after which, and again after which, X-ray systems have to be heard (21 CFR 1020.32); this console repeats it.
+inline constexpr double fluoroscopySignal = 300; ///< s
 
 /// Pure.
 std::vector<AlarmReport> presentAlarms(const AlarmReadings& readings);

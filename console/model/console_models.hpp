@@ -12,6 +12,7 @@
 #include "model/interruption.hpp"
 #include "model/permit_model.hpp"
 #include "model/picture_state.hpp"
+#include "model/recorder_state.hpp"
 #include "model/session_model.hpp"
 #include "model/trend_book.hpp"
 #include "model/xray_state.hpp"
@@ -32,8 +33,10 @@ struct ConsoleModels {
     AlarmList alarms;
     AlarmLogModel alarmLog{alarms};
     AlarmSelfTest selfTest;
+    RecorderState recorder;
     EventLog log;
     TrendBook trends;
+    QString patientSide; ///< how a person there is called; empty: not set up
 };
 
 } // namespace console

@@ -12,6 +12,7 @@ namespace console {
 namespace {
 
 constexpr std::size_t injectionLimit = 16;
+constexpr double forceMargin = 0.1; ///< N, more than this above what was accepted is another force
 
 } // namespace
 
@@ -23,6 +24,26 @@ bool InstrumentState::drivesHealthy(Instant now) const
         return false;
     const auto& warm = m_drives.value.temperature;
     return std::all_of(warm.begin(), warm.end(), [this](double celsius) { return celsius <= m_limits.driveTemperature; });
+}
+
+bool InstrumentState::mayAcceptForce(Instant now) const
+{
+    const double force = std::abs(m_robot.value.guidewireForce);
+    return robotFresh(now) && force > m_limits.forceNearZero && force < m_limits.forceWarn && !forceAccepted();
+}
+
+bool InstrumentState::acceptForce(Instant now)
+{
+    if (!mayAcceptForce(now))
+        return false;
+    m_acceptedForce = std::abs(m_robot.value.guidewireForce);
+    return true;
+}
+
+bool InstrumentState::forceAccepted() const
+{
+    const double force = std::abs(m_robot.value.guidewireForce);
+    return m_acceptedForce && force <= *m_acceptedForce + forceMargin && force < m_limits.forceWarn;
 }
 
 void InstrumentState::noteStopAsked(Instant at)

@@ -24,7 +24,8 @@ struct PromptSurroundings {
     bool pictureSeen = false;                ///< a picture was ever shown
     bool tipLive = false;
     bool tipKnown = false;
-    int lostLinks = 0; ///< this console's links in stand-by
+    QString patientSide; ///< how a person there is called; empty: not set up
+    int lostLinks = 0;   ///< this console's links in stand-by
     int ownLinks = 0;
 };
 
@@ -36,6 +37,7 @@ struct PromptContent {
     QString flaps;      ///< `3rd time in 2 min`; empty the first time
     QString patient;    ///< `Robot holds: CONFIRMED …` or `NOT CONFIRMED. …`
     bool holdConfirmed = false;
+    QString call; ///< `Call the patient side: …`; empty when there is nothing to ask
     std::vector<HoldLine> rollCall;
     QString picture; ///< `Picture: live` or `Picture: frozen since 12:03:41.2`
     QString tip;     ///< `Tip position: last known`
@@ -52,6 +54,9 @@ struct PromptContent {
 
 /// Pure: no clock, no state.
 PromptContent promptContent(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around, Instant now);
+
+/// The same as a text for a file, one fact a line.
+QString promptReport(const IncidentRecord& incident, const PromptContent& content);
 
 /// The likely cause and what to try first for what a probe found.
 struct ProbeAdvice {

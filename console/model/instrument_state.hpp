@@ -49,6 +49,15 @@ public:
     /// Since when a person has been asking for an emergency stop of which the robot has not told; nothing when none is asked for.
     std::optional<Instant> stopUnheard() const { return m_stopUnheard; }
 
+    /// A force stands that keeps the robot from being armed, and is small enough for a person to arm all the same: known, not near zero,
+    /// below the warning, and not accepted yet.
+    bool mayAcceptForce(Instant now) const;
+
+    /// A person has looked at it. It holds for the force as it is now and a little more, until dropForce(); false when it may not be.
+    bool acceptForce(Instant now);
+    void dropForce() { m_acceptedForce.reset(); }
+    bool forceAccepted() const;
+
     // For the link room.
     void noteStopAsked(Instant at);
     void receiveRobot(const RobotStatus& status, Instant at);
@@ -71,6 +80,7 @@ private:
     std::deque<ForceSample> m_forces;
     RobotLimits m_limits;
     std::optional<Instant> m_stopUnheard;
+    std::optional<double> m_acceptedForce; ///< N, magnitude
     double m_peakForce = 0;
     quint64 m_statusCount = 0;
 };

@@ -18,7 +18,7 @@ struct MotionSnapshot {
     Instant engagedSince;
     HandMotion motion;
     Instant guiTick;                     ///< when the GUI thread wrote this
-    std::optional<Instant> shownCapture; ///< when the newest painted picture was taken
+    std::optional<Instant> shownCapture; ///< when the newest painted picture was taken, at the earliest
     Duration pictureLimit{};
 };
 

@@ -29,12 +29,12 @@ GuardLine heartbeatLine(const GuardReadings& r, const GuardLimits& limits)
                 Text::tr("%1 of %2 heartbeats on time").arg(r.heartbeatsOnTime).arg(limits.heartbeatsOnTime));
 }
 
-GuardLine clockLine(const GuardReadings& r, const GuardLimits& limits)
+GuardLine clockLine(const GuardReadings& r)
 {
     const auto missing = r.clockUncertainty ? Text::tr("Clock uncertain by ±%1 ms").arg(number(milliseconds(*r.clockUncertainty), 1))
                                             : Text::tr("Clock not yet compared with the robot's");
-    return line(Guard::ClockKnown, r.clockUncertainty && *r.clockUncertainty <= limits.clockUncertainty, Text::tr("Clocks compared"),
-                missing);
+    return line(Guard::ClockKnown, r.clockUncertainty && *r.clockUncertainty <= clockUncertaintyLimit(r.pictureLimit),
+                Text::tr("Clocks compared"), missing);
 }
 
 QString pictureMissing(const GuardReadings& r)
@@ -50,7 +50,8 @@ QString pictureMissing(const GuardReadings& r)
 
 bool pictureTrusted(const GuardReadings& r)
 {
-    return r.picture.condition == PictureCondition::Live && r.picture.mayGuide && r.picture.age && *r.picture.age <= r.pictureLimit;
+    return r.picture.condition == PictureCondition::Live && r.picture.mayGuide && r.picture.age &&
+           *r.picture.age + r.picture.uncertainty <= r.pictureLimit;
 }
 
 GuardLine pictureLine(const GuardReadings& r, const GuardLimits& limits)
@@ -74,10 +75,26 @@ GuardLine holdLine(const GuardReadings& r)
                 Text::tr("Robot holds and is ready"), missing);
 }
 
-GuardLine forceLine(const GuardReadings& r, const GuardLimits& limits)
+GuardLine forceLine(const GuardReadings& r)
 {
-    return line(Guard::ForceNearZero, r.robotFresh && std::abs(r.force) <= limits.forceNearZero, Text::tr("Force near zero"),
+    const bool nearZero = std::abs(r.force) <= r.limits.forceNearZero;
+    return line(Guard::ForceNearZero, r.robotFresh && (nearZero || r.forceAccepted),
+                nearZero ? Text::tr("Force near zero") : Text::tr("Force %1 N, accepted").arg(number(r.force, 2)),
                 r.robotFresh ? Text::tr("Force %1 N").arg(number(r.force, 2)) : Text::tr("Force is not known"));
+}
+
+GuardLine roundTripLine(const GuardReadings& r)
+{
+    return line(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= r.pictureLimit, Text::tr("Commands are quick"),
+                r.roundTrip ? Text::tr("Commands take %1 ms there and back").arg(number(milliseconds(*r.roundTrip), 0))
+                            : Text::tr("Round trip not yet measured"));
+}
+
+GuardLine clearanceLine(const GuardReadings& r)
+{
+    return line(Guard::ClearToArm, r.robotFresh && r.clearance != Clearance::Awaited,
+                r.clearance == Clearance::Given ? Text::tr("Patient side: clear to arm") : Text::tr("One person may arm"),
+                r.robotFresh ? Text::tr("Patient side has not said \"clear\"") : Text::tr("Patient side's word is not known"));
 }
 
 } // namespace
@@ -85,8 +102,9 @@ GuardLine forceLine(const GuardReadings& r, const GuardLimits& limits)
 GuardSet keptWhileArmed()
 {
     GuardSet set;
-    for (const auto guard : {Guard::SessionOpen, Guard::IdentityEqual, Guard::PictureLive, Guard::RobotFresh, Guard::DrivesHealthy,
-                             Guard::QueueEmpty, Guard::ForceNearZero, Guard::NoIncident, Guard::HandAlive, Guard::WindowActive})
+    for (const auto guard :
+         {Guard::SessionOpen, Guard::IdentityEqual, Guard::PictureLive, Guard::RobotFresh, Guard::DrivesHealthy, Guard::QueueEmpty,
+          Guard::ForceNearZero, Guard::CommandsQuick, Guard::NoIncident, Guard::HandAlive, Guard::WindowActive})
         set.set(static_cast<std::size_t>(guard));
     return set;
 }
@@ -98,14 +116,17 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         line(Guard::IdentityEqual, r.identityEqual, Text::tr("Same system on both sides"),
              Text::tr("Identity of the robot's system not confirmed")),
         heartbeatLine(r, limits),
-        clockLine(r, limits),
+        clockLine(r),
         pictureLine(r, limits),
         line(Guard::RobotFresh, r.robotFresh, Text::tr("Robot reports"), Text::tr("No recent report from the robot")),
         holdLine(r),
         line(Guard::DrivesHealthy, r.drivesHealthy, Text::tr("Drives are healthy"), Text::tr("Drives are not healthy, or not known")),
         line(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages, Text::tr("Nothing waits to be sent"),
              Text::tr("%1 messages wait to be sent").arg(r.queuedMessages)),
-        forceLine(r, limits),
+        forceLine(r),
+        roundTripLine(r),
+        clearanceLine(r),
+        line(Guard::Recorded, r.recorded, Text::tr("Alarm log is kept"), Text::tr("Alarm log is not kept")),
         line(Guard::NoIncident, !r.incident, Text::tr("No incident"), Text::tr("An incident is not resolved")),
         line(Guard::NoHighAlarm, !r.highAlarm, Text::tr("No high alarm"), Text::tr("A high alarm is not acknowledged")),
         line(Guard::HandAlive, r.handAlive, Text::tr("Hand control is there"),
@@ -124,11 +145,12 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     const auto keep = [&met](Guard guard, bool holds) { met.set(static_cast<std::size_t>(guard), holds); };
     keep(Guard::SessionOpen, r.robotLink == LinkState::Open || (r.robotLink == LinkState::Suspect && r.inLinkState <= limits.suspectGrace));
     keep(Guard::IdentityEqual, r.identityEqual);
-    keep(Guard::PictureLive, pictureTrusted(r));
+    keep(Guard::PictureLive, pictureTrusted(r) && r.picture.atRate);
     keep(Guard::RobotFresh, r.robotFresh);
     keep(Guard::DrivesHealthy, r.drivesHealthy);
     keep(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages * 4);
-    keep(Guard::ForceNearZero, std::abs(r.force) < r.forceStop);
+    keep(Guard::ForceNearZero, std::abs(r.force) < r.limits.forceStop);
+    keep(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= roundTripHold);
     keep(Guard::NoIncident, !r.incident);
     keep(Guard::HandAlive, r.handAlive);
     keep(Guard::WindowActive, r.windowActive);

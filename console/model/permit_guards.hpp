@@ -27,6 +27,9 @@ enum class Guard : std::uint8_t {
     DrivesHealthy,
     QueueEmpty,
     ForceNearZero,
+    CommandsQuick,
+    ClearToArm,
+    Recorded,
     NoIncident,
     NoHighAlarm,
     HandAlive,
@@ -35,7 +38,7 @@ enum class Guard : std::uint8_t {
     AlarmsTested,
     InterruptionRead,
 };
-inline constexpr std::size_t guardCount = 17;
+inline constexpr std::size_t guardCount = 20;
 
 using GuardSet = std::bitset<guardCount>; ///< bit n: guard n is met
 
@@ -44,10 +47,8 @@ GuardSet keptWhileArmed();
 
 struct GuardLimits {
     quint32 heartbeatsOnTime = 50;
-    std::chrono::milliseconds clockUncertainty{25};
     std::chrono::milliseconds pictureRun{1000}; ///< unbroken live pictures before arming
     std::chrono::milliseconds suspectGrace{20}; ///< one heartbeat window
-    double forceNearZero = 0.2;                 ///< N, to arm
     quint32 queuedMessages = 16;                ///< more than this waits: the line does not keep up
 };
 
@@ -66,9 +67,13 @@ struct GuardReadings {
     quint32 robotPermit = 0;
     std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
     bool drivesHealthy = false;
+    Clearance clearance = Clearance::NotAsked;
     quint32 queuedMessages = 0;
-    double force = 0; ///< N
-    double forceStop = 2.0;
+    std::optional<Duration> roundTrip; ///< of commands; nothing: not measured
+    double force = 0;                  ///< N
+    bool forceAccepted = false;        ///< a person has seen it and arms all the same
+    RobotLimits limits;
+    bool recorded = false; ///< the log reaches the disk
     bool incident = false;
     bool highAlarm = false; ///< an unacknowledged one
     bool handAlive = false;

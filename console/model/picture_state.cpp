@@ -9,17 +9,24 @@ namespace {
 
 constexpr std::chrono::seconds rateWindow{1};
 constexpr std::chrono::seconds firstPictureGrace{1};
-constexpr double rateShare = 2.0 / 3.0; ///< of the expected rate; below it pictures are not "at the expected rate"
-
-/// The age of what moves in the picture: a temporal filter shows it later than it was taken.
-std::optional<Instant> effectiveCapture(const PictureStamp& stamp)
-{
-    return stamp.captured ? std::optional<Instant>(*stamp.captured - stamp.filterDelay) : std::nullopt;
-}
+constexpr double rateShare = 2.0 / 3.0;
 
 } // namespace
 
 PictureState::PictureState(QObject* parent) : QObject(parent) {}
+
+/// When what moves in it was taken, as well as the clocks can tell: a temporal filter shows that later.
+std::optional<Instant> PictureState::shown(const PictureStamp& stamp) const
+{
+    const bool compared = stamp.captured && stamp.uncertainty <= clockUncertaintyLimit(limit());
+    return compared ? std::optional<Instant>(*stamp.captured - stamp.filterDelay) : std::nullopt;
+}
+
+std::optional<Instant> PictureState::earliest(const PictureStamp& stamp) const
+{
+    const auto known = shown(stamp);
+    return known ? std::optional<Instant>(*known - stamp.uncertainty) : std::nullopt;
+}
 
 void PictureState::setProfile(PictureProfile profile)
 {
@@ -54,10 +61,10 @@ PictureCondition PictureState::condition(Instant now) const
         return PictureCondition::Frozen;
     if (m_newest->painted < m_expectedSince)
         return now - m_expectedSince <= firstPictureGrace ? PictureCondition::Held : PictureCondition::Frozen;
-    const auto capture = effectiveCapture(*m_newest);
-    if (now - capture.value_or(m_newest->painted) > limit())
+    const auto taken = shownAtEarliest();
+    if (now - taken.value_or(m_newest->painted) > limit())
         return PictureCondition::Frozen;
-    return capture ? PictureCondition::Live : PictureCondition::Unknown;
+    return taken ? PictureCondition::Live : PictureCondition::Unknown;
 }
 
 PictureReading PictureState::reading(Instant now) const
@@ -72,14 +79,17 @@ PictureReading PictureState::reading(Instant now) const
     reading.mayGuide = mayGuide(m_newest->source);
     reading.frame = m_newest->frame;
     reading.captureNs = m_newest->captureNs;
-    reading.uncertainty = m_newest->uncertainty;
-    if (const auto capture = effectiveCapture(*m_newest)) {
-        reading.age = now - *capture;
+    if (const auto taken = shown(*m_newest)) {
+        reading.age = now - *taken;
+        reading.uncertainty = m_newest->uncertainty;
         reading.network = m_newest->arrived - *m_newest->captured;
     }
     reading.processing = m_newest->painted - m_newest->arrived + m_newest->filterDelay;
     reading.shownPerSecond = paintedPerSecond(now);
-    if (reading.condition == PictureCondition::Live && reading.shownPerSecond >= rateShare * m_expected)
+    if (reading.reduction.stands() && reading.reduction.rate > 0)
+        reading.expectedPerSecond = std::min(m_expected, reading.reduction.rate);
+    reading.atRate = reading.shownPerSecond >= rateShare * reading.expectedPerSecond;
+    if (reading.condition == PictureCondition::Live && reading.atRate)
         reading.liveFor = now - m_liveSince;
     if (reading.condition == PictureCondition::Frozen)
         reading.frozenFor = now - m_newest->painted;
@@ -88,10 +98,11 @@ PictureReading PictureState::reading(Instant now) const
 
 Duration PictureState::filterRoom() const
 {
-    if (!m_newest || !m_newest->captured || m_expected <= 0)
+    const auto taken = shownAtEarliest();
+    if (!taken || m_expected <= 0)
         return Duration::zero();
     const Duration period = fromMilliseconds(1000 / m_expected);
-    return std::max(limit() - (m_newest->painted - *m_newest->captured) - period, Duration::zero());
+    return std::max(limit() - (m_newest->painted - *taken - m_newest->filterDelay) - period, Duration::zero());
 }
 
 void PictureState::notePainted(const PictureStamp& stamp)
@@ -100,20 +111,30 @@ void PictureState::notePainted(const PictureStamp& stamp)
         return;
     if (m_newest && m_newest->frame == stamp.frame && m_newest->acquisition == stamp.acquisition && m_newest->captureNs == stamp.captureNs)
         return;
-    const auto capture = effectiveCapture(stamp);
-    const bool young = capture && stamp.painted - *capture <= limit();
+    const auto taken = earliest(stamp);
+    const bool young = taken && stamp.painted - *taken <= limit();
     const bool gap = !m_newest || stamp.painted - m_newest->painted > limit() || m_newest->acquisition != stamp.acquisition;
     if (gap || !young)
         m_liveSince = stamp.painted;
     const PictureReduction before = m_newest ? m_newest->reduction : PictureReduction();
     m_newest = stamp;
     ++m_painted;
+    noteStages(stamp);
     m_paints.push_back(stamp.painted);
     while (m_paints.front() < stamp.painted - 2 * rateWindow)
         m_paints.pop_front();
     Q_EMIT painted(stamp.frame);
     if (before != stamp.reduction)
         Q_EMIT reductionChanged(stamp.reduction);
+}
+
+void PictureState::noteStages(const PictureStamp& stamp)
+{
+    if (!shown(stamp))
+        return;
+    const auto waiting = stamp.painted - stamp.arrived - stamp.decoding - stamp.filters - stamp.window;
+    m_stages.note({stamp.arrived - *stamp.captured, waiting, stamp.decoding, stamp.filters, stamp.window, stamp.filterDelay},
+                  stamp.painted);
 }
 
 void PictureState::noteRefused(const QString& reason)

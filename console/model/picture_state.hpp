@@ -3,6 +3,7 @@
 
 #include "model/instant.hpp"
 #include "model/picture_reduction.hpp"
+#include "model/picture_stages.hpp"
 #include "model/profile_limits.hpp"
 #include "model/xray_frame.hpp"
 
@@ -35,16 +36,19 @@ struct PictureStamp {
     PictureReduction reduction;
     quint64 captureNs = 0;
     std::optional<Instant> captured; ///< XrayFrame::captured()
-    Duration uncertainty{};
+    Duration uncertainty{};          ///< of `captured`, to either side
     Instant arrived;
+    Duration decoding{}; ///< what the stages here took of the time from `arrived` to `painted`
+    Duration filters{};
+    Duration window{};
     Duration filterDelay{}; ///< what a temporal filter adds to the age of what moves
     Instant painted;
 };
 
 enum class PictureCondition : std::uint8_t {
     None,    ///< nothing was painted yet
-    Live,    ///< younger than the limit
-    Unknown, ///< pictures come, but their age cannot be told: never good enough for motion
+    Live,    ///< younger than the limit, whichever way the clocks err
+    Unknown, ///< pictures come, but their age cannot be told well enough: never good enough for motion
     Frozen,  ///< should be live and is not: a fault
     Held,    ///< last image hold: the pedal is up, and nothing is expected
 };
@@ -59,14 +63,15 @@ struct PictureReading {
     PictureReduction reduction;
     quint32 frame = 0;
     quint64 captureNs = 0;
-    std::optional<Duration> age; ///< of the newest painted picture, capture to now
-    Duration uncertainty{};
+    std::optional<Duration> age;     ///< of the newest painted picture, capture to now
+    Duration uncertainty{};          ///< of `age`, to either side
     std::optional<Duration> network; ///< NET: capture to arrival
     Duration processing{};           ///< PROC: arrival to paint, with the filter's delay
     bool mayGuide = false;           ///< the source is one that instruments may be moved by
     double shownPerSecond = 0;
-    double expectedPerSecond = 0; ///< 0: nothing is expected
-    Duration liveFor{};           ///< without a gap beyond the limit, at the expected rate
+    double expectedPerSecond = 0; ///< acquired, or what the X-ray system says that it sends of that; 0: nothing is expected
+    bool atRate = false;          ///< two thirds of that or more are shown
+    Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
 };
 
@@ -90,7 +95,14 @@ public:
     bool mayGuide(PictureSource source) const { return source != PictureSource::Recorded || m_rehearsal; }
 
     quint64 paintedCount() const { return m_painted; }
+
+    /// Of pictures whose age was known.
+    const PictureStages& stages() const { return m_stages; }
     const std::optional<PictureStamp>& newest() const { return m_newest; }
+
+    /// The earliest at which what moves in the newest picture can have been taken: what every limit of age is held against. Nothing when
+    /// the clocks are not compared well enough.
+    std::optional<Instant> shownAtEarliest() const { return m_newest ? earliest(*m_newest) : std::nullopt; }
 
     /// Pictures should come now (beam on, pedal down, link open), so many a second; 0: nothing is expected.
     void expect(double perSecond, Instant now);
@@ -119,11 +131,15 @@ Q_SIGNALS:
 
 private:
     PictureCondition condition(Instant now) const;
+    std::optional<Instant> shown(const PictureStamp& stamp) const;
+    std::optional<Instant> earliest(const PictureStamp& stamp) const;
     double paintedPerSecond(Instant now) const;
+    void noteStages(const PictureStamp& stamp);
 
     std::optional<PictureStamp> m_newest;
     std::deque<Instant> m_paints; ///< of the last two seconds
-    Instant m_liveSince;          ///< start of the present unbroken run
+    PictureStages m_stages;
+    Instant m_liveSince; ///< start of the present unbroken run
     Instant m_expectedSince;
     double m_expected = 0;
     bool m_linkUp = false;

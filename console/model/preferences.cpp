@@ -15,6 +15,14 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::Preferences)
 };
 
+/// Empty when it is more than that.
+QString oneLine(const QString& text, int mostCharacters)
+{
+    const auto trimmed = text.trimmed();
+    const auto control = [](QChar c) { return c.category() == QChar::Other_Control; };
+    return trimmed.size() > mostCharacters || std::any_of(trimmed.cbegin(), trimmed.cend(), control) ? QString() : trimmed;
+}
+
 } // namespace
 
 QString word(Brightness brightness)
@@ -43,11 +51,8 @@ Preferences withinBounds(Preferences preferences)
         preferences.pulseRate = Preferences().pulseRate;
     if (preferences.window == WindowChoice::Fixed) // a window by hand belongs to one picture
         preferences.window = WindowChoice::AsSent;
-    preferences.pictureFolder = preferences.pictureFolder.trimmed();
-    const auto control = [](QChar c) { return c.category() == QChar::Other_Control; };
-    if (preferences.pictureFolder.size() > Preferences::mostFolder ||
-        std::any_of(preferences.pictureFolder.cbegin(), preferences.pictureFolder.cend(), control))
-        preferences.pictureFolder.clear();
+    preferences.pictureFolder = oneLine(preferences.pictureFolder, Preferences::mostFolder);
+    preferences.patientSide = oneLine(preferences.patientSide, Preferences::mostContact);
     return preferences;
 }
 

@@ -25,6 +25,7 @@ inline constexpr std::array<double, 3> pulseRates{7.5, 15, 30};
 
 struct Preferences {
     static constexpr int mostFolder = 1024; ///< characters
+    static constexpr int mostContact = 80;
 
     QString language; ///< `en`, `zh_CN`; empty: as the computer says
     Brightness brightness = Brightness::Usual;
@@ -35,6 +36,7 @@ struct Preferences {
     int noiseReduction = 0;                     ///< %
     int edge = 0;                               ///< %
     double pulseRate = 15;                      ///< one of pulseRates
+    QString patientSide;                        ///< how a person there is called, as the prompt shows it; empty: not set up
 
     bool operator==(const Preferences&) const = default;
 };

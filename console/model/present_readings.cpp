@@ -15,6 +15,7 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
     if (link.figures.clockOffset)
         r.clockUncertainty = link.figures.clockUncertainty;
     r.queuedMessages = link.figures.queuedMessages;
+    r.roundTrip = link.figures.roundTrip;
 }
 
 } // namespace
@@ -33,8 +34,11 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.robotPermit = status.permit;
     r.spentPermit = models.permit.state().spentPermit;
     r.drivesHealthy = models.instrument.drivesHealthy(now);
+    r.clearance = status.clearance;
     r.force = status.guidewireForce;
-    r.forceStop = models.instrument.limits().forceStop;
+    r.forceAccepted = models.instrument.forceAccepted();
+    r.limits = models.instrument.limits();
+    r.recorded = models.recorder.keeps();
     r.incident = models.sessions.inStandBy() || !models.incidents.empty();
     r.highAlarm = models.alarms.unacknowledgedHigh();
     r.handAlive = models.hand.reading().alive;
@@ -94,6 +98,7 @@ PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
     around.pictureSeen = picture.condition != PictureCondition::None;
     if (around.pictureSeen && !around.pictureLive)
         around.frozenSinceWallMs = qint64(picture.captureNs / 1000000U);
+    around.patientSide = models.patientSide;
     around.tipLive = models.instrument.tipFresh(now);
     around.tipKnown = models.instrument.tip().known();
     for (const LinkNode& link : models.sessions.links()) {

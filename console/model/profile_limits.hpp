@@ -14,8 +14,17 @@ constexpr std::chrono::milliseconds ageLimit(PictureProfile profile)
     return profile == PictureProfile::Neuro ? std::chrono::milliseconds(250) : std::chrono::milliseconds(400);
 }
 
-/// From here on commands are slow enough to be told, in every profile.
+/// From here on commands are slow enough to be told, in every profile. Above ageLimit() nobody arms; above the last one motion ends.
 inline constexpr std::chrono::milliseconds roundTripCaution{150};
+inline constexpr std::chrono::milliseconds roundTripHold{450};
+
+/// Two clocks that are compared less well than this do not tell how old a picture or a report is. Over a line whose round trip may just be
+/// armed over they are compared to within half of it: no better is possible there (RFC 5905), and no worse is taken.
+template <typename Span>
+constexpr Span clockUncertaintyLimit(Span ageLimit)
+{
+    return ageLimit / 2;
+}
 
 /// Above the first of each pair the line is told to be bad; it is good again below the second.
 struct LineLimits {

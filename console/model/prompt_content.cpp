@@ -128,6 +128,7 @@ void addInterruption(PromptContent& content, const IncidentRecord& incident, con
     content.tryFirst.clear();
     content.rollCall.clear(); // nobody was asked
     content.healed = incident.stage == LossStage::Healed;
+    content.call.clear();
     if (content.healed) {
         content.patient =
             incident.peer == robot ? Text::tr("Motion needs a new ARM.") : Text::tr("What motion waits for stands in the motion bar.");
@@ -264,6 +265,8 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
         content.flaps = Text::tr("%1 time in 2 min").arg(ordinal(incident.flaps));
     content.rollCall = rollCall(incident, sessions);
     addPatient(content, sessions, around.robot);
+    content.call = around.patientSide.isEmpty() ? Text::tr("How to call the patient side is not set up: preferences, F6")
+                                                : Text::tr("Call the patient side: %1").arg(around.patientSide);
     addSeen(content, around);
     content.evidence = evidence(incident, sessions, around);
     const bool pictures = incident.peer != 0 && kindOf(incident.peer) == DeviceKind::Eye;
@@ -283,6 +286,21 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     if (incident.stage != LossStage::Lost)
         addInterruption(content, incident, sessions, around.robot);
     return content;
+}
+
+QString promptReport(const IncidentRecord& incident, const PromptContent& content)
+{
+    QStringList lines{content.headline, content.since, content.flaps, content.directions, content.patient};
+    for (const auto& hold : content.rollCall) {
+        const auto after = hold.afterMs ? Text::tr("holds, %1 ms after the loss").arg(*hold.afterMs, 0, 'f', 0) : Text::tr("holds");
+        lines << Text::tr("%1: %2").arg(hold.title, hold.holding ? after : Text::tr("NOT CONFIRMED"));
+    }
+    lines << content.picture << content.tip << content.evidence << content.likelyCause << content.tryFirst << content.lastTry;
+    lines.removeAll(QString());
+    lines << Text::tr("Began %1, incident %2")
+                 .arg(QDateTime::fromMSecsSinceEpoch(incident.sinceWallMs).toUTC().toString(Qt::ISODateWithMs))
+                 .arg(incident.id, 16, 16, QLatin1Char('0'));
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
 } // namespace console

@@ -16,6 +16,9 @@ enum class RobotState : std::uint8_t { Off, Hold, Ready, Armed, Engaged, Emergen
 /// off, hold, ready, armed, engaged, emergency stop, fault.
 QString word(RobotState state);
 
+/// Whether the person beside the robot has said that it may be armed, where the site asks for two persons.
+enum class Clearance : std::uint8_t { NotAsked, Awaited, Given };
+
 /// Bits of RobotStatus::limitSwitches.
 enum LimitSwitch : quint16 {
     GuidewireSoftLow = 1U << 0U,
@@ -58,6 +61,7 @@ struct RobotStatus {
     double contrastRemaining = 0; ///< ml
     quint64 emergencyStopToken = 0;
     quint16 faultCode = 0;
+    Clearance clearance = Clearance::NotAsked;
 };
 
 /// In this order in DriveStatus.
@@ -95,6 +99,7 @@ struct InjectionStatus {
 struct RobotLimits {
     double forceWarn = 1.0; ///< N
     double forceStop = 2.0;
+    double forceNearZero = 0.2;       ///< N, below it nobody has to look before arming
     double guidewireMaximum = 1600.0; ///< mm
     double catheterMaximum = 1600.0;
     double driveTemperature = 80.0; ///< °C, above it a drive is not healthy

@@ -1,6 +1,8 @@
 // Slots, and the loss of a second from counters.
 #include "model/trend_book.hpp"
 
+#include "model/measurements.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +53,17 @@ void TrendBook::add(TrendFigure figure, std::optional<double> value, Instant now
 const std::deque<TrendSlot>& TrendBook::slots(TrendFigure figure, TrendSpan span) const
 {
     return m_slots.at(static_cast<std::size_t>(figure)).at(static_cast<std::size_t>(span));
+}
+
+std::optional<TrendBook::Summary> TrendBook::summary(TrendFigure figure, TrendSpan span) const
+{
+    std::vector<double> values;
+    for (const auto& slot : slots(figure, span))
+        if (slot.most)
+            values.push_back(*slot.most);
+    if (values.empty())
+        return std::nullopt;
+    return Summary{*percentile(values, 0.5), *percentile(values, 0.99)};
 }
 
 /// Counters that went back are those of another session.

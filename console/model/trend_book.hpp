@@ -57,6 +57,13 @@ public:
     /// Oldest first; gaps in which nobody noted anything have no slots.
     const std::deque<TrendSlot>& slots(TrendFigure figure, TrendSpan span) const;
 
+    /// By nearest rank of what the slots had at most: in a minute that is each reading, in ten minutes the largest of each second.
+    struct Summary {
+        double p50 = 0;
+        double p99 = 0;
+    };
+    std::optional<Summary> summary(TrendFigure figure, TrendSpan span) const;
+
     /// The newest value; nothing when it is not known now.
     std::optional<double> latest(TrendFigure figure) const { return m_latest.at(static_cast<std::size_t>(figure)); }
 

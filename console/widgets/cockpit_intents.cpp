@@ -35,6 +35,8 @@ void CockpitWindow::connectIntents()
     connect(sheet, &DiagnosisSheet::reopenAllRequested, this, &CockpitWindow::reopenAllRequested);
     connect(sheet, &DiagnosisSheet::probeRequested, this, &CockpitWindow::probeRequested);
     connect(sheet, &DiagnosisSheet::dismissRequested, this, &CockpitWindow::dismissRequested);
+    connect(sheet, &DiagnosisSheet::silenceRequested, this, &CockpitWindow::audioPauseRequested);
+    connect(sheet, &DiagnosisSheet::reportRequested, this, &CockpitWindow::reportRequested);
     connect(m_away, &InterruptionCard::readRequested, this, [this] {
         Q_EMIT interruptionReadRequested();
         setFocus();
@@ -44,6 +46,10 @@ void CockpitWindow::connectIntents()
     connect(m_motion, &MotionBar::armHoldChanged, this, &CockpitWindow::armHoldChanged);
     connect(m_motion, &MotionBar::pedalChanged, this, &CockpitWindow::pedalChanged);
     connect(m_motion, &MotionBar::masterChosen, this, &CockpitWindow::masterChosen);
+    connect(m_motion, &MotionBar::forceAccepted, this, [this] {
+        Q_EMIT forceAccepted();
+        setFocus();
+    });
 }
 
 void CockpitWindow::connectModels()

@@ -14,6 +14,7 @@ void CockpitWindow::addViewKeys()
         shortcut->setAutoRepeat(false);
         connect(shortcut, &QShortcut::activated, this, [this, view] { toggleView(view); });
     };
+    bind(Qt::Key_F3, View::Plots);
     bind(Qt::Key_F6, View::Preferences);
     bind(Qt::Key_F7, View::Screens);
     const auto act = [this](const QKeySequence& keys, auto what) {

@@ -4,6 +4,7 @@
 #include "model/present_readings.hpp"
 #include "model/sound_schedule.hpp"
 #include "widgets/alarm_band.hpp"
+#include "widgets/diagnosis_sheet.hpp"
 #include "widgets/dose_panel.hpp"
 #include "widgets/interruption_card.hpp"
 #include "widgets/links_rail.hpp"
@@ -144,6 +145,8 @@ void CockpitWindow::addView(View view, QWidget* widget)
     stack();
 }
 
+void CockpitWindow::showReportNote(const QString& note) { m_deck->sheet()->showNote(note); }
+
 void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user); }
 
 void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehearsal); }
@@ -154,7 +157,7 @@ void CockpitWindow::setKeyLegend(const QString& legend)
     QStringList keys{tr("Esc emergency stop \u00B7 F12 hold")};
     if (!legend.isEmpty())
         keys << legend;
-    keys << tr("F8 alarm test \u00B7 F9 audio pause \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F4 log");
+    keys << tr("F8 alarm test \u00B7 F9 audio pause \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F3 plots \u00B7 F4 log");
     keys << tr("F6 preferences \u00B7 F7 screens \u00B7 F10 F11 change places");
     m_motion->setKeyLegend(keys.join(QStringLiteral(" \u00B7 ")));
 }
@@ -180,6 +183,7 @@ void CockpitWindow::refreshStrip(Instant now)
     m_strip->setProcedureTime(m_procedureSince ? std::optional<std::chrono::nanoseconds>(now - *m_procedureSince) : std::nullopt);
     m_strip->setTopology(sessions.topologyTitle().isEmpty() ? sessions.topologyName() : sessions.topologyTitle(), sessions.topologyHash());
     m_strip->setWallClock(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm:ss")));
+    m_strip->setRecorder(m_models.recorder.keeps());
     m_strip->setMode(modeOf(m_models.permit.phase()));
     m_strip->setBeam(!m_models.xray.fresh(now) ? Beam::Unknown : m_models.xray.beamOn() ? Beam::On : Beam::Off);
 }

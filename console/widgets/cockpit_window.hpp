@@ -25,9 +25,9 @@ class TrendsPane;
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F4 log, F6 preferences, F7 screens, F10 and F11 reference or scene beside the live picture, Ctrl+1 …
-/// Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is. All other keys
-/// belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
+/// Keys: F1 cockpit, F2 topology, F3 plots, F4 log, F6 preferences, F7 screens, F10 and F11 reference or scene beside the live picture,
+/// Ctrl+1 … Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus is. All other
+/// keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
 /// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on.
 class CockpitWindow : public QWidget {
     Q_OBJECT
@@ -58,6 +58,9 @@ public:
     /// The screen that the cockpit was on is gone: the hand has no keys until a person clicks into the cockpit or presses F1.
     void noteScreenGone();
 
+    /// What became of a report that was to be kept.
+    void showReportNote(const QString& note);
+
     /// Everything as of `now`. The window's own clock renews what moves twenty times a second, the rest four times.
     void refresh(Instant now);
 
@@ -77,12 +80,14 @@ Q_SIGNALS:
     void reopenAllRequested();
     void probeRequested(quint32 peer);
     void dismissRequested(quint64 incident);
+    void reportRequested(const QString& text); ///< what the diagnosis says, to be kept
     void interruptionReadRequested();
     void emergencyStopRequested(const QString& reason);
     void emergencyStopResetRequested();
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
     void masterChosen(console::MasterKind kind);
+    void forceAccepted();
     void acknowledgeRequested(quint64 alarm);
     void audioPauseRequested();
     void alarmTestRequested();

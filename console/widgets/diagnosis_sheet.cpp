@@ -55,8 +55,25 @@ QWidget* DiagnosisSheet::makeHead()
     first->addWidget(m_flaps, 1);
     first->addWidget(m_fold);
     m_directions = plainLabel({}, TextRole::Body, head);
+    m_directions->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_directions->setWordWrap(true);
+    m_silence = new SheetButton(tr("Silence"), SheetButton::Enter::Ignored, head);
+    m_silence->setAccessibleName(tr("Pause the alarm sound, or let it sound again: F9"));
+    m_save = new SheetButton(tr("Save report"), SheetButton::Enter::Ignored, head);
+    m_save->setAccessibleName(tr("Save what this sheet says as a file"));
+    auto* second = new QHBoxLayout;
+    second->setSpacing(8);
+    second->addWidget(m_directions, 1);
+    for (SheetButton* button : {m_silence, m_save}) {
+        button->setProperty("compact", true);
+        second->addWidget(button);
+    }
+    m_note = plainLabel({}, TextRole::Caption, head);
+    m_note->setWordWrap(true);
+    m_note->hide();
     rows->addLayout(first);
-    rows->addWidget(m_directions);
+    rows->addLayout(second);
+    rows->addWidget(m_note);
     return head;
 }
 
@@ -88,6 +105,9 @@ QWidget* DiagnosisSheet::makeBody()
         side->setSpacing(3);
     m_patient = addSection(left, tr("Is the patient safe?"));
     theme::setTextRole(m_patient, TextRole::Title);
+    m_call = plainLabel({}, TextRole::Strong, body);
+    m_call->setWordWrap(true);
+    left->addWidget(m_call);
     m_rollCall = new RollCall(body);
     left->addWidget(m_rollCall);
     m_seen = addSection(left, tr("What you see"));
@@ -142,6 +162,8 @@ QWidget* DiagnosisSheet::makeGiveUp()
 void DiagnosisSheet::connectActions()
 {
     connect(m_fold, &QPushButton::clicked, this, [this] { Q_EMIT foldRequested(m_incident); });
+    connect(m_silence, &QPushButton::clicked, this, &DiagnosisSheet::silenceRequested);
+    connect(m_save, &QPushButton::clicked, this, [this] { Q_EMIT reportRequested(m_report); });
     connect(m_reopen, &QPushButton::clicked, this, [this] { Q_EMIT reopenRequested(m_peer); });
     connect(m_reopenAll, &QPushButton::clicked, this, &DiagnosisSheet::reopenAllRequested);
     connect(m_checks, &QPushButton::clicked, this, [this] { Q_EMIT probeRequested(m_peer); });
@@ -160,6 +182,12 @@ void DiagnosisSheet::connectActions()
 
 void DiagnosisSheet::focusChecks() { m_checks->setFocus(Qt::OtherFocusReason); }
 
+void DiagnosisSheet::showNote(const QString& note)
+{
+    m_note->setText(note);
+    m_note->setVisible(!note.isEmpty());
+}
+
 void DiagnosisSheet::setActions(const IncidentRecord& incident, const PromptContent& content)
 {
     m_fold->setText(content.healed ? tr("Close") : tr("Fold"));
@@ -175,8 +203,11 @@ void DiagnosisSheet::setActions(const IncidentRecord& incident, const PromptCont
 
 void DiagnosisSheet::setContent(const IncidentRecord& incident, const PromptContent& content)
 {
-    if (m_incident != incident.id)
+    if (m_incident != incident.id) {
         m_giveUpRow->hide(); // the question was about another link
+        showNote({});
+    }
+    m_report = promptReport(incident, content);
     m_incident = incident.id;
     m_peer = incident.peer;
     m_headline->setText(content.headline);
@@ -185,6 +216,8 @@ void DiagnosisSheet::setContent(const IncidentRecord& incident, const PromptCont
     m_directions->setText(content.directions);
     m_patient->setText(content.patient);
     setInk(m_patient, content.holdConfirmed ? colour::text : colour::bright);
+    m_call->setText(content.call);
+    m_call->setVisible(!content.call.isEmpty());
     m_rollCall->setLines(content.rollCall);
     m_seen->setText(content.picture + QLatin1Char('\n') + content.tip);
     m_cause->setText(content.tryFirst.isEmpty() ? content.likelyCause : content.likelyCause + QLatin1Char('\n') + content.tryFirst);

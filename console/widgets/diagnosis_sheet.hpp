@@ -24,12 +24,17 @@ public:
     quint64 incident() const { return m_incident; }
     void focusChecks();
 
+    /// What became of the report; until another incident is shown.
+    void showNote(const QString& note);
+
 Q_SIGNALS:
     void reopenRequested(quint32 peer);
     void reopenAllRequested();
     void probeRequested(quint32 peer);
     void dismissRequested(quint64 incident);
     void foldRequested(quint64 incident);
+    void silenceRequested();
+    void reportRequested(const QString& text);
 
 private:
     QWidget* makeHead();
@@ -41,18 +46,23 @@ private:
     void setActions(const IncidentRecord& incident, const PromptContent& content);
 
     quint64 m_incident = 0;
+    QString m_report;
     quint32 m_peer = 0;
     FigureLabel* m_since = nullptr;
     QLabel* m_headline = nullptr;
     QLabel* m_directions = nullptr;
     QLabel* m_flaps = nullptr;
+    QLabel* m_note = nullptr;
     QLabel* m_patient = nullptr;
+    QLabel* m_call = nullptr;
     RollCall* m_rollCall = nullptr;
     QLabel* m_seen = nullptr;
     QLabel* m_evidence = nullptr;
     QLabel* m_cause = nullptr;
     QLabel* m_lastTry = nullptr;
     SheetButton* m_fold = nullptr;
+    SheetButton* m_silence = nullptr;
+    SheetButton* m_save = nullptr;
     SheetButton* m_checks = nullptr;
     SheetButton* m_reopen = nullptr;
     SheetButton* m_reopenAll = nullptr;

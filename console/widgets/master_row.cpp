@@ -7,6 +7,8 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace console {
 
 using theme::TextRole;
@@ -14,6 +16,7 @@ namespace colour = theme::colour;
 
 namespace {
 
+constexpr int leastHeight = 24;    ///< pixels, so that it can be hit (WCAG 2.2, target size)
 constexpr double widestName = 320; ///< at the reference; what a device calls itself can be long
 
 bool lost(MasterLife life) { return life == MasterLife::Gone || life == MasterLife::Silent; }
@@ -55,7 +58,7 @@ QString MasterChip::name() const
 QSize MasterChip::sizeHint() const
 {
     const QFontMetrics metrics(font());
-    const int height = metrics.height() + theme::px(this, 6);
+    const int height = std::max(metrics.height() + theme::px(this, 6), leastHeight);
     return {height + metrics.horizontalAdvance(name()) + int(figuresWidth(font(), m_words)) + theme::px(this, 28), height};
 }
 

@@ -1,12 +1,14 @@
 // The bar's parts from left to right; what they show comes from the permit, the hand and the robot.
 #include "widgets/motion_bar.hpp"
 
+#include "widgets/figures.hpp"
 #include "widgets/guard_list.hpp"
 #include "widgets/hand_block.hpp"
 #include "widgets/hold_button.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/master_row.hpp"
 #include "widgets/permit_block.hpp"
+#include "widgets/small_button.hpp"
 #include "widgets/stop_button.hpp"
 
 #include <QHBoxLayout>
@@ -29,6 +31,8 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
       m_pedal(new HoldButton(this)),
       m_stop(new StopButton(this)),
       m_masters(new MasterRow(this)),
+      m_acceptForce(
+          new SmallButton({}, tr("Arm with this force"), tr("You have looked at it: the next arming is not refused for it"), this)),
       m_legend(plainLabel({}, TextRole::Caption, this))
 {
     setAccessibleName(tr("Motion"));
@@ -61,6 +65,7 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     auto* below = new QHBoxLayout;
     below->setSpacing(14);
     below->addWidget(m_masters);
+    below->addWidget(m_acceptForce);
     below->addWidget(m_legend, 1);
     column->addLayout(below);
     connectButtons();
@@ -71,6 +76,7 @@ void MotionBar::connectButtons()
     connect(m_arm, &HoldButton::holdChanged, this, &MotionBar::armHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
+    connect(m_acceptForce, &QPushButton::clicked, this, &MotionBar::forceAccepted);
     connect(m_stop, &QAbstractButton::pressed, this, [this] {
         Q_EMIT emergencyStopRequested(QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Button on the console's screen")));
     });
@@ -125,6 +131,15 @@ void MotionBar::refreshReset(Instant now)
     }
 }
 
+void MotionBar::refreshForce(Instant now)
+{
+    const InstrumentState& instrument = m_models.instrument;
+    const auto phase = m_models.permit.phase();
+    const bool armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
+    m_acceptForce->setVisible(!armed && instrument.mayAcceptForce(now));
+    m_acceptForce->setText(tr("Arm with %1").arg(figure(instrument.robot().value.guidewireForce, 2, tr("N"))));
+}
+
 void MotionBar::refresh(Instant now)
 {
     m_permit->setPermit(m_models.permit, now);
@@ -136,6 +151,7 @@ void MotionBar::refresh(Instant now)
     setPedalShown(m_models.xray.pedalDown());
     refreshArm(now);
     refreshReset(now);
+    refreshForce(now);
 }
 
 } // namespace console

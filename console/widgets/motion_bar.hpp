@@ -15,6 +15,7 @@ class HandBlock;
 class HoldButton;
 class MasterRow;
 class PermitBlock;
+class SmallButton;
 class StopButton;
 
 class MotionBar : public QFrame {
@@ -36,11 +37,13 @@ Q_SIGNALS:
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
     void masterChosen(console::MasterKind kind);
+    void forceAccepted();
 
 private:
     void connectButtons();
     void refreshArm(Instant now);
     void refreshReset(Instant now);
+    void refreshForce(Instant now);
 
     static constexpr std::chrono::milliseconds resetHold{1500};
 
@@ -53,6 +56,7 @@ private:
     HoldButton* m_pedal;
     StopButton* m_stop;
     MasterRow* m_masters;
+    SmallButton* m_acceptForce;
     QLabel* m_legend;
     QStackedLayout* m_armOrReset = nullptr;
     std::optional<Instant> m_resetSince;

@@ -13,8 +13,8 @@ PictureControls::PictureControls(DisplayState& display, QWidget* parent)
 {
     setAccessibleName(tr("Picture controls"));
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the picture decides on the width
-    m_rows->setContentsMargins(4, 2, 4, 2);
-    m_rows->setSpacing(2);
+    m_rows->setContentsMargins(4, 0, 4, 0);
+    m_rows->setSpacing(1);
     QBoxLayout* looks = new QHBoxLayout;
     QBoxLayout* tools = new QHBoxLayout;
     for (QBoxLayout* row : {looks, tools}) {

@@ -131,6 +131,10 @@ void PreferencesView::addGeneral(QVBoxLayout* column)
                         numbers(pauses, tr("%1 s")));
     m_span = addChoice(column, tr("Trends"), tr("The span that the trends begin with; their own button changes it at any time."),
                        {tr("60 s"), tr("10 min")});
+    m_patientSide = addText(column, tr("Patient side"), tr("How you call the people there; the prompt of a lost link shows it."),
+                            tr("name and telephone number"), Preferences::mostContact);
+    connect(m_patientSide, &QLineEdit::editingFinished, this,
+            [this] { ask([this](Preferences& p) { p.patientSide = m_patientSide->text().trimmed(); }); });
     connect(m_language, &ChoiceRow::chosen, this,
             [this](int i) { ask([i](Preferences& p) { p.language = preferenceLanguages().at(i); }); });
     connect(m_brightness, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.brightness = Brightness(i); }); });
@@ -141,7 +145,9 @@ void PreferencesView::addGeneral(QVBoxLayout* column)
 
 void PreferencesView::addPictures(QVBoxLayout* column)
 {
-    addFolder(column);
+    m_folder = addText(column, tr("Folder of pictures"),
+                       tr("Where \u201CSave\u201D under a picture writes to; Enter takes it. It is made when it is missing."),
+                       tr("liena, in your folder of pictures"), Preferences::mostFolder);
     m_rate = addChoice(column, tr("X-ray pulses"),
                        tr("Pictures per second while the pedal is down; the dose grows with them. A recorded run keeps its own rate."),
                        numbers(pulseRates, tr("%1 /s")));
@@ -155,6 +161,8 @@ void PreferencesView::addPictures(QVBoxLayout* column)
                            "less is mixed in where the age limit leaves no room."),
                         numbers(strengths, tr("%1 %")));
     m_edge = addChoice(column, tr("Edges"), tr("Enhancement of edges that pictures begin with."), numbers(strengths, tr("%1 %")));
+    connect(m_folder, &QLineEdit::editingFinished, this,
+            [this] { ask([this](Preferences& p) { p.pictureFolder = m_folder->text().trimmed(); }); });
     connect(m_rate, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.pulseRate = pulseRates.at(std::size_t(i)); }); });
     connect(m_window, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.window = WindowChoice(i); }); });
     connect(m_noise, &ChoiceRow::chosen, this,
@@ -162,30 +170,29 @@ void PreferencesView::addPictures(QVBoxLayout* column)
     connect(m_edge, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.edge = strengths.at(std::size_t(i)); }); });
 }
 
-void PreferencesView::addFolder(QVBoxLayout* column)
+QLineEdit* PreferencesView::addText(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QString& whenEmpty,
+                                    int mostLetters)
 {
     auto* row = new QHBoxLayout;
     row->setSpacing(12);
-    QLabel* title = plainLabel(tr("Folder of pictures"), TextRole::Strong, this);
+    QLabel* title = plainLabel(name, TextRole::Strong, this);
     setInk(title, colour::bright);
-    m_folder = new QLineEdit(this);
-    theme::setTextRole(m_folder, TextRole::Body);
-    m_folder->setAccessibleName(tr("Folder of pictures"));
-    m_folder->setPlaceholderText(tr("liena, in your folder of pictures"));
-    m_folder->setContextMenuPolicy(Qt::NoContextMenu);
-    m_folder->setMaxLength(Preferences::mostFolder);
+    auto* line = new QLineEdit(this);
+    theme::setTextRole(line, TextRole::Body);
+    line->setAccessibleName(name);
+    line->setPlaceholderText(whenEmpty);
+    line->setContextMenuPolicy(Qt::NoContextMenu);
+    line->setMaxLength(mostLetters);
     row->addWidget(title);
-    row->addWidget(m_folder, 1);
-    QLabel* explanation = plainLabel(tr("Where \u201CSave\u201D under a picture writes to; Enter takes it. It is made when it is missing."),
-                                     TextRole::Caption, this);
+    row->addWidget(line, 1);
+    QLabel* explanation = plainLabel(whatItDoes, TextRole::Caption, this);
     setInk(explanation, colour::secondary);
     auto* both = new QVBoxLayout;
     both->setSpacing(1);
     both->addLayout(row);
     both->addWidget(explanation);
     column->addLayout(both);
-    connect(m_folder, &QLineEdit::editingFinished, this,
-            [this] { ask([this](Preferences& p) { p.pictureFolder = m_folder->text().trimmed(); }); });
+    return line;
 }
 
 void PreferencesView::makeFoot(QVBoxLayout* column)
@@ -213,6 +220,7 @@ void PreferencesView::setPreferences(const Preferences& preferences)
     m_pause->setValue(placeOf(pauses, int(preferences.audioPause.count())), tr("%1 s").arg(preferences.audioPause.count()));
     m_span->setValue(int(preferences.trendSpan), preferences.trendSpan == TrendSpan::Minute ? tr("60 s") : tr("10 min"));
     m_folder->setText(preferences.pictureFolder);
+    m_patientSide->setText(preferences.patientSide);
     m_rate->setValue(placeOf(pulseRates, preferences.pulseRate), tr("%1 /s").arg(preferences.pulseRate));
     m_window->setValue(int(preferences.window), word(preferences.window));
     m_noise->setValue(placeOf(strengths, preferences.noiseReduction), tr("%1 %").arg(preferences.noiseReduction));
@@ -227,6 +235,7 @@ void PreferencesView::setReadOnly(const QString& why)
     for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge})
         row->setReadOnly(m_readOnly);
     m_folder->setReadOnly(m_readOnly);
+    m_patientSide->setReadOnly(m_readOnly);
     m_defaults->setEnabled(!m_readOnly);
 }
 

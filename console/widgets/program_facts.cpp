@@ -46,10 +46,7 @@ Fact masterFact(const HandState& hand)
 
 Fact soundFact(const ConsoleModels& models)
 {
-    const auto& alarms = models.alarms.alarms();
-    const bool failed = std::any_of(alarms.begin(), alarms.end(),
-                                    [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; });
-    if (failed)
+    if (models.alarms.stands(AlarmCondition::SoundFailed))
         return {Text::tr("Alarm sound"), Text::tr("DOES NOT WORK: see the alarm band")};
     if (models.selfTest.step() == AlarmSelfTest::Step::Failed)
         return {Text::tr("Alarm sound"), Text::tr("the last self-test was not confirmed")};

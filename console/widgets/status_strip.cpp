@@ -190,7 +190,6 @@ StatusStrip::StatusStrip(QWidget* parent)
     m_notice = plainLabel(tr("RESEARCH SYSTEM\nNOT A MEDICAL DEVICE"), TextRole::Caption, this);
     m_notice->setAccessibleName(tr("Research system, not a medical device"));
     m_patient->setValue(tr("No patient selected"));
-    m_recorder->setValue(tr("Not recording"));
     for (StripField* field : {m_patient, m_procedure, m_topology, m_role, m_recorder, m_clock})
         row->addWidget(field);
     row->addStretch(1);
@@ -204,6 +203,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     setProcedureTime(std::nullopt);
     setTopology({}, {});
     setRole({});
+    setRecorder(false);
     setWallClock(QStringLiteral("--:--:--"));
 }
 
@@ -213,6 +213,8 @@ void StatusStrip::setTopology(const QString& name, const QString& hash)
 }
 
 void StatusStrip::setRole(const QString& user) { m_role->setValue(user.isEmpty() ? tr("Not signed in") : user); }
+
+void StatusStrip::setRecorder(bool keeps) { m_recorder->setValue(keeps ? tr("Alarm log") : tr("Stopped")); }
 
 void StatusStrip::setRehearsal(bool rehearsal)
 {

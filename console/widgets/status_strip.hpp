@@ -71,6 +71,8 @@ public:
 
     void setTopology(const QString& name, const QString& hash);
     void setRole(const QString& user);
+    /// What is written down of the procedure.
+    void setRecorder(bool keeps);
     /// A recording stands for the live picture: said where the notice of a research system stands.
     void setRehearsal(bool rehearsal);
     void setWallClock(const QString& time);

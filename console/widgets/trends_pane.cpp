@@ -54,6 +54,12 @@ TrendsPane::TrendsPane(const TrendBook& book, QWidget* parent) : QFrame(parent),
     connect(m_spanButton, &QPushButton::clicked, this, &TrendsPane::toggleSpan);
 }
 
+TrendsPane::Description TrendsPane::describe(TrendFigure figure)
+{
+    const Row& row = rows.at(static_cast<std::size_t>(figure));
+    return {tr(row.name), QString::fromLatin1(row.unit), row.decimals};
+}
+
 void TrendsPane::toggleSpan() { setSpan(m_span == TrendSpan::Minute ? TrendSpan::TenMinutes : TrendSpan::Minute); }
 
 void TrendsPane::setSpan(TrendSpan span)

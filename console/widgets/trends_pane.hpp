@@ -19,6 +19,14 @@ public:
         std::optional<double> pictureAgeMs; ///< as the procedure's profile allows
     };
 
+    /// How a figure is written.
+    struct Description {
+        QString name;
+        QString unit;
+        int decimals = 0;
+    };
+    static Description describe(TrendFigure figure);
+
     explicit TrendsPane(const TrendBook& book, QWidget* parent = nullptr);
 
     void refresh(const Limits& limits, Instant now);

@@ -33,6 +33,7 @@ struct Options {
     bool noLossy = false;
     bool noReduction = false;
     std::optional<double> start;
+    bool twoPersons = false;
     bool verbose = false;
     std::string logFormat = "text";
 };
@@ -44,6 +45,8 @@ While it runs, the person beside the device may type a line:
   close NAME         close a channel in order
   dismiss [NAME [REASON]]  give an incident up, because a device will not return
   stop [REASON]      EMERGENCY STOP: of the robot itself, or sent to the linked robot
+  clear              clear to arm: the surgeon may arm the robot (robot with --two-person)
+  wait               take that back; a robot that is armed holds
   status             one line per link and incident
 
 The arm and the X-ray system open their link to the robot by themselves and try again every second. A lost
@@ -158,6 +161,11 @@ XrayOptions xrayOptions(const Options& options)
     return {pictureSource(options), encoding, quality, reduction, {}};
 }
 
+RobotOptions robotOptions(const Options& options)
+{
+    return {options.start, options.seed, options.twoPersons ? ArmingRule::TwoPersons : ArmingRule::OnePerson};
+}
+
 // Runs the device from here to SIGTERM or SIGINT.
 template <typename Device>
 void run(DistributedSystem& system, Device& device, const sigset_t& ends)
@@ -191,7 +199,7 @@ void runRole(const std::string& role, Options& options, const sigset_t& ends)
     const VesselTree vessels = vesselsOf(options);
     const auto system = orDie(DistributedSystem::create(options.settings));
     if (role == "robot")
-        run(*system, *orDie(RobotDevice::create(*system, vessels, {options.start, options.seed}, log)), ends);
+        run(*system, *orDie(RobotDevice::create(*system, vessels, robotOptions(options), log)), ends);
     else
         run(*system, *orDie(ArmDevice::create(*system, log)), ends);
 }
@@ -229,6 +237,8 @@ int main(int argc, char** argv)
     addVesselOption(*xray, options);
     robot->add_option("--start", options.start, "Where the guidewire's tip is at the start, in mm along its way; default two thirds of it")
         ->check(CLI::Range(0.0, 1500.0));
+    robot->add_flag("--two-person", options.twoPersons,
+                    "The robot can be armed only after the person beside it has typed clear; again after each stand-by, stop and fault");
     addPictureOptions(*xray, options);
     try {
         program.parse(argc, argv);

@@ -85,8 +85,12 @@ std::string describe(const SessionEvent& event, const SystemTopology& topology)
 }
 
 PatientSide::PatientSide(DistributedSystem& system, LogSink log, std::vector<DeviceId> keptOpen,
-                         std::function<void(std::string_view)> emergencyStop)
-    : m_system(system), m_log(std::move(log)), m_keeper(system.self().id, keptOpen), m_emergencyStop(std::move(emergencyStop))
+                         std::function<void(std::string_view)> emergencyStop, std::function<void(bool given)> clearance)
+    : m_system(system),
+      m_log(std::move(log)),
+      m_keeper(system.self().id, keptOpen),
+      m_emergencyStop(std::move(emergencyStop)),
+      m_clearance(std::move(clearance))
 {
     m_system.subscribe([this](const SessionEvent& event) {
         m_keeper.handle(event, std::chrono::steady_clock::now());
@@ -173,6 +177,11 @@ void PatientSide::carryOut(const PersonCommand& command)
         return tellStatus();
     case PersonAction::EmergencyStop:
         return m_emergencyStop(command.reason.empty() ? "stop at the patient's side" : command.reason);
+    case PersonAction::ClearToArm:
+    case PersonAction::Wait:
+        if (!m_clearance)
+            return m_log(LogLevel::Warning, "this device is not armed; say so at the robot");
+        return m_clearance(command.action == PersonAction::ClearToArm);
     case PersonAction::Dismiss:
         return dismiss(command);
     case PersonAction::Open:

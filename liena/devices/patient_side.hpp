@@ -17,9 +17,9 @@ namespace liena::devices {
 /// Made before the system starts, outlives its run; everything but obey() is on the network thread.
 class PatientSide {
 public:
-    /// `emergencyStop`: what `stop` typed here does.
-    PatientSide(DistributedSystem& system, LogSink log, std::vector<DeviceId> keptOpen,
-                std::function<void(std::string_view)> emergencyStop);
+    /// `emergencyStop`: what `stop` typed here does; `clearance`: what `clear` and `wait` do, and nothing for a device that is not armed.
+    PatientSide(DistributedSystem& system, LogSink log, std::vector<DeviceId> keptOpen, std::function<void(std::string_view)> emergencyStop,
+                std::function<void(bool given)> clearance = {});
 
     /// Any thread: a line typed by the person.
     void obey(std::string_view line);
@@ -46,6 +46,7 @@ private:
     LogSink m_log;
     LinkKeeper m_keeper;
     std::function<void(std::string_view)> m_emergencyStop;
+    std::function<void(bool given)> m_clearance;
     std::map<DeviceId, std::string> m_failures; ///< what was last said of an opening that failed: it is tried every second
 };
 

@@ -49,8 +49,14 @@ std::optional<PersonCommand> parsePersonCommand(std::string_view line)
     }
     if (verb == "stop")
         return PersonCommand{PersonAction::EmergencyStop, {}, std::string(rest)};
-    if (verb == "status" && rest.empty())
-        return PersonCommand{PersonAction::Status, {}, {}};
+    if (rest.empty()) {
+        if (verb == "status")
+            return PersonCommand{PersonAction::Status, {}, {}};
+        if (verb == "clear")
+            return PersonCommand{PersonAction::ClearToArm, {}, {}};
+        if (verb == "wait")
+            return PersonCommand{PersonAction::Wait, {}, {}};
+    }
     return std::nullopt;
 }
 

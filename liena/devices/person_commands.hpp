@@ -8,7 +8,7 @@
 
 namespace liena::devices {
 
-enum class PersonAction : std::uint8_t { Open, ReOpen, Close, Dismiss, Status, EmergencyStop };
+enum class PersonAction : std::uint8_t { Open, ReOpen, Close, Dismiss, Status, EmergencyStop, ClearToArm, Wait };
 
 struct PersonCommand {
     PersonAction action = PersonAction::Status;
@@ -17,7 +17,7 @@ struct PersonCommand {
 };
 
 inline constexpr std::string_view personCommandHelp =
-    "open NAME | reopen NAME | close NAME | dismiss [NAME [REASON]] | stop [REASON] | status";
+    "open NAME | reopen NAME | close NAME | dismiss [NAME [REASON]] | stop [REASON] | clear | wait | status";
 
 /// Nothing when the line is none of them.
 std::optional<PersonCommand> parsePersonCommand(std::string_view line);

@@ -27,9 +27,10 @@ RobotDevice::RobotDevice(DistributedSystem& system, const VesselTree& tree, cons
     : m_system(system),
       m_log(log),
       m_gate(DriveLimits::forWay(VesselWay(tree).length())),
-      m_machine(randomPermit()),
+      m_machine(randomPermit(), options.arming),
       m_body(VesselWay(tree), options.start.value_or(VesselWay(tree).length() * 0.65), options.seed),
-      m_patientSide(system, log, {}, [this](std::string_view reason) { stopLocally(reason); })
+      m_patientSide(
+          system, log, {}, [this](std::string_view reason) { stopLocally(reason); }, [this](bool given) { sayClearance(given); })
 {}
 
 Result<std::unique_ptr<RobotDevice>> RobotDevice::create(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options,
@@ -219,6 +220,15 @@ void RobotDevice::stopLocally(std::string_view reason)
     handle(EmergencyStopCommanded{(std::uint64_t{entropy()} << 32U | entropy()) | 1U});
     m_system.audit("emergency-stop", m_system.self().name, reason);
     m_log(LogLevel::Error, "emergency stop here: " + printable(reason, 128));
+}
+
+void RobotDevice::sayClearance(bool given)
+{
+    if (!handle(ClearanceSaid{given}))
+        return;
+    const std::string_view said = given ? "clear to arm" : "wait: the robot cannot be armed";
+    m_system.audit("clearance", m_system.self().name, said);
+    m_log(LogLevel::Info, std::string(said) + ", says the person beside the robot");
 }
 
 void RobotDevice::onReset(const Message& message) { handle(ResetCommanded{message.origin(), message.get<std::uint64_t>("token")}); }

@@ -15,6 +15,7 @@ namespace liena::devices {
 struct RobotOptions {
     std::optional<double> start; ///< mm along the way; absent: two thirds of it
     std::uint64_t seed = 1;
+    ArmingRule arming = ArmingRule::OnePerson;
 };
 
 /// Made before the system starts, outlives its run; everything but obey() runs on the network thread.
@@ -44,6 +45,7 @@ private:
     void actOnDrives(RobotActions::Drives drives, const MotionCommanded* motion, SteadyTime now);
     void control();
     void stopLocally(std::string_view reason);
+    void sayClearance(bool given);
     void publishStatus();
     void publishDrives();
     void publishTip();

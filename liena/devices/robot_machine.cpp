@@ -57,6 +57,12 @@ void RobotMachine::leaveMotion()
     m_heardCommand = false;
 }
 
+void RobotMachine::endClearance()
+{
+    if (m_clearance == Clearance::Given)
+        m_clearance = Clearance::Awaited;
+}
+
 void RobotMachine::enterHold(std::string_view reason, SteadyTime now)
 {
     m_holdSince = now;
@@ -83,7 +89,10 @@ void RobotMachine::settle(SteadyTime now)
     }
 }
 
-bool RobotMachine::mayBeReady() const { return m_still && m_healthy && !m_standBy && !m_cockpits.empty(); }
+bool RobotMachine::mayBeReady() const
+{
+    return m_still && m_healthy && !m_standBy && !m_cockpits.empty() && m_clearance != Clearance::Awaited;
+}
 
 bool RobotMachine::mayArm(const ArmRequested& event)
 {
@@ -92,7 +101,8 @@ bool RobotMachine::mayArm(const ArmRequested& event)
     else if (permitsMotion())
         refuse(m_owner == event.origin ? "already armed" : "another cockpit has armed");
     else if (m_state != RobotState::Ready)
-        refuse("not ready: it must hold, be healthy and not stand by");
+        refuse(m_clearance == Clearance::Awaited ? "the person beside the robot has not said that it may be armed"
+                                                 : "not ready: it must hold, be healthy and not stand by");
     else if (event.permit != m_permit)
         refuse("the permit is not the present one");
     else
@@ -184,6 +194,7 @@ void RobotMachine::on(const EmergencyStopCommanded& event, SteadyTime)
     }
     if (m_state == RobotState::EmergencyStop)
         return;
+    endClearance();
     leaveMotion();
     m_actions.drives = RobotActions::Drives::Cut;
     m_actions.revokeControl = true;
@@ -222,6 +233,7 @@ void RobotMachine::on(const SessionLost& event, SteadyTime now)
 void RobotMachine::on(const StandByBegan&, SteadyTime now)
 {
     m_standBy = true;
+    endClearance();
     if (permitsMotion())
         enterHold("the system stands by", now);
 }
@@ -261,6 +273,7 @@ void RobotMachine::on(const DrivesChecked& event, SteadyTime now)
     m_healthy = event.healthy;
     const bool running = m_state != RobotState::Off && m_state != RobotState::EmergencyStop;
     if (running && !m_healthy && m_state != RobotState::Fault) {
+        endClearance();
         enterHold("a drive has failed", now);
         m_fault = RobotFault::Drive;
         m_state = RobotState::Fault;
@@ -273,6 +286,18 @@ void RobotMachine::on(const SwitchedOn&, SteadyTime now)
 {
     if (m_state == RobotState::Off)
         enterHold("switched on", now);
+}
+
+void RobotMachine::on(const ClearanceSaid& event, SteadyTime now)
+{
+    if (m_clearance == Clearance::NotAsked)
+        return refuse("this robot does not wait for a second person");
+    const bool mayBeGiven = m_state == RobotState::Hold && !m_standBy;
+    if (event.given && m_clearance == Clearance::Awaited && !mayBeGiven)
+        return refuse("not while the robot is off, stopped or faulty, or the system stands by");
+    m_clearance = event.given ? Clearance::Given : Clearance::Awaited;
+    if (!event.given && permitsMotion())
+        enterHold("the person beside the robot withdrew the word to arm", now);
 }
 
 void RobotMachine::on(const Ticked&, SteadyTime now)

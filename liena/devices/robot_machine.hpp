@@ -24,6 +24,12 @@ std::string_view toString(RobotState state);
 /// The numbers are those of `fault_code` in RobotStatus.
 enum class RobotFault : std::uint16_t { None = 0, ForceStop = 1, Drive = 2, Watchdog = 3, CommandStreamLost = 4 };
 
+/// The numbers are those of `Clearance` in the robot's message set.
+enum class Clearance : std::uint8_t { NotAsked = 0, Awaited = 1, Given = 2 };
+
+/// Whether the robot can be armed without a word of the person beside it.
+enum class ArmingRule : std::uint8_t { OnePerson, TwoPersons };
+
 struct ArmRequested {
     DeviceId origin;
     std::uint32_t permit = 0;
@@ -71,11 +77,14 @@ struct DrivesChecked {
     bool still = true;
 };
 struct SwitchedOn {};
+struct ClearanceSaid { ///< by the person beside the robot
+    bool given = false;
+};
 struct Ticked {};
 
 using RobotEvent = std::variant<ArmRequested, ReleaseRequested, MotionCommanded, GripperCommanded, InjectionCommanded,
                                 EmergencyStopCommanded, ResetCommanded, SessionOpened, SessionLost, StandByBegan, StandByEnded,
-                                ProcessStalled, GateStopped, DrivesChecked, SwitchedOn, Ticked>;
+                                ProcessStalled, GateStopped, DrivesChecked, SwitchedOn, ClearanceSaid, Ticked>;
 
 /// What the caller has to do after an event, in this order.
 struct RobotActions {
@@ -103,6 +112,8 @@ struct RobotActions {
 ///                      └───────────────────────────────────────────│─┴──► Engaged ─────┘
 ///    EmergencyStop: from every state at once; Hold when every stop in force was reset by its token.
 ///    Fault: from every state but EmergencyStop and Off when a drive fails; Hold when the drives are healthy again.
+///    With TwoPersons the robot is Ready only while the person beside it says that it may be armed. That word ends with stand-by, an
+///    emergency stop and a fault, and must then be said again.
 ///
 /// A permit is new at each entry into Hold. Pure: no I/O and no clock.
 class RobotMachine {
@@ -116,7 +127,9 @@ public:
     /// Hold lasts at least this long, so that every listener of the status sees it.
     static constexpr std::chrono::milliseconds leastHold{200};
 
-    explicit RobotMachine(std::uint32_t firstPermit = 1) : m_permit(firstPermit - 1) {}
+    explicit RobotMachine(std::uint32_t firstPermit = 1, ArmingRule rule = ArmingRule::OnePerson)
+        : m_permit(firstPermit - 1), m_clearance(rule == ArmingRule::TwoPersons ? Clearance::Awaited : Clearance::NotAsked)
+    {}
 
     RobotActions handle(const RobotEvent& event, SteadyTime now);
 
@@ -126,6 +139,7 @@ public:
     bool engaged() const { return m_state == RobotState::Engaged; }
     bool holdConfirmed() const { return m_holdConfirmed; }
     RobotFault fault() const { return m_fault; }
+    Clearance clearance() const { return m_clearance; }
     std::uint64_t emergencyStopToken() const { return m_stops.empty() ? 0 : m_stops.back(); }
     std::uint32_t lastSequence() const { return m_lastSequence; }
     std::uint64_t appliedCommands() const { return m_applied; }
@@ -150,6 +164,7 @@ private:
     void on(const GateStopped& event, SteadyTime now);
     void on(const DrivesChecked& event, SteadyTime now);
     void on(const SwitchedOn& event, SteadyTime now);
+    void on(const ClearanceSaid& event, SteadyTime now);
     void on(const Ticked& event, SteadyTime now);
 
     bool permitsMotion() const { return m_state == RobotState::Armed || m_state == RobotState::Engaged; }
@@ -160,6 +175,7 @@ private:
     void refuse(std::string_view reason);
     void enterHold(std::string_view reason, SteadyTime now);
     void leaveMotion();
+    void endClearance();
     void settle(SteadyTime now);
 
     RobotState m_state = RobotState::Off;
@@ -176,6 +192,7 @@ private:
     bool m_still = true;
     bool m_holdConfirmed = false;
     RobotFault m_fault = RobotFault::None;
+    Clearance m_clearance;
     std::uint32_t m_lastSequence = 0;
     std::uint64_t m_applied = 0;
     std::uint64_t m_refused = 0;

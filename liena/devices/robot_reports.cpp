@@ -47,6 +47,7 @@ void RobotDevice::publishStatus()
     status.set("catheter_gripper_closed", m_body.gripperClosed(Gripper::Catheter));
     status.set("limit_switches", limitSwitches()).set("contrast_remaining", within(m_injector.remaining(), 0, 500));
     status.set("emergency_stop_token", m_machine.emergencyStopToken()).set("fault_code", m_machine.fault());
+    status.set("clear_to_arm", m_machine.clearance());
     m_system.publish(status);
 }
 

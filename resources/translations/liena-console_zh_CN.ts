@@ -23,6 +23,14 @@
         <source>%1 asks for TLS: give --certificate, --key and --authority</source>
         <translation>%1 要求 TLS：请给出 --certificate、--key 和 --authority</translation>
     </message>
+    <message>
+        <source>%1 of %2 is not shown: this console works with %3</source>
+        <translation>不显示 %2 的 %1：本控制台使用 %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 is not shown: it is no device of that kind</source>
+        <translation>不显示 %2 的 %1：它不是该类设备</translation>
+    </message>
 </context>
 <context>
     <name>console::AboutView</name>
@@ -450,6 +458,10 @@
         <source>Use the stop at the patient side now. This console goes on asking.</source>
         <translation>请立即使用患者端的急停。本控制台将继续发送请求。</translation>
     </message>
+    <message>
+        <source>Fluoroscopy has reached %1 min</source>
+        <translation>透视已达 %1 min</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>
@@ -644,6 +656,14 @@
         <source>picture as asked for again, in rate and encoding</source>
         <translation>图像的帧率和编码已恢复到所要求的水平</translation>
     </message>
+    <message>
+        <source>report saved: %1</source>
+        <translation>报告已保存：%1</translation>
+    </message>
+    <message>
+        <source>Report saved: %1</source>
+        <translation>报告已保存：%1</translation>
+    </message>
 </context>
 <context>
     <name>console::CockpitControl</name>
@@ -658,6 +678,14 @@
     <message>
         <source>: %1</source>
         <translation>：%1</translation>
+    </message>
+    <message>
+        <source>force of %1 N accepted for the next arming by %2</source>
+        <translation>%2 已接受 %1 N 的力，用于下一次解锁</translation>
+    </message>
+    <message>
+        <source>the operator</source>
+        <translation>操作者</translation>
     </message>
 </context>
 <context>
@@ -695,12 +723,12 @@
         <translation>Esc 急停 · F12 保持</translation>
     </message>
     <message>
-        <source>F8 alarm test · F9 audio pause · F1 cockpit · F2 topology · F4 log</source>
-        <translation>F8 报警自检 · F9 暂停报警声 · F1 驾驶舱 · F2 拓扑 · F4 日志</translation>
-    </message>
-    <message>
         <source>F6 preferences · F7 screens · F10 F11 change places</source>
         <translation>F6 首选项 · F7 屏幕 · F10 F11 互换位置</translation>
+    </message>
+    <message>
+        <source>F8 alarm test · F9 audio pause · F1 cockpit · F2 topology · F3 plots · F4 log</source>
+        <translation>F8 报警自检 · F9 暂停报警声 · F1 驾驶舱 · F2 拓扑 · F3 曲线 · F4 日志</translation>
     </message>
 </context>
 <context>
@@ -784,6 +812,22 @@
     <message>
         <source>Close this sheet</source>
         <translation>关闭此提示单</translation>
+    </message>
+    <message>
+        <source>Silence</source>
+        <translation>静音</translation>
+    </message>
+    <message>
+        <source>Pause the alarm sound, or let it sound again: F9</source>
+        <translation>暂停报警声，或恢复：F9</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Save what this sheet says as a file</source>
+        <translation>把此面板的内容保存为文件</translation>
     </message>
 </context>
 <context>
@@ -1072,6 +1116,10 @@
         <source>The picture is refused: %1.</source>
         <translation>图像被拒绝：%1。</translation>
     </message>
+    <message>
+        <source>it is the same as the one before it, though it says that it is new</source>
+        <translation>它与前一幅完全相同，却自称是新的</translation>
+    </message>
 </context>
 <context>
     <name>console::GamePadMaster</name>
@@ -1296,6 +1344,46 @@
     <message>
         <source>Read &quot;While you were away&quot;</source>
         <translation>请阅读“中断期间”</translation>
+    </message>
+    <message>
+        <source>Force %1 N, accepted</source>
+        <translation>力 %1 N，已接受</translation>
+    </message>
+    <message>
+        <source>Commands are quick</source>
+        <translation>命令往返及时</translation>
+    </message>
+    <message>
+        <source>Commands take %1 ms there and back</source>
+        <translation>命令往返需 %1 ms</translation>
+    </message>
+    <message>
+        <source>Round trip not yet measured</source>
+        <translation>往返时间尚未测得</translation>
+    </message>
+    <message>
+        <source>Patient side: clear to arm</source>
+        <translation>患者端：允许解锁</translation>
+    </message>
+    <message>
+        <source>One person may arm</source>
+        <translation>可由一人解锁</translation>
+    </message>
+    <message>
+        <source>Patient side has not said &quot;clear&quot;</source>
+        <translation>患者端尚未允许解锁</translation>
+    </message>
+    <message>
+        <source>Patient side&apos;s word is not known</source>
+        <translation>患者端是否允许未知</translation>
+    </message>
+    <message>
+        <source>Alarm log is kept</source>
+        <translation>报警日志正在保存</translation>
+    </message>
+    <message>
+        <source>Alarm log is not kept</source>
+        <translation>报警日志未保存</translation>
     </message>
 </context>
 <context>
@@ -2291,6 +2379,22 @@
         <source>hold to image</source>
         <translation>按住以成像</translation>
     </message>
+    <message>
+        <source>Arm with this force</source>
+        <translation>带此力解锁</translation>
+    </message>
+    <message>
+        <source>You have looked at it: the next arming is not refused for it</source>
+        <translation>您已查看：下一次解锁不会因它被拒绝</translation>
+    </message>
+    <message>
+        <source>Arm with %1</source>
+        <translation>带 %1 解锁</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
 </context>
 <context>
     <name>console::MotionPermit</name>
@@ -2676,20 +2780,28 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>AGE %1  NET %2  PROC %3  %4 fps</source>
-        <translation>时龄 %1  网络 %2  处理 %3  %4 fps</translation>
-    </message>
-    <message>
-        <source>AGE 8888 ±88 ms  NET 888  PROC 888  88 fps</source>
-        <translation>时龄 8888 ±88 ms  网络 888  处理 888  88 fps</translation>
-    </message>
-    <message>
         <source> %1 s</source>
         <translation> %1 s</translation>
     </message>
     <message>
         <source>Picture of %1</source>
         <translation>图像时刻 %1</translation>
+    </message>
+    <message>
+        <source>AGE %1  NET %2  PROC %3  %4</source>
+        <translation>时龄 %1  网络 %2  处理 %3  %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fps</source>
+        <translation>%1/%2 fps</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 fps</translation>
+    </message>
+    <message>
+        <source>AGE 8888 ±88 ms  NET 888  PROC 888  88 of 88 fps</source>
+        <translation>时龄 8888 ±88 ms  网络 888  处理 888  88/88 fps</translation>
     </message>
 </context>
 <context>
@@ -2740,6 +2852,72 @@
     <message>
         <source>The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).</source>
         <translation>无法创建文件夹 %1。请用 --pictures 或在首选项 (F6) 中指定另一个。</translation>
+    </message>
+</context>
+<context>
+    <name>console::PictureStages</name>
+    <message>
+        <source>way to here</source>
+        <translation>到此的途程</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待</translation>
+    </message>
+    <message>
+        <source>decoding</source>
+        <translation>解码</translation>
+    </message>
+    <message>
+        <source>filters</source>
+        <translation>滤波</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>窗宽窗位</translation>
+    </message>
+    <message>
+        <source>filter&apos;s delay</source>
+        <translation>滤波延迟</translation>
+    </message>
+</context>
+<context>
+    <name>console::PlotsView</name>
+    <message>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Leave the plots</source>
+        <translation>离开曲线</translation>
+    </message>
+    <message>
+        <source>Where the picture&apos;s age comes from: median and 99th percentile of the last minute</source>
+        <translation>图像时龄的来源：最近一分钟的中位数和第 99 百分位</translation>
+    </message>
+    <message>
+        <source>How the figures lay</source>
+        <translation>各项数值的分布</translation>
+    </message>
+    <message>
+        <source>60 s, median</source>
+        <translation>60 s，中位数</translation>
+    </message>
+    <message>
+        <source>60 s, 99 %</source>
+        <translation>60 s，99 %</translation>
+    </message>
+    <message>
+        <source>10 min, median</source>
+        <translation>10 min，中位数</translation>
+    </message>
+    <message>
+        <source>10 min, 99 %</source>
+        <translation>10 min，99 %</translation>
     </message>
 </context>
 <context>
@@ -2798,6 +2976,10 @@
     <message>
         <source>%1 cannot be written: this choice lasts for this run only. Look at the folder&apos;s permissions and the disk.</source>
         <translation>无法写入 %1：此选择仅在本次运行中有效。请检查文件夹权限和磁盘。</translation>
+    </message>
+    <message>
+        <source>one short line</source>
+        <translation>一行短文字</translation>
     </message>
 </context>
 <context>
@@ -2952,6 +3134,18 @@
     <message>
         <source>%1 /s</source>
         <translation>%1 /s</translation>
+    </message>
+    <message>
+        <source>Patient side</source>
+        <translation>患者端</translation>
+    </message>
+    <message>
+        <source>How you call the people there; the prompt of a lost link shows it.</source>
+        <translation>如何呼叫那里的人员；链路丢失的提示会显示它。</translation>
+    </message>
+    <message>
+        <source>name and telephone number</source>
+        <translation>姓名和电话号码</translation>
     </message>
 </context>
 <context>
@@ -3358,6 +3552,34 @@
     <message>
         <source>Not known yet. LiENa connects again by itself; if it cannot, the system stands by and this prompt says more.</source>
         <translation>尚不清楚。LiENa 正自行重新连接；若不成功，系统将待机，本提示单会给出更多说明。</translation>
+    </message>
+    <message>
+        <source>How to call the patient side is not set up: preferences, F6</source>
+        <translation>患者端的呼叫方式未设置：首选项，F6</translation>
+    </message>
+    <message>
+        <source>Call the patient side: %1</source>
+        <translation>呼叫患者端：%1</translation>
+    </message>
+    <message>
+        <source>holds, %1 ms after the loss</source>
+        <translation>保持，丢失后 %1 ms</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>NOT CONFIRMED</source>
+        <translation>未获确认</translation>
+    </message>
+    <message>
+        <source>Began %1, incident %2</source>
+        <translation>开始于 %1，事件 %2</translation>
     </message>
 </context>
 <context>
@@ -4151,10 +4373,6 @@ NOT A MEDICAL DEVICE</source>
         <translation>未选择患者</translation>
     </message>
     <message>
-        <source>Not recording</source>
-        <translation>未记录</translation>
-    </message>
-    <message>
         <source>None loaded</source>
         <translation>未加载</translation>
     </message>
@@ -4187,6 +4405,14 @@ NOT A MEDICAL DEVICE</source>
     <message>
         <source>What this is, its version, and the licences of its parts</source>
         <translation>本软件是什么、其版本及组成部分的许可证</translation>
+    </message>
+    <message>
+        <source>Alarm log</source>
+        <translation>报警日志</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
     </message>
 </context>
 <context>
@@ -4253,6 +4479,10 @@ NOT A MEDICAL DEVICE</source>
     <message>
         <source>Esc key on the console&apos;s further screen</source>
         <translation>控制台另一屏幕上的 Esc 键</translation>
+    </message>
+    <message>
+        <source>pictures of %1 are not shown: this console works with %2</source>
+        <translation>不显示 %1 的图像：本控制台使用 %2</translation>
     </message>
 </context>
 <context>
@@ -4440,6 +4670,37 @@ known here</source>
     <message>
         <source>its watchdog does not answer</source>
         <translation>其看门狗无响应</translation>
+    </message>
+</context>
+<context>
+    <name>console::Waterfall</name>
+    <message>
+        <source>Where the picture&apos;s age comes from</source>
+        <translation>图像时龄的来源</translation>
+    </message>
+    <message>
+        <source>age at the paint</source>
+        <translation>绘制时的时龄</translation>
+    </message>
+    <message>
+        <source>%1: median %2, 99th percentile %3</source>
+        <translation>%1：中位数 %2，第 99 百分位 %3</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>No picture in the last minute</source>
+        <translation>最近一分钟没有图像</translation>
+    </message>
+    <message>
+        <source>000.0 / 0000.0 ms</source>
+        <translation>000.0 / 0000.0 ms</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>

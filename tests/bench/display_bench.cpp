@@ -13,6 +13,7 @@
 #include <charls/charls.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <random>
@@ -33,9 +34,9 @@ struct Kind {
 };
 
 // A smooth picture with the noise of few quanta, as fluoroscopy has.
-std::vector<std::byte> filmBytes(const Kind& kind)
+std::vector<std::byte> filmBytes(const Kind& kind, unsigned seed)
 {
-    std::mt19937 random(7);
+    std::mt19937 random(seed);
     std::normal_distribution<double> noise(0, 0.01);
     const double largest = (1 << kind.bits) - 1;
     std::vector<std::byte> raw;
@@ -58,9 +59,9 @@ std::vector<std::byte> filmBytes(const Kind& kind)
     return bytes;
 }
 
-XrayFrame filmFrame(const Kind& kind)
+XrayFrame filmFrame(const Kind& kind, unsigned seed = 7)
 {
-    const auto bytes = std::make_shared<const std::vector<std::byte>>(filmBytes(kind));
+    const auto bytes = std::make_shared<const std::vector<std::byte>>(filmBytes(kind, seed));
     XrayFrame frame;
     frame.rows = frame.columns = kind.edge;
     frame.bitsStored = kind.bits;
@@ -142,14 +143,14 @@ void measureWhole(const Kind& kind, std::chrono::milliseconds span)
     scene.resize(562, 562);
     view.show();
     scene.show();
-    const XrayFrame film = filmFrame(kind);
+    const std::array film{filmFrame(kind, 7), filmFrame(kind, 8)}; // in turn: the same one twice would be refused
     const Instant begun = std::chrono::steady_clock::now();
     std::thread sender([&] {
         const auto period = std::chrono::nanoseconds(std::chrono::seconds(1)) / kind.framesPerSecond;
         Instant due = begun;
         for (quint32 number = 1; due < begun + span; ++number, due += period) {
             std::this_thread::sleep_until(due);
-            auto frame = std::make_shared<XrayFrame>(film);
+            auto frame = std::make_shared<XrayFrame>(film[number % 2]);
             frame->frame = number;
             frame->captureNs = static_cast<quint64>(period.count()) * number;
             frame->arrival = std::chrono::steady_clock::now();

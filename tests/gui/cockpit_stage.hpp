@@ -6,6 +6,7 @@
 #include "invented_cockpit.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/log_view.hpp"
+#include "widgets/plots_view.hpp"
 #include "widgets/theme.hpp"
 
 #include <QTest>
@@ -32,6 +33,7 @@ struct CockpitStage {
         window.setMiniTopology(mini);
         window.setTopologyView(topology);
         window.setLogView(log);
+        window.addView(View::Plots, new PlotsView(cockpit.models));
         QObject::connect(mini, &TopologyCanvas::chosen, &window, [this] { window.showView(View::Topology); });
         window.resize(size);
         window.show();

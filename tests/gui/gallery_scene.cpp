@@ -10,6 +10,7 @@
 #include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
+#include "widgets/plots_view.hpp"
 #include "widgets/preferences_view.hpp"
 #include "widgets/review_controls.hpp"
 #include "widgets/screens_view.hpp"
@@ -150,6 +151,8 @@ std::vector<GalleryState> galleryStates()
              c.models.incidents.setFolded(0xf1a9, true);
              w.showView(console::View::Topology);
          }},
+        {"plots", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), w.showView(console::View::Plots); }},
+        {"restingforce", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.testAlarms(), c.restWithForce(); }},
         {"start", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Start); }},
         {"about", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::About); }},
         {"preferences", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Preferences); }},
@@ -205,6 +208,7 @@ GalleryScene::GalleryScene(const QSize& size) : m_panes(std::make_unique<Picture
     const console::ProgramFacts program{QStringLiteral("0.9.0"), QStringLiteral("Dr Invented"),
                                         QStringLiteral("/usr/share/doc/liena/OPERATING.md")};
     m_window.addView(console::View::Start, new console::StartView(m_cockpit.models, program));
+    m_window.addView(console::View::Plots, new console::PlotsView(m_cockpit.models));
     m_window.addView(console::View::Screens, new console::ScreensView);
     m_window.addView(console::View::Preferences, new console::PreferencesView);
     m_window.addView(console::View::About, new console::AboutView(m_cockpit.models, program));

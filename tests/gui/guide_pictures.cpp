@@ -135,7 +135,7 @@ private:
     bool views()
     {
         m_theatre.readAccount();
-        for (const auto& [key, name] : {std::pair{Qt::Key_F2, "topology"}, std::pair{Qt::Key_F4, "log"},
+        for (const auto& [key, name] : {std::pair{Qt::Key_F2, "topology"}, std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"},
                                         std::pair{Qt::Key_F6, "preferences"}, std::pair{Qt::Key_F7, "screens"}}) {
             QTest::keyClick(&m_theatre.window(), key);
             if (!take(name))

@@ -41,6 +41,7 @@ InventedCockpit::InventedCockpit()
                         node(xrayId, "xray", "C-arm X-ray", "patient", 52130)};
     topology.links = {{cockpitId, robotId}, {cockpitId, armId}, {cockpitId, xrayId}, {armId, robotId}, {xrayId, robotId}};
     models.sessions.setTopology(topology);
+    models.recorder.logKept = true;
     models.permit.check({}, now);
     models.hand.setMasters({{MasterKind::Keyboard, word(MasterKind::Keyboard), MasterLife::Alive, now, true, {}}});
 }
@@ -131,12 +132,15 @@ GuardReadings InventedCockpit::goodReadings() const
     r.picture.liveFor = 6s;
     r.picture.shownPerSecond = 15;
     r.picture.expectedPerSecond = 15;
+    r.picture.atRate = true;
     r.pictureLimit = 250ms;
     r.robotFresh = true;
     r.robotState = RobotState::Ready;
     r.robotHoldConfirmed = true;
     r.robotPermit = permitNumber;
     r.drivesHealthy = true;
+    r.roundTrip = 8ms;
+    r.recorded = models.recorder.keeps();
     r.handAlive = true;
     r.windowActive = true;
     r.alarmsTested = true;
@@ -156,6 +160,10 @@ void InventedCockpit::paintPictures(Duration since)
         stamp.captured = stamp.painted - 78ms;
         stamp.captureNs = quint64(QDateTime::currentMSecsSinceEpoch() - qint64(milliseconds(since)) - 78) * 1000000U;
         stamp.arrived = stamp.painted - 20ms;
+        stamp.decoding = 6ms;
+        stamp.filters = 5ms;
+        stamp.window = 2ms;
+        stamp.filterDelay = i % 3 == 0 ? 14ms : 11ms;
         models.picture.notePainted(stamp);
     }
 }
@@ -186,7 +194,7 @@ void InventedCockpit::openAll()
     xray.mode = AcquisitionMode::Fluoroscopy;
     xray.beamOn = true;
     xray.pulseRate = 15;
-    xray.fluoroscopyTime = 432;
+    xray.fluoroscopyTime = 232;
     xray.airKerma = 212.4;
     xray.airKermaRate = 9.6;
     xray.doseAreaProduct = 18.42;
@@ -257,6 +265,16 @@ void InventedCockpit::losePad()
     GuardReadings readings = goodReadings();
     readings.handAlive = false;
     readings.handMissing = QStringLiteral("Game pad Invented 360: gone");
+    models.permit.check(readings, now);
+}
+
+void InventedCockpit::restWithForce()
+{
+    auto tense = status(RobotState::Ready);
+    tense.guidewireForce = 0.43;
+    models.instrument.receiveRobot(tense, now - 9ms);
+    auto readings = goodReadings();
+    readings.force = tense.guidewireForce;
     models.permit.check(readings, now);
 }
 

@@ -27,6 +27,7 @@ struct InventedCockpit {
     void feelForce(); ///< after engage: by the simulated haptic master
     void losePad();   ///< the game pad in use was pulled out; a 3-D mouse is there as well
     void freezePicture();
+    void restWithForce(); ///< after openAll: the wire is under tension, and nothing else is missing
     void loseRobot(quint64 incident = 0x5eed);
     void loseXray(quint64 incident = 0xf1a9);
     void reopenAll(); ///< after a loss, and the account of it is unread

@@ -3,6 +3,7 @@
 #include "widgets/hold_button.hpp"
 #include "widgets/stop_button.hpp"
 
+#include <QPushButton>
 #include <QSignalSpy>
 
 using namespace console;
@@ -174,6 +175,35 @@ private Q_SLOTS:
         QCOMPARE(changed.takeFirst().first().toBool(), true);
         QTest::mouseRelease(pedal, Qt::LeftButton);
         QCOMPARE(changed.takeFirst().first().toBool(), false);
+    }
+
+    void aRestingForceIsAcceptedByAClickAndOnlyBeforeArming()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        const auto name = QStringLiteral("Arm with this force");
+        const auto feel = [&stage](double newtons, RobotState state) {
+            auto status = stage.cockpit.status(state);
+            status.guidewireForce = newtons;
+            stage.cockpit.models.instrument.receiveRobot(status, std::chrono::steady_clock::now());
+            stage.refresh();
+        };
+        feel(0.1, RobotState::Ready);
+        QVERIFY(!stage.named<QPushButton>(name));
+        feel(0.43, RobotState::Ready);
+        auto* accept = stage.named<QPushButton>(name);
+        QVERIFY(accept != nullptr);
+        QVERIFY2(accept->text().contains(QStringLiteral("0.43")), qPrintable(accept->text()));
+        QSignalSpy accepted(&stage.window, &CockpitWindow::forceAccepted);
+        QTest::mouseClick(accept, Qt::LeftButton);
+        QCOMPARE(accepted.count(), 1);
+        QVERIFY(stage.window.handHasKeys()); // the hand has them again
+        feel(1.4, RobotState::Ready);
+        QVERIFY(!stage.named<QPushButton>(name)); // a force that warns is not accepted
+        stage.cockpit.arm();
+        feel(0.43, RobotState::Armed);
+        QVERIFY(!stage.named<QPushButton>(name));
     }
 
     void emergencyStopActsAtThePress()

@@ -63,6 +63,10 @@ void bring(CockpitStage& stage, const QString& state)
     }
     if (state == QLatin1String("topology"))
         stage.window.showView(View::Topology);
+    if (state == QLatin1String("plots"))
+        stage.window.showView(View::Plots);
+    if (state == QLatin1String("resting force"))
+        stage.cockpit.restWithForce();
 }
 
 } // namespace
@@ -115,9 +119,28 @@ private Q_SLOTS:
         QTest::addColumn<QSize>("screen");
         QTest::addColumn<QString>("state");
         for (const QSize& screen : screens)
-            for (const char* state : {"idle", "open", "engaged", "stand-by", "topology"})
+            for (const char* state : {"idle", "open", "engaged", "stand-by", "topology", "plots", "resting force"})
                 QTest::newRow(qPrintable(QStringLiteral("%1 at %2").arg(QString::fromLatin1(state)).arg(screen.height())))
                     << screen << QString::fromLatin1(state);
+    }
+
+    /// WCAG 2.2, target size (minimum): 24 pixels. What stops or starts a movement is twice that.
+    void buttonsAreLargeEnoughToBeHit_data() { textsAreWhole_data(); }
+    void buttonsAreLargeEnoughToBeHit()
+    {
+        QFETCH(QSize, screen);
+        QFETCH(QString, state);
+        CockpitStage stage(screen);
+        QVERIFY(stage.ready());
+        bring(stage, state);
+        stage.refresh();
+        QStringList small;
+        for (const auto* button : stage.window.findChildren<QAbstractButton*>()) {
+            const bool safety = qobject_cast<const HoldButton*>(button) != nullptr || qobject_cast<const StopButton*>(button) != nullptr;
+            if (button->isVisible() && std::min(button->width(), button->height()) < (safety ? 48 : 24))
+                small << QStringLiteral("%1 %2x%3").arg(button->accessibleName()).arg(button->width()).arg(button->height());
+        }
+        QVERIFY2(small.isEmpty(), qPrintable(small.join(QStringLiteral("; "))));
     }
 
     void textsAreWhole()

@@ -2,11 +2,13 @@
 #include "cockpit_stage.hpp"
 #include "widgets/alarm_band.hpp"
 #include "widgets/axis_panel.hpp"
+#include "widgets/figures.hpp"
 #include "widgets/force_gauge.hpp"
 #include "widgets/link_card.hpp"
 #include "widgets/permit_block.hpp"
 #include "widgets/status_strip.hpp"
 #include "widgets/trends_pane.hpp"
+#include "widgets/waterfall.hpp"
 
 #include <QPushButton>
 #include <QSignalSpy>
@@ -117,6 +119,27 @@ private Q_SLOTS:
             QCOMPARE(pixelsOf(image, alarm), 0);
     }
 
+    void plotsTellWhereThePicturesAgeComesFrom()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        QTest::keyClick(&stage.window, Qt::Key_F3);
+        QCOMPARE(stage.window.view(), View::Plots);
+        auto* waterfall = stage.named<Waterfall>(QStringLiteral("Where the picture's age comes from"));
+        QVERIFY(waterfall != nullptr);
+        QVERIFY(waterfall->accessibleDescription().contains(QStringLiteral("No picture")));
+        stage.cockpit.openAll();
+        stage.window.findChild<PlotsView*>()->refresh(stage.cockpit.now);
+        for (const char* words : {"way to here: median 58.0 ms", "decoding: median 6.0 ms", "filter's delay: median 11.0 ms",
+                                  "filter's delay: median 11.0 ms, 99th percentile 14.0 ms"})
+            QVERIFY2(waterfall->accessibleDescription().replace(QChar::Nbsp, QLatin1Char(' ')).contains(QString::fromLatin1(words)),
+                     qPrintable(waterfall->accessibleDescription()));
+        auto* trip = stage.named<FigureLabel>(QStringLiteral("Round trip, 60 s, 99 %"));
+        QVERIFY(trip != nullptr && trip->text().endsWith(QStringLiteral("ms")) && !trip->text().startsWith(QChar(0x2014)));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F3);
+        QCOMPARE(stage.window.view(), View::Cockpit);
+    }
+
     void handGetsKeysOnceAndNeverSpaceOrEnter()
     {
         CockpitStage stage;
@@ -137,7 +160,7 @@ private Q_SLOTS:
     void handLosesTheKeysTo_data()
     {
         QTest::addColumn<QString>("what");
-        for (const char* what : {"the sheet", "the topology", "the log", "a hidden window"})
+        for (const char* what : {"the sheet", "the topology", "the plots", "the log", "a hidden window"})
             QTest::newRow(what) << QString::fromLatin1(what);
     }
 
@@ -154,6 +177,8 @@ private Q_SLOTS:
             stage.cockpit.loseRobot();
         else if (what == QLatin1String("the topology"))
             QTest::keyClick(&stage.window, Qt::Key_F2);
+        else if (what == QLatin1String("the plots"))
+            QTest::keyClick(&stage.window, Qt::Key_F3);
         else if (what == QLatin1String("the log"))
             QTest::keyClick(&stage.window, Qt::Key_F4);
         else

@@ -68,6 +68,34 @@ private Q_SLOTS:
         QCOMPARE(reopen.count(), 0);
     }
 
+    void reportIsAskedForAndWhatBecameOfItIsSaid()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.models.patientSide = QStringLiteral("lab 2, tel. 4711");
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        QVERIFY(says(sheet(stage), QStringLiteral("lab 2, tel. 4711")));
+        QSignalSpy report(&stage.window, &CockpitWindow::reportRequested);
+        QTest::mouseClick(button(stage, QStringLiteral("Save report")), Qt::LeftButton);
+        QCOMPARE(report.count(), 1);
+        QVERIFY(report.first().first().toString().startsWith(QStringLiteral("Vascular robot link lost\n")));
+        stage.window.showReportNote(QStringLiteral("Report saved: /somewhere"));
+        QVERIFY(says(sheet(stage), QStringLiteral("/somewhere")));
+    }
+
+    void alarmsAreSilencedFromTheSheetAsByF9()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        QSignalSpy paused(&stage.window, &CockpitWindow::audioPauseRequested);
+        QTest::mouseClick(button(stage, QStringLiteral("Silence")), Qt::LeftButton);
+        QCOMPARE(paused.count(), 1);
+    }
+
     void clickReopens()
     {
         CockpitStage stage;

@@ -62,6 +62,14 @@ struct Prepared : CockpitStage {
         return nullptr;
     }
 
+    QLineEdit* line(const QString& name) const
+    {
+        for (QLineEdit* candidate : view->findChildren<QLineEdit*>())
+            if (candidate->accessibleName() == name)
+                return candidate;
+        return nullptr;
+    }
+
     void choose(const QString& name) const
     {
         auto* chosen = button(name);
@@ -152,7 +160,8 @@ private Q_SLOTS:
             for (SheetButton* button : row->buttons())
                 QVERIFY2(!button->isEnabled(), qPrintable(button->accessibleName()));
         QVERIFY(!stage.button(QStringLiteral("Restore the defaults of all entries"))->isEnabled());
-        QVERIFY(stage.view->findChild<QLineEdit*>()->isReadOnly());
+        for (QLineEdit* line : stage.view->findChildren<QLineEdit*>())
+            QVERIFY(line->isReadOnly());
         Preferences wanted;
         wanted.noiseReduction = 100;
         Q_EMIT stage.view->changed(wanted); // even if the view did not hold it back
@@ -165,7 +174,7 @@ private Q_SLOTS:
         Prepared stage;
         QVERIFY(stage.open());
         QVERIFY(!stage.window.handHasKeys());
-        auto* edit = stage.view->findChild<QLineEdit*>();
+        auto* edit = stage.line(QStringLiteral("Folder of pictures"));
         edit->setFocus();
         QSignalSpy pressed(&stage.window, &CockpitWindow::handKeyPressed);
         QSignalSpy stop(&stage.window, &CockpitWindow::emergencyStopRequested);
@@ -175,6 +184,19 @@ private Q_SLOTS:
         QCOMPARE(pressed.count(), 0);
         QCOMPARE(stop.count(), 1);
         QCOMPARE(stage.desk.preferences().pictureFolder, QStringLiteral("/tmp/rd"));
+    }
+
+    void thePromptKnowsHowToCallThePatientSide()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        auto* line = stage.line(QStringLiteral("Patient side"));
+        QVERIFY(line != nullptr);
+        line->setFocus();
+        QTest::keyClicks(line, QStringLiteral("lab 2, tel. 4711"));
+        QTest::keyClick(line, Qt::Key_Return);
+        QCOMPARE(stage.cockpit.models.patientSide, QStringLiteral("lab 2, tel. 4711"));
+        QCOMPARE(stage.kept().patientSide, QStringLiteral("lab 2, tel. 4711"));
     }
 
     void theCommandLineWinsForThisRun()
@@ -260,7 +282,8 @@ private Q_SLOTS:
         }
         for (SheetButton* button : stage.view->findChildren<SheetButton*>())
             QVERIFY2(reached.contains(button), qPrintable(button->accessibleName()));
-        QVERIFY(reached.contains(stage.view->findChild<QLineEdit*>()));
+        for (QLineEdit* line : stage.view->findChildren<QLineEdit*>())
+            QVERIFY2(reached.contains(line), qPrintable(line->accessibleName()));
     }
 };
 

@@ -17,6 +17,7 @@ std::vector<std::uint16_t> storedValues(QSize size, int bits);
 std::vector<std::byte> encode(const std::vector<std::uint16_t>& values, QSize size, int bits, PixelEncoding encoding, int quality);
 
 /// jpeg-ls: quality is the largest error; jpeg: its quality, and 8 bits only. The window covers all values; source simulated, age 20 ms.
+/// Number 1 has storedValues(); in the next seven another last pixel tells one from the other.
 std::shared_ptr<XrayFrame> frame(quint32 number, QSize size, int bits, PixelEncoding encoding, int quality = 0);
 
 /// The same with these encoded bytes in place of its own.

@@ -14,6 +14,8 @@ private Q_SLOTS:
     void deliversPictureWithItsFacts();
     void keepsOnlyTheNewestOfABurst();
     void reportsRefusalAndGoesOn();
+    void pictureThatComesAgainAsANewOneIsRefused();
+    void reviewShowsAPictureAsOftenAsItIsAsked();
     void choosesWindowWhenFrameHasNone();
     void letsGoOfTheEncodedBytes();
     void endsWithFramesInFlight();
@@ -89,6 +91,47 @@ void TestFramePipeline::reportsRefusalAndGoesOn()
     pipeline.showFrame(good);
     QTRY_COMPARE(pictures.size(), std::size_t(1));
     QCOMPARE(pipeline.counts().refused, quint64(1));
+}
+
+/// A sender that hangs with its clock running: number and time are new each time, and the picture is not.
+void TestFramePipeline::pictureThatComesAgainAsANewOneIsRefused()
+{
+    std::vector<DisplayPicture> pictures;
+    FramePipeline pipeline;
+    collect(pipeline, *this, pictures);
+    QSignalSpy refusals(&pipeline, &FramePipeline::pictureRefused);
+    const auto first = samples::frame(1, size, 12, PixelEncoding::Raw);
+    const auto again = [&first](quint32 number) {
+        auto copy = samples::withBytes(*first, {first->pixels.begin(), first->pixels.end()});
+        copy->frame = number;
+        copy->captureNs += number * 66'000'000ULL;
+        copy->arrival = std::chrono::steady_clock::now();
+        return copy;
+    };
+    pipeline.showFrame(first);
+    QTRY_COMPARE(pictures.size(), std::size_t(1));
+    for (quint32 number = 2; number < 5; ++number) {
+        pipeline.showFrame(again(number));
+        QTRY_COMPARE(refusals.count(), int(number) - 1);
+        QVERIFY(refusals.last().at(1).toString().contains(QStringLiteral("the same as the one before")));
+    }
+    QCOMPARE(pictures.size(), std::size_t(1));
+    pipeline.showFrame(samples::frame(5, size, 12, PixelEncoding::Raw));
+    QTRY_COMPARE(pictures.size(), std::size_t(2));
+    pipeline.showFrame(again(6)); // as an earlier one is nothing against it: the one before was another
+    QTRY_COMPARE(pictures.size(), std::size_t(3));
+}
+
+void TestFramePipeline::reviewShowsAPictureAsOftenAsItIsAsked()
+{
+    std::vector<DisplayPicture> pictures;
+    FramePipeline review(nullptr, PictureRole::Review);
+    collect(review, *this, pictures);
+    const auto one = samples::frame(1, size, 12, PixelEncoding::Raw);
+    for (std::size_t shown = 1; shown < 4; ++shown) {
+        review.showFrame(one);
+        QTRY_COMPARE(pictures.size(), shown);
+    }
 }
 
 void TestFramePipeline::choosesWindowWhenFrameHasNone()

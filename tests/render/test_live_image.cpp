@@ -231,7 +231,9 @@ void TestLiveImage::movesLivenessMarkOnlyForNewFrame()
     const QRect mark = pane.view.livenessRect();
     QVERIFY(!mark.isEmpty());
     QCOMPARE(differingPixels(first, pane.grab(), mark), 0);
-    QVERIFY(pane.send(1)); // the same frame once more
+    QSignalSpy refusals(&pane.pipeline, &FramePipeline::pictureRefused);
+    pane.pipeline.showFrame(samples::frame(1, frameSize, 12, PixelEncoding::Raw)); // the same once more
+    QTRY_COMPARE(refusals.count(), 1);
     QCOMPARE(differingPixels(first, pane.grab(), mark), 0);
     pane.now += std::chrono::seconds(2); // time alone moves nothing
     QCOMPARE(differingPixels(first, pane.grab(), mark), 0);
@@ -346,8 +348,7 @@ void TestLiveImage::showsSourceOfEveryPicture()
     std::vector<QImage> shown;
     quint32 number = 1;
     for (const PictureSource source : {PictureSource::Live, PictureSource::Simulated, PictureSource::Recorded}) {
-        const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
-        frame->frame = number++;
+        const auto frame = samples::frame(number++, frameSize, 12, PixelEncoding::Raw);
         frame->source = source;
         QVERIFY(pane.send(frame));
         shown.push_back(pane.grab().copy(QRect(pane.view.pictureRect().topLeft(), QSize(220, 40))));
@@ -482,9 +483,9 @@ void TestLiveImage::writesAgeLine_data()
     QTest::addColumn<int>("network");
     QTest::addColumn<int>("processing");
     QTest::addColumn<QString>("line");
-    QTest::newRow("usual") << 98 << 31 << 67 << QStringLiteral("AGE 98 ms  NET 31  PROC 67  15 fps");
-    QTest::newRow("unknown") << -1 << -1 << 67 << QStringLiteral("AGE unknown  NET unknown  PROC 67  15 fps");
-    QTest::newRow("old") << 12340 << 31 << 67 << QStringLiteral("AGE 12.3 s  NET 31  PROC 67  15 fps");
+    QTest::newRow("usual") << 98 << 31 << 67 << QStringLiteral("AGE 98 ms  NET 31  PROC 67  15 of 30 fps");
+    QTest::newRow("unknown") << -1 << -1 << 67 << QStringLiteral("AGE unknown  NET unknown  PROC 67  15 of 30 fps");
+    QTest::newRow("old") << 12340 << 31 << 67 << QStringLiteral("AGE 12.3 s  NET 31  PROC 67  15 of 30 fps");
 }
 
 void TestLiveImage::writesAgeLine()
@@ -500,7 +501,10 @@ void TestLiveImage::writesAgeLine()
         reading.network = std::chrono::milliseconds(network);
     reading.processing = std::chrono::milliseconds(processing);
     reading.shownPerSecond = 15;
+    reading.expectedPerSecond = 30;
     QCOMPARE(ageLine(reading), line);
+    reading.expectedPerSecond = 0; // nothing is expected
+    QVERIFY(ageLine(reading).endsWith(QStringLiteral("  15 fps")));
 }
 
 void TestLiveImage::roundsUncertaintyUp()

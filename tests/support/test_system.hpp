@@ -46,8 +46,9 @@ class TestSystem {
 public:
     struct Options {
         std::string mode = "tls";
-        /// Slower than a real system: sanitizers and a busy machine must not look like a lost peer.
-        std::string timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
+        /// Slower to lose a peer than a real system: sanitizers and a busy machine must not look like one. The heartbeat is a real one's:
+        /// a command's age is judged by it, and a motion command may be no older than 50 ms.
+        std::string timing = R"(heartbeat="20ms" suspect="500ms" lost="800ms" reconnect="2s")";
         std::string name = R"(name="test")"; ///< of the topology, and what else its first element says
     };
 

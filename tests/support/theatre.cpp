@@ -64,22 +64,35 @@ Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
 
 } // namespace
 
-Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wishes), wishes.system)
+Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wishes), wishes.system), m_wishes(wishes)
 {
-    robot = start("robot");
-    if (wishes.arm)
-        armDevice = start("arm");
-    xray = start("xray", {QStringLiteral("--size"), QString::number(wishes.pictureSize)});
-    const auto options = optionsOf(files, wishes);
-    if (const auto trouble = PreferenceStore(options.preferences).write(wishes.preferences); !trouble.isEmpty())
+    if (wishes.devices) {
+        robot = start("robot");
+        if (wishes.arm)
+            armDevice = start("arm");
+        xray = start("xray", {QStringLiteral("--size"), QString::number(wishes.pictureSize)});
+    }
+    startConsole();
+}
+
+void Theatre::startConsole()
+{
+    const auto options = optionsOf(files, m_wishes);
+    if (const auto trouble = PreferenceStore(options.preferences).write(m_wishes.preferences); !trouble.isEmpty())
         throw std::runtime_error(trouble.toStdString());
     cockpit = std::make_unique<CockpitApplication>(options);
-    if (wishes.voice != nullptr)
-        cockpit->setVoice(*wishes.voice);
+    if (m_wishes.voice != nullptr)
+        cockpit->setVoice(*m_wishes.voice);
     QString error;
     if (!cockpit->prepare(&error))
         throw std::runtime_error(error.toStdString());
     cockpit->show();
+}
+
+void Theatre::restartConsole()
+{
+    cockpit.reset();
+    startConsole();
 }
 
 std::unique_ptr<ChildProcess> Theatre::start(const std::string& role, const QStringList& options)
@@ -140,7 +153,7 @@ Theatre::Hand Theatre::keyboardHand()
     return {[this] { hold(Qt::Key_D); }, [this] { hold(Qt::Key_Up); }, [] {}};
 }
 
-bool Theatre::armOnce(const Hand& hand)
+bool Theatre::readyOnce(const Hand& hand)
 {
     releaseAll();
     hand.letGo();
@@ -152,12 +165,26 @@ bool Theatre::armOnce(const Hand& hand)
     readAccount();
     testAlarms();
     hold(Qt::Key_F);
-    if (!reaches(PermitPhase::Ready))
+    return reaches(PermitPhase::Ready);
+}
+
+bool Theatre::armOnce(const Hand& hand)
+{
+    if (!readyOnce(hand))
         return false;
     hold(Qt::Key_R);
     const bool armed = reaches(PermitPhase::Armed);
     release(Qt::Key_R);
     return armed;
+}
+
+bool Theatre::makeReady()
+{
+    const QDeadlineTimer deadline(3 * patience);
+    while (!readyOnce(keyboardHand()))
+        if (deadline.hasExpired())
+            return false;
+    return true;
 }
 
 bool Theatre::arm()

@@ -29,6 +29,7 @@ public:
         int pictureSize = 256; ///< rows and columns: sanitizers are slow
         MasterKind master = MasterKind::Keyboard;
         PictureProfile profile = PictureProfile::Coronary;
+        bool devices = true;                          ///< as processes; otherwise the test brings its own
         bool arm = true;                              ///< the robotic arm is part of the system
         liena::test::TestSystem::Options system = {}; ///< timing, for one
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
@@ -65,6 +66,12 @@ public:
 
     bool reaches(PermitPhase wanted);
 
+    /// The console ends and starts again; its links are closed then. Throws when it refuses.
+    void restartConsole();
+
+    /// Everything that a person does until only ARM is left to be held, as often as a condition fails on the way.
+    bool makeReady();
+
     /// Everything that a person does until the robot is armed, as often as a condition fails on the way: a busy computer paints too late,
     /// say.
     bool arm();
@@ -97,7 +104,11 @@ public:
     std::unique_ptr<CockpitApplication> cockpit;
 
 private:
+    void startConsole();
+    bool readyOnce(const Hand& hand);
     bool armOnce(const Hand& hand);
+
+    Wishes m_wishes;
 };
 
 } // namespace console::test

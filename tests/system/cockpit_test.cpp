@@ -169,6 +169,29 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!alarm(), patience);
     }
 
+    void theSecondPersonDecidesWhetherTheRobotCanBeArmed()
+    {
+        Theatre theatre(wishes());
+        QCOMPARE(theatre.robot->terminate(), 0);
+        theatre.robot = theatre.start("robot", {QStringLiteral("--two-person")});
+        QVERIFY(theatre.openAll());
+        const auto clearance = [&theatre] { return theatre.models().permit.checklist().at(std::size_t(Guard::ClearToArm)); };
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.robotStatus().clearance == Clearance::Awaited, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!clearance().met, patience);
+        QVERIFY2(clearance().text.contains(QStringLiteral("has not said")), qPrintable(clearance().text));
+        QVERIFY(theatre.robotStatus().state == RobotState::Hold);
+
+        theatre.robot->say(QStringLiteral("clear"));
+        QTRY_VERIFY_WITH_TIMEOUT(clearance().met, patience);
+        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+
+        theatre.robot->say(QStringLiteral("wait"));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.phase() != PermitPhase::Engaged, qPrintable(theatre.story()), patience);
+        QVERIFY(theatre.robot->waitForLine(QStringLiteral("withdrew the word to arm")));
+        theatre.releaseAll();
+        QTRY_VERIFY_WITH_TIMEOUT(!clearance().met, patience);
+    }
+
     void everyArmingAsksForTheSelfTestAnew()
     {
         Theatre theatre(wishes());

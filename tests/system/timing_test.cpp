@@ -59,7 +59,7 @@ private Q_SLOTS:
         const auto missed = [&] { return cockpit.events(Kind::DeadlineMissed, robotId); };
 
         const auto beats = heartbeatsFrom(cockpit, robotId);
-        QTRY_VERIFY(heartbeatsFrom(cockpit, robotId) >= beats + 5); // a stream that has not begun misses nothing
+        QTRY_VERIFY(heartbeatsFrom(cockpit, robotId) >= beats + 10); // a stream that has not begun misses nothing
         QVERIFY2(missed().empty(), cockpit.story().c_str());
         for (std::size_t gap = 1; gap <= 2; ++gap) {
             const auto status = robot->report("RobotStatus").value(); // deadline 50 ms
@@ -68,14 +68,14 @@ private Q_SLOTS:
             QTRY_COMPARE(missed().size(), gap);
             QCOMPARE(missed().back().message, std::string("RobotStatus"));
             const auto later = heartbeatsFrom(cockpit, robotId);
-            QTRY_VERIFY(heartbeatsFrom(cockpit, robotId) >= later + 5);
+            QTRY_VERIFY(heartbeatsFrom(cockpit, robotId) >= later + 10);
             QCOMPARE(missed().size(), gap);
         }
     }
 
     void aLinkMayHaveATimingOfItsOwn()
     {
-        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {R"(cockpit robot|heartbeat="10ms")", "cockpit arm"});
+        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {R"(cockpit robot|heartbeat="60ms")", "cockpit arm"});
         TestDevice robot(system.settingsOf("robot"));
         TestDevice arm(system.settingsOf("arm"));
         TestDevice cockpit(system.settingsOf("cockpit"));
@@ -85,17 +85,17 @@ private Q_SLOTS:
         QVERIFY(cockpit->openChannel(armId));
         QTRY_VERIFY2(cockpit.heard(Kind::Opened, robotId) && cockpit.heard(Kind::Opened, armId), cockpit.story().c_str());
         const auto before = std::pair(heartbeatsFrom(cockpit, robotId), heartbeatsFrom(cockpit, armId));
-        QTRY_VERIFY(heartbeatsFrom(cockpit, armId) >= before.second + 10);
+        QTRY_VERIFY(heartbeatsFrom(cockpit, armId) >= before.second + 20);
         const auto ofRobot = heartbeatsFrom(cockpit, robotId) - before.first;
         const auto ofArm = heartbeatsFrom(cockpit, armId) - before.second;
-        QVERIFY2(ofRobot > 2 * ofArm, (std::to_string(ofRobot) + " of the robot, " + std::to_string(ofArm) + " of the arm").c_str());
+        QVERIFY2(ofArm > 2 * ofRobot, (std::to_string(ofRobot) + " of the robot, " + std::to_string(ofArm) + " of the arm").c_str());
     }
 
     /// The robot's process stands still: what came meanwhile is never delivered, and the stall is told.
     void whatCameWhileThisProcessStoodStillIsNotDelivered()
     {
         TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"},
-                          {"tls", R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="20s")"});
+                          {"tls", R"(heartbeat="20ms" suspect="500ms" lost="800ms" reconnect="20s")"});
         const auto robotId = system.idOf("robot");
         const auto cockpitId = system.idOf("cockpit");
         TestDevice robot(system.settingsOf("robot"));

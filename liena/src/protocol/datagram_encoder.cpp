@@ -30,7 +30,7 @@ Segment DatagramEncoder::next(const DatagramHeader& header, PartBytes part, std:
 
 bool DatagramEncoder::appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out)
 {
-    const auto segment = next(message.header, std::span<const std::byte>(message.part.data(), message.part.size()), maximum);
+    const auto segment = next(message.header, message.bytes(), maximum);
     appendTo(out, segment);
     return segment.last;
 }

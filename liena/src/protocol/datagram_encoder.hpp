@@ -12,6 +12,14 @@
 
 namespace liena::protocol {
 
+/// The bytes of an information part: the message's own, and behind them those that were lent to it.
+struct PartBytes {
+    std::span<const std::byte> own;
+    std::span<const std::byte> lent;
+
+    std::size_t size() const { return own.size() + lent.size(); }
+};
+
 /// A message in wire form on its way out.
 struct EncodedMessage {
     EncodedMessage() {} // not defaulted: else `{}` fills the inline part of `part` with zeros first, for each message that is sent
@@ -21,15 +29,8 @@ struct EncodedMessage {
     FieldBytes part;       ///< the information part with its safety record, if any, up to what was lent
     std::shared_ptr<const LentBytes> lent;
 
-    std::size_t size() const { return part.size() + (lent ? lent->bytes.size() : 0); }
-};
-
-/// The bytes of an information part: the message's own, and behind them those that were lent to it.
-struct PartBytes {
-    std::span<const std::byte> own;
-    std::span<const std::byte> lent;
-
-    std::size_t size() const { return own.size() + lent.size(); }
+    PartBytes bytes() const { return {{part.data(), part.size()}, lent ? lent->bytes : std::span<const std::byte>()}; }
+    std::size_t size() const { return bytes().size(); }
 };
 
 /// One datagram whose body lies where its message lies.
@@ -48,10 +49,6 @@ class DatagramEncoder {
 public:
     /// The next segment of the message of this header and information part, with a body of at most `maximum` bytes.
     Segment next(const DatagramHeader& header, PartBytes part, std::size_t maximum);
-    Segment next(const DatagramHeader& header, std::span<const std::byte> part, std::size_t maximum)
-    {
-        return next(header, PartBytes{part, {}}, maximum);
-    }
 
     /// Appends the next segment of `message` to `out`; true when it was the last.
     bool appendSegment(const EncodedMessage& message, std::size_t maximum, std::vector<std::byte>& out);

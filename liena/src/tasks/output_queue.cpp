@@ -117,10 +117,7 @@ bool OutputQueue::expire(Class& from, std::size_t maximumSegment, std::chrono::s
             endTurn(from);
         if (begun) {
             const auto abandon = m_abandoning(header);
-            place(out,
-                  protocol::DatagramEncoder().next(abandon.header, std::span<const std::byte>(abandon.part.data(), abandon.part.size()),
-                                                   maximumSegment),
-                  nullptr);
+            place(out, protocol::DatagramEncoder().next(abandon.header, abandon.bytes(), maximumSegment), nullptr);
             return true;
         }
     }

@@ -90,9 +90,10 @@ private:
 
         protocol::PartBytes part() const
         {
-            const auto& bytes = begun ? *begun : entry.message.part;
-            const auto& lent = entry.message.lent;
-            return {{bytes.data(), bytes.size()}, lent ? lent->bytes : std::span<const std::byte>()};
+            auto bytes = entry.message.bytes();
+            if (begun)
+                bytes.own = {begun->data(), begun->size()};
+            return bytes;
         }
     };
     using Places = boost::container::small_vector<std::size_t, 16>;

@@ -34,9 +34,7 @@ void TransmissionTask::close()
 
 void TransmissionTask::sendFirst(const protocol::EncodedMessage& message)
 {
-    m_buffers->batch.append(protocol::DatagramEncoder().next(
-                                message.header, std::span<const std::byte>(message.part.data(), message.part.size()), m_settings.segment),
-                            nullptr);
+    m_buffers->batch.append(protocol::DatagramEncoder().next(message.header, message.bytes(), m_settings.segment), nullptr);
     wake();
 }
 

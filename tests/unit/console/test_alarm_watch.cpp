@@ -98,7 +98,7 @@ const std::vector<Case>& linkCases()
              }
          },
          C::LinkUnsteady},
-        {"16 clock", [](Watched& w) { w.figuresOf(robotId, [](auto& f) { f.clockUncertainty = 26ms; }); }, C::ClockUncertain},
+        {"16 clock", [](Watched& w) { w.figuresOf(robotId, [](auto& f) { f.clockUncertainty = 126ms; }); }, C::ClockUncertain},
         {"17 painting", [](Watched& w) { passTime(w, 3s, 2, 1); }, C::PaintingBehind},
         {"19 another system", [](Watched& w) { w.models().sessions.noteOpenFailed(armId, QStringLiteral("the topologies differ"), true); },
          C::SystemDiffers},
@@ -147,9 +147,16 @@ const std::vector<Case>& deviceCases()
              robot([](auto& s) { s.contrastRemaining = 0; })(w);
          },
          C::ContrastEmpty},
+        {"fluoroscopy time",
+         [](Watched& w) {
+             auto status = w.models().xray.status().value;
+             status.fluoroscopyTime = 301;
+             w.models().xray.receive(status, w.now);
+         },
+         C::FluoroscopyTime},
         {"14 air kerma", [](Watched& w) { receiveKerma(w, 3100); }, C::AirKerma},
-        {"18 alarm log", [](Watched& w) { w.watch.setLogTrouble(QStringLiteral("disk full")); }, C::RecorderStopped},
-        {"18 audit", [](Watched& w) { w.watch.setAuditTrouble(QStringLiteral("disk full")); }, C::RecorderStopped},
+        {"18 alarm log", [](Watched& w) { w.models().recorder.logTrouble = QStringLiteral("disk full"); }, C::RecorderStopped},
+        {"18 audit", [](Watched& w) { w.models().recorder.auditTrouble = QStringLiteral("disk full"); }, C::RecorderStopped},
         {"20 sound", [](Watched& w) { w.watch.setSoundTrouble(QStringLiteral("no output")); }, C::SoundFailed},
         {"watchdog", [](Watched& w) { w.watch.setWatchdogTrouble(QStringLiteral("ended")); }, C::WatchdogGone},
     };

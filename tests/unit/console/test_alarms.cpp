@@ -83,6 +83,7 @@ const std::vector<Case>& cases()
          },
          C::ContrastEmpty, Medium, Low, true},
         {"air kerma 3 Gy", [](auto& r) { r.airKerma = 3000; }, C::AirKerma, Low, Low, true},
+        {"fluoroscopy 5 min", [](auto& r) { r.fluoroscopyTime = 300; }, C::FluoroscopyTime, Low, Low, true},
         {"air kerma 5 Gy", [](auto& r) { r.airKerma = 5000; }, C::AirKerma, Medium, Medium, true},
         {"painting",
          [](auto& r) {

@@ -111,6 +111,32 @@ private Q_SLOTS:
         QVERIFY(!promptContent(incident, sessions, around(), start).holdConfirmed); // another's hold is not the robot's
     }
 
+    void saysHowToCallThePatientSide()
+    {
+        SessionModel sessions;
+        fill(sessions);
+        auto seen = around();
+        QVERIFY(promptContent(lost(robot), sessions, seen, start).call.contains(QStringLiteral("not set up")));
+        seen.patientSide = QStringLiteral("lab 2, tel. 4711");
+        QCOMPARE(promptContent(lost(robot), sessions, seen, start).call, QStringLiteral("Call the patient side: lab 2, tel. 4711"));
+    }
+
+    void theReportSaysWhatTheSheetSays()
+    {
+        SessionModel sessions;
+        fill(sessions);
+        const auto incident = lost(robot);
+        const auto content = promptContent(incident, sessions, around(), start);
+        const auto report = promptReport(incident, content);
+        QVERIFY(report.endsWith(QLatin1Char('\n')) && !report.contains(QStringLiteral("\n\n")));
+        for (const auto& fact : QStringList{content.headline, content.since, content.directions, content.patient, content.picture,
+                                            content.tip, content.likelyCause, content.tryFirst} +
+                                    content.evidence)
+            QVERIFY2(report.contains(fact), qPrintable(fact));
+        for (const auto& hold : content.rollCall)
+            QVERIFY2(report.contains(hold.title + QStringLiteral(": ")), qPrintable(hold.title));
+    }
+
     void rollCallNamesEveryDevice()
     {
         SessionModel sessions;

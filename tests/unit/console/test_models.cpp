@@ -157,6 +157,34 @@ private Q_SLOTS:
         QVERIFY(log.data(log.index(0)).toString().endsWith(QStringLiteral("note  3")));
     }
 
+    void forceIsAcceptedAsItIsAndNoLarger()
+    {
+        InstrumentState robot;
+        QVERIFY(!robot.acceptForce(start)); // nothing is known
+        const auto feel = [&robot](double newtons) {
+            RobotStatus status;
+            status.guidewireForce = newtons;
+            robot.receiveRobot(status, start);
+        };
+        feel(0.15);
+        QVERIFY(!robot.mayAcceptForce(start)); // nothing to accept
+        feel(1.0);
+        QVERIFY(!robot.mayAcceptForce(start) && !robot.acceptForce(start)); // a warning stands
+        feel(-0.5);
+        QVERIFY(robot.mayAcceptForce(start));
+        QVERIFY(!robot.acceptForce(start + 101ms)); // the report is old
+        QVERIFY(robot.acceptForce(start));
+        QVERIFY(robot.forceAccepted() && !robot.mayAcceptForce(start));
+        feel(0.59);
+        QVERIFY(robot.forceAccepted());
+        feel(0.61);
+        QVERIFY(!robot.forceAccepted()); // another force
+        feel(0.5);
+        QVERIFY(robot.forceAccepted());
+        robot.dropForce();
+        QVERIFY(!robot.forceAccepted());
+    }
+
     void permitModelTellsOfPhasesAndConditions()
     {
         PermitModel model;

@@ -363,6 +363,7 @@ private:
         r.picture.condition = live ? PictureCondition::Live : PictureCondition::Frozen;
         r.picture.mayGuide = true;
         r.picture.liveFor = live ? Duration(m_world.now - m_world.pictureSince) : Duration{};
+        r.picture.atRate = live;
         r.pictureLimit = pictureLimit;
         r.robotFresh = m_world.now - m_world.reported <= 200ms;
         r.robotState = m_world.robot;
@@ -370,6 +371,8 @@ private:
         r.robotPermit = m_world.permit;
         r.spentPermit = m_permit.spentPermit;
         r.drivesHealthy = true;
+        r.roundTrip = 40ms;
+        r.recorded = true;
         r.force = m_world.force;
         r.incident = m_world.standsBy;
         r.handAlive = m_rack.read(m_world.now).alive;

@@ -22,6 +22,7 @@ GuardReadings good()
     r.picture.mayGuide = true;
     r.picture.age = 80ms;
     r.picture.liveFor = 1s;
+    r.picture.atRate = true;
     r.pictureLimit = 250ms;
     r.robotFresh = true;
     r.robotState = RobotState::Ready;
@@ -29,6 +30,8 @@ GuardReadings good()
     r.robotPermit = 4;
     r.spentPermit = 3;
     r.drivesHealthy = true;
+    r.roundTrip = 40ms;
+    r.recorded = true;
     r.handAlive = true;
     r.windowActive = true;
     r.alarmsTested = true;
@@ -56,13 +59,14 @@ const std::vector<Case>& cases()
         {"another system", [](auto& r) { r.identityEqual = false; }, Guard::IdentityEqual, false},
         {"a heartbeat was late", [](auto& r) { r.heartbeatsOnTime = 49; }, Guard::HeartbeatsOnTime, true},
         {"clock not compared", [](auto& r) { r.clockUncertainty.reset(); }, Guard::ClockKnown, true},
-        {"clock uncertain", [](auto& r) { r.clockUncertainty = 26ms; }, Guard::ClockKnown, true},
+        {"clock uncertain", [](auto& r) { r.clockUncertainty = 126ms; }, Guard::ClockKnown, true},
         {"no picture", [](auto& r) { r.picture = {}; }, Guard::PictureLive, false},
         {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, Guard::PictureLive, false},
         {"picture held", [](auto& r) { r.picture.condition = PictureCondition::Held; }, Guard::PictureLive, false},
         {"picture's age unknown", [](auto& r) { r.picture.condition = PictureCondition::Unknown; }, Guard::PictureLive, false},
         {"picture recorded", [](auto& r) { r.picture.mayGuide = false; }, Guard::PictureLive, false},
         {"picture too old", [](auto& r) { r.picture.age = 251ms; }, Guard::PictureLive, false},
+        {"picture perhaps too old", [](auto& r) { r.picture.age = 240ms, r.picture.uncertainty = 11ms; }, Guard::PictureLive, false},
         {"picture not live for a second", [](auto& r) { r.picture.liveFor = 999ms; }, Guard::PictureLive, true},
         {"robot silent", [](auto& r) { r.robotFresh = false; }, Guard::RobotFresh, false},
         {"robot in hold only", [](auto& r) { r.robotState = RobotState::Hold; }, Guard::RobotHolds, true},
@@ -73,6 +77,13 @@ const std::vector<Case>& cases()
         {"a queue", [](auto& r) { r.queuedMessages = 17; }, Guard::QueueEmpty, true},
         {"a long queue", [](auto& r) { r.queuedMessages = 65; }, Guard::QueueEmpty, false},
         {"some force", [](auto& r) { r.force = -0.21; }, Guard::ForceNearZero, true},
+        {"commands slow", [](auto& r) { r.roundTrip = 251ms; }, Guard::CommandsQuick, true},
+        {"commands slow, other profile", [](auto& r) { r.pictureLimit = 400ms, r.roundTrip = 401ms; }, Guard::CommandsQuick, true},
+        {"commands far too slow", [](auto& r) { r.roundTrip = 451ms; }, Guard::CommandsQuick, false},
+        {"round trip not known", [](auto& r) { r.roundTrip.reset(); }, Guard::CommandsQuick, false},
+        {"patient side has not said clear", [](auto& r) { r.clearance = Clearance::Awaited; }, Guard::ClearToArm, true},
+        {"patient side's word not known", [](auto& r) { r.robotFresh = false; }, Guard::ClearToArm, false},
+        {"alarm log not kept", [](auto& r) { r.recorded = false; }, Guard::Recorded, true},
         {"force at the stop", [](auto& r) { r.force = 2.0; }, Guard::ForceNearZero, false},
         {"an incident", [](auto& r) { r.incident = true; }, Guard::NoIncident, false},
         {"a high alarm", [](auto& r) { r.highAlarm = true; }, Guard::NoHighAlarm, true},
@@ -93,6 +104,8 @@ class TestPermitGuards : public QObject {
 private Q_SLOTS:
     void areAllMetWhenEverythingIsGood();
     void areUnmetWithoutAnyReading();
+    void acceptedForceMeetsItsGuard();
+    void fewPicturesEndMotion();
     void failOneByOne_data();
     void failOneByOne();
 };
@@ -113,6 +126,30 @@ void TestPermitGuards::areUnmetWithoutAnyReading()
     QVERIFY(!met.test(std::size_t(Guard::AlarmsTested)));
     QVERIFY(!met.test(std::size_t(Guard::InterruptionRead)));
     QVERIFY(!checkKept({}).all());
+}
+
+void TestPermitGuards::acceptedForceMeetsItsGuard()
+{
+    auto readings = good();
+    readings.force = 0.4;
+    readings.forceAccepted = true;
+    const auto line = checkGuards(readings).at(std::size_t(Guard::ForceNearZero));
+    QVERIFY(line.met);
+    QVERIFY2(line.text.contains(QStringLiteral("0.40")), qPrintable(line.text));
+    readings.robotFresh = false;
+    QVERIFY(!checkGuards(readings).at(std::size_t(Guard::ForceNearZero)).met);
+    readings = good();
+    readings.force = readings.limits.forceStop;
+    readings.forceAccepted = true;
+    QVERIFY(!checkKept(readings).all());
+}
+
+/// Live and young, and too few of them.
+void TestPermitGuards::fewPicturesEndMotion()
+{
+    auto readings = good();
+    readings.picture.atRate = false;
+    QVERIFY(!checkKept(readings).test(std::size_t(Guard::PictureLive)));
 }
 
 void TestPermitGuards::failOneByOne_data()

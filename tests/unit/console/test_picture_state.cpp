@@ -83,6 +83,57 @@ private Q_SLOTS:
         QCOMPARE(state.reading(start + 201ms).condition, PictureCondition::Frozen);
     }
 
+    void uncertainClockMakesAPictureOlder_data()
+    {
+        QTest::addColumn<int>("uncertaintyMs");
+        QTest::addColumn<int>("ageMs");
+        QTest::addColumn<PictureCondition>("expected");
+        QTest::newRow("within the limit either way") << 10 << 240 << PictureCondition::Live;
+        QTest::newRow("perhaps beyond it") << 10 << 241 << PictureCondition::Frozen;
+        QTest::newRow("as uncertain as may be") << 125 << 125 << PictureCondition::Live;
+        QTest::newRow("too uncertain to say") << 126 << 10 << PictureCondition::Unknown;
+        QTest::newRow("not compared at all") << 1000000 << 10 << PictureCondition::Unknown;
+    }
+
+    /// Whichever way the clocks err, a picture that is trusted is younger than the limit.
+    void uncertainClockMakesAPictureOlder()
+    {
+        QFETCH(int, uncertaintyMs);
+        QFETCH(int, ageMs);
+        QFETCH(PictureCondition, expected);
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        auto one = stamp(1, start + 10ms, 0ms);
+        one.uncertainty = std::chrono::milliseconds(uncertaintyMs);
+        state.notePainted(one);
+        const auto reading = state.reading(start + 10ms + std::chrono::milliseconds(ageMs));
+        QCOMPARE(reading.condition, expected);
+        QCOMPARE(reading.age.has_value(), expected != PictureCondition::Unknown);
+        QCOMPARE(reading.network.has_value(), expected != PictureCondition::Unknown);
+        QCOMPARE(state.shownAtEarliest().has_value(), expected != PictureCondition::Unknown);
+        if (expected == PictureCondition::Unknown)
+            QCOMPARE(state.filterRoom(), Duration::zero());
+    }
+
+    /// What the X-ray system says that it sends is what is owed; more than it sends cannot be shown.
+    void rateIsHeldAgainstWhatIsSent()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(30, start);
+        const auto last = play(state, start, 2s); // fifteen a second
+        QVERIFY(!state.reading(last).atRate);
+        QCOMPARE(state.reading(last).liveFor, Duration::zero());
+        auto reduced = stamp(1000, last + 66ms);
+        reduced.reduction = {1, 15, 30, PixelEncoding::Raw, 0};
+        state.notePainted(reduced);
+        const auto reading = state.reading(last + 66ms);
+        QCOMPARE(reading.expectedPerSecond, 15.0);
+        QVERIFY(reading.atRate);
+        QVERIFY(reading.liveFor > 1s);
+    }
+
     void takesNoPictureThatIsHeldOrReviewed()
     {
         PictureState state;

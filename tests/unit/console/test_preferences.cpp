@@ -39,6 +39,7 @@ Preferences unusual()
     p.audioPause = 90s;
     p.trendSpan = TrendSpan::TenMinutes;
     p.pictureFolder = QStringLiteral("/tmp/\u56FE \u00FC; =% [x]/a,b");
+    p.patientSide = QStringLiteral("\u624B\u672F\u5BA4 2; +86 10, \"4711\"");
     p.window = WindowChoice::Wide;
     p.noiseReduction = 40;
     p.edge = 30;
@@ -84,6 +85,7 @@ private Q_SLOTS:
         QTest::newRow("window by hand") << QByteArray("window=fixed") << QStringLiteral("window");
         QTest::newRow("noise") << QByteArray("noise-reduction=-5") << QStringLiteral("noise-reduction");
         QTest::newRow("language") << QByteArray("language=tlh") << QStringLiteral("language");
+        QTest::newRow("patient side") << QByteArray("patient-side=\"a\\x1b[2Jb\"") << QStringLiteral("patient-side");
         QTest::newRow("folder") << QByteArray("picture-folder=\"a\\x1b[2Jb\"") << QStringLiteral("picture-folder");
     }
 

@@ -18,6 +18,7 @@ namespace {
 const liena::DeviceId cockpit(0x40018208);
 const liena::DeviceId robot(0x00008208);
 const liena::DeviceId arm(0x60008208);
+const liena::DeviceId xray(0x20010208);
 const Instant start = Instant{} + 1h;
 
 liena::Message compose(const char* set, const char* message)
@@ -42,7 +43,9 @@ void fill(ConsoleModels& models)
     add(cockpit, "Cockpit", true);
     add(robot, "Robot", false);
     add(arm, "Arm", false);
-    topology.links = {{robot.value(), cockpit.value()}, {arm.value(), cockpit.value()}, {robot.value(), arm.value()}};
+    add(xray, "X-ray", false);
+    topology.links = {
+        {robot.value(), cockpit.value()}, {arm.value(), cockpit.value()}, {xray.value(), cockpit.value()}, {robot.value(), arm.value()}};
     models.sessions.setTopology(topology);
 }
 
@@ -202,11 +205,44 @@ private Q_SLOTS:
         fill(models);
         MessageIntake intake(models);
         const auto note = compose("siat-cockpit", "OperatorNote");
-        QVERIFY(!intake.take(note));
-        QVERIFY(!intake.take(note));
+        QVERIFY(!intake.take(robot.value(), note));
+        QVERIFY(!intake.take(robot.value(), note));
         QCOMPARE(models.log.rowCount(), 1);
-        QVERIFY(intake.take(compose("vascular-robot", "RobotStatus")));
+        QVERIFY(intake.take(robot.value(), compose("vascular-robot", "RobotStatus")));
         QCOMPARE(models.instrument.statusCount(), quint64(1));
+    }
+
+    void reportsOfTheWrongDeviceAreNotShownAndToldOnce_data()
+    {
+        QTest::addColumn<QByteArray>("set");
+        QTest::addColumn<QByteArray>("report");
+        QTest::addColumn<quint32>("right");
+        for (const char* report : {"RobotStatus", "TipPose", "DriveStatus", "InjectionReport"})
+            QTest::newRow(report) << QByteArray("vascular-robot") << QByteArray(report) << robot.value();
+        QTest::newRow("ArmStatus") << QByteArray("arm-grasper") << QByteArray("ArmStatus") << arm.value();
+        QTest::newRow("AcquisitionStatus") << QByteArray("cbct-xray") << QByteArray("AcquisitionStatus") << xray.value();
+    }
+
+    /// A second robot of the same kind, or the arm with a robot's report: neither may stand for the robot.
+    void reportsOfTheWrongDeviceAreNotShownAndToldOnce()
+    {
+        QFETCH(QByteArray, set);
+        QFETCH(QByteArray, report);
+        QFETCH(quint32, right);
+        ConsoleModels models;
+        fill(models);
+        MessageIntake intake(models);
+        const auto message = compose(set.constData(), report.constData());
+        const auto second = right + 1; // another index: the same kind
+        QCOMPARE(kindOf(second), kindOf(right));
+        const auto other = right == arm.value() ? robot.value() : arm.value();
+        for (const auto wrong : {second, other, cockpit.value(), second})
+            QVERIFY(!intake.take(wrong, message));
+        QCOMPARE(models.log.rowCount(), 3);
+        QVERIFY(!models.instrument.robot().known() && !models.instrument.tip().known() && !models.instrument.drives().known());
+        QVERIFY(models.instrument.injections().empty() && !models.arm.status().known() && !models.xray.status().known());
+        QVERIFY(intake.take(right, message));
+        QCOMPARE(models.log.rowCount(), 3);
     }
 
     void messageOfAnotherShapeIsRefusedAndTold()
@@ -223,7 +259,7 @@ private Q_SLOTS:
         ConsoleModels models;
         fill(models);
         MessageIntake intake(models);
-        QVERIFY(!intake.take(liena::Message(set.value(), set.value()->messages().front())));
+        QVERIFY(!intake.take(robot.value(), liena::Message(set.value(), set.value()->messages().front())));
         QVERIFY(!models.instrument.robot().known());
         QCOMPARE(models.log.rowCount(), 1);
     }

@@ -46,6 +46,21 @@ private Q_SLOTS:
         QCOMPARE(book.latest(TrendFigure::RoundTrip).value(), 19.0);
     }
 
+    void tellsHowAFigureLay()
+    {
+        TrendBook book;
+        QVERIFY(!book.summary(TrendFigure::RoundTrip, TrendSpan::Minute));
+        for (int i = 1; i <= 100; ++i) {
+            TrendReading reading;
+            reading.roundTripMs = i;
+            book.note(reading, start + i * 100ms);
+        }
+        const auto summary = book.summary(TrendFigure::RoundTrip, TrendSpan::Minute);
+        QCOMPARE(summary->p50, 50.0);
+        QCOMPARE(summary->p99, 99.0);
+        QVERIFY(!book.summary(TrendFigure::Force, TrendSpan::Minute));
+    }
+
     void keepsTenMinutesAndNoMore()
     {
         TrendBook book;

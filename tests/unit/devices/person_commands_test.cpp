@@ -26,6 +26,8 @@ private slots:
         QTest::newRow("stop") << QByteArray("stop") << PersonAction::EmergencyStop << QByteArray() << QByteArray();
         QTest::newRow("stop why") << QByteArray("stop patient moves") << PersonAction::EmergencyStop << QByteArray()
                                   << QByteArray("patient moves");
+        QTest::newRow("clear") << QByteArray("clear") << PersonAction::ClearToArm << QByteArray() << QByteArray();
+        QTest::newRow("wait") << QByteArray(" wait ") << PersonAction::Wait << QByteArray() << QByteArray();
         QTest::newRow("status") << QByteArray("status") << PersonAction::Status << QByteArray() << QByteArray();
     }
 
@@ -45,7 +47,8 @@ private slots:
     void refusesTheRest_data()
     {
         QTest::addColumn<QByteArray>("line");
-        for (const char* line : {"", "   ", "open", "reopen", "open robot now", "OPEN robot", "status now", "opened robot", "exit"})
+        for (const char* line : {"", "   ", "open", "reopen", "open robot now", "OPEN robot", "status now", "opened robot", "exit",
+                                 "clear robot", "Clear", "wait 5"})
             QTest::newRow(line) << QByteArray(line);
     }
 

@@ -1,0 +1,254 @@
+// A robot and an X-ray system that do what a test says.
+#include "puppet_devices.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+namespace liena::test {
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds turnLength{10};
+constexpr std::uint64_t leastHold = 20; ///< turns
+constexpr std::uint64_t silence = 50;   ///< turns without a command; longer than the reference robot's, for sanitizers
+constexpr double commandLength = 0.002; ///< s
+constexpr milliseconds pedalLease{400};
+constexpr std::uint16_t edge = 64;
+
+void orThrow(const Result<void>& result)
+{
+    if (!result)
+        throw std::runtime_error(result.error().what);
+}
+
+} // namespace
+
+PuppetRobot::PuppetRobot(Settings settings) : m_device(std::move(settings), [this](DistributedSystem& system) { build(system); }) {}
+
+void PuppetRobot::build(DistributedSystem& system)
+{
+    orThrow(system.subscribe("PermitRequest", [this](const Message& message) { onPermit(message); }));
+    orThrow(system.subscribe("MotionCommand", [this](const Message& message) { onMotion(message); }));
+    orThrow(system.subscribe("EmergencyStop", [this](const Message& message) {
+        const std::lock_guard lock(m_mutex);
+        hold();
+        m_state = State::EmergencyStop;
+        m_stop = message.get<std::uint64_t>("token");
+    }));
+    orThrow(system.subscribe("ResetEmergencyStop", [this](const Message& message) {
+        const std::lock_guard lock(m_mutex);
+        if (m_state == State::EmergencyStop && message.get<std::uint64_t>("token") == m_stop)
+            hold();
+    }));
+    system.subscribe([this](const SessionEvent& event) {
+        const std::lock_guard lock(m_mutex);
+        const bool interrupted = event.kind == SessionEvent::Kind::Interrupted;
+        if (interrupted || (event.kind == SessionEvent::Kind::StateChanged && !carriesMessages(event.to)))
+            hold();
+    });
+    system.every(turnLength, [this, &system] { turn(system); });
+}
+
+/// Whatever it did: it stands still, and the permit is a new one.
+void PuppetRobot::hold()
+{
+    m_state = State::Hold;
+    m_stop = 0;
+    ++m_permit;
+    m_heldSince = m_turns;
+}
+
+void PuppetRobot::onPermit(const Message& message)
+{
+    const std::lock_guard lock(m_mutex);
+    const bool present = message.get<std::uint32_t>("permit") == m_permit;
+    if (message.get<std::string_view>("request") == "arm") {
+        ++m_armRequests;
+        if (present && m_state == State::Ready) {
+            m_state = State::Armed;
+            m_commandedAt = m_turns + 2 * silence; // its first command may take a while
+        }
+    } else if (present && (m_state == State::Armed || m_state == State::Engaged)) {
+        hold();
+    }
+}
+
+void PuppetRobot::onMotion(const Message& message)
+{
+    const std::lock_guard lock(m_mutex);
+    const bool armed = m_state == State::Armed || m_state == State::Engaged;
+    if (!armed || message.get<std::uint32_t>("permit") != m_permit)
+        return;
+    m_commandedAt = m_turns;
+    const bool engaged = message.get<bool>("engaged");
+    m_state = engaged ? State::Engaged : State::Armed;
+    const double velocity = message.get<double>("guidewire_velocity");
+    if (!engaged)
+        return;
+    ++(velocity == 0 ? m_engagedAtRest : m_movements);
+    m_position += velocity * commandLength;
+}
+
+void PuppetRobot::turn(DistributedSystem& system)
+{
+    Message status = system.report("RobotStatus").value();
+    Message tip = system.report("TipPose").value();
+    Message drives = system.report("DriveStatus").value();
+    {
+        const std::lock_guard lock(m_mutex);
+        ++m_turns;
+        const bool armed = m_state == State::Armed || m_state == State::Engaged;
+        if (armed && m_turns > m_commandedAt + silence)
+            hold();
+        if (m_state == State::Hold && m_turns > m_heldSince + leastHold)
+            m_state = State::Ready;
+        if (m_silent)
+            return;
+        const Claim told = m_claim.value_or(Claim{m_state, 0, !armed});
+        status.set("state", told.state).set("permit", m_permit + told.permitsAhead).set("hold_confirmed", told.holdConfirmed);
+        status.set("engaged", told.state == State::Engaged).set("emergency_stop_token", m_stop);
+        status.set("guidewire_position", m_position).set("guidewire_force", m_force).set("contrast_remaining", 80.0);
+        tip.set("valid", true).set("position", std::vector<double>{0, 0, m_position}).set("quaternion", std::vector<double>{1, 0, 0, 0});
+        drives.set("temperature", std::vector<double>(4, 30)).set("enabled", std::vector<double>(4, armed ? 1 : 0));
+        if (m_alterStatus)
+            m_alterStatus(status);
+        if (m_alterTip)
+            m_alterTip(tip);
+    }
+    system.publish(status);
+    system.publish(tip);
+    system.publish(drives);
+}
+
+void PuppetRobot::claim(std::optional<Claim> claim)
+{
+    const std::lock_guard lock(m_mutex);
+    m_claim = claim;
+}
+
+void PuppetRobot::setSilent(bool silent)
+{
+    const std::lock_guard lock(m_mutex);
+    m_silent = silent;
+}
+
+void PuppetRobot::setForce(double newtons)
+{
+    const std::lock_guard lock(m_mutex);
+    m_force = newtons;
+}
+
+void PuppetRobot::alterStatus(Alter alter)
+{
+    const std::lock_guard lock(m_mutex);
+    m_alterStatus = std::move(alter);
+}
+
+void PuppetRobot::alterTip(Alter alter)
+{
+    const std::lock_guard lock(m_mutex);
+    m_alterTip = std::move(alter);
+}
+
+void PuppetRobot::standStill(std::chrono::milliseconds time)
+{
+    m_device->post([time] { std::this_thread::sleep_for(time); });
+}
+
+int PuppetRobot::armRequests() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_armRequests;
+}
+
+int PuppetRobot::movements() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_movements;
+}
+
+int PuppetRobot::engagedAtRest() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_engagedAtRest;
+}
+
+std::uint64_t PuppetRobot::turns() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_turns;
+}
+
+std::uint32_t PuppetRobot::permit() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_permit;
+}
+
+PuppetXray::PuppetXray(Settings settings) : m_device(std::move(settings), [this](DistributedSystem& system) { build(system); }) {}
+
+void PuppetXray::build(DistributedSystem& system)
+{
+    orThrow(system.subscribe("AcquisitionCommand", [this](const Message& message) {
+        const std::lock_guard lock(m_mutex);
+        m_pedal = message.get<bool>("pedal");
+        m_press = message.get<std::uint32_t>("press");
+        m_commandedAt = message.arrival();
+    }));
+    system.every(milliseconds(66), [this, &system] { sendPicture(system); });
+    system.every(milliseconds(50), [this, &system] { sendStatus(system); });
+}
+
+bool PuppetXray::beamOn() const { return m_pedal && std::chrono::steady_clock::now() - m_commandedAt <= pedalLease; }
+
+void PuppetXray::sendPicture(DistributedSystem& system)
+{
+    Message frame = system.report("XrayFrame").value();
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!beamOn() || m_pictures == Pictures::None)
+            return;
+        if (m_pictures != Pictures::Repeated || m_pixels.empty()) {
+            m_pixels.resize(std::size_t{edge} * edge);
+            for (auto& pixel : m_pixels)
+                pixel = static_cast<std::byte>(m_random() & 0xFFU);
+        }
+        const auto age = m_pictures == Pictures::Old ? milliseconds(1000) : milliseconds(5);
+        frame.set("frame", ++m_frame).set("acquisition", m_press);
+        frame.set("capture_ns", Timestamp::now().ns - static_cast<std::uint64_t>(std::chrono::nanoseconds(age).count()));
+        frame.set("source", std::string_view(m_pictures == Pictures::Recorded ? "recorded" : "simulated"));
+        frame.set("rows", edge).set("columns", edge).set("bits_stored", 8).set("window_centre", 128.0).set("window_width", 256.0);
+        frame.set("pixels", std::span<const std::byte>(m_pixels));
+    }
+    system.publish(frame);
+}
+
+void PuppetXray::sendStatus(DistributedSystem& system)
+{
+    Message status = system.report("AcquisitionStatus").value();
+    {
+        const std::lock_guard lock(m_mutex);
+        const bool on = beamOn();
+        status.set("mode", std::string_view(on ? "fluoroscopy" : "stop")).set("beam_on", on).set("pulse_rate", on ? 15.0 : 0.0);
+        if (m_alterStatus)
+            m_alterStatus(status);
+    }
+    system.publish(status);
+}
+
+void PuppetXray::show(Pictures pictures)
+{
+    const std::lock_guard lock(m_mutex);
+    m_pictures = pictures;
+}
+
+void PuppetXray::alterStatus(std::function<void(Message&)> alter)
+{
+    const std::lock_guard lock(m_mutex);
+    m_alterStatus = std::move(alter);
+}
+
+} // namespace liena::test

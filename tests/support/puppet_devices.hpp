@@ -1,0 +1,110 @@
+// A robot and an X-ray system in this process that do what a test says, lies included.
+#pragma once
+
+#include "test_system.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <random>
+
+namespace liena::test {
+
+/// Arms, moves and holds as the reference robot does, until it is told to lie. Any thread.
+class PuppetRobot {
+public:
+    /// The numbers of the robot's message set.
+    enum class State : std::uint8_t { Off, Hold, Ready, Armed, Engaged, EmergencyStop, Fault };
+
+    struct Claim {
+        State state = State::Ready;
+        std::uint32_t permitsAhead = 0; ///< of the true permit
+        bool holdConfirmed = true;
+    };
+
+    explicit PuppetRobot(Settings settings);
+
+    /// Its reports say that from now on, whatever it does; nothing: the truth again.
+    void claim(std::optional<Claim> claim);
+    void setSilent(bool silent); ///< its reports end, its session stands
+    void setForce(double newtons);
+
+    /// Changes each report before it is sent: its own fields, or those of TipPose. Network thread; empty: nothing is changed.
+    using Alter = std::function<void(Message&)>;
+    void alterStatus(Alter alter);
+    void alterTip(Alter alter);
+
+    /// Its network thread does nothing for so long: no report, no heartbeat.
+    void standStill(std::chrono::milliseconds time);
+
+    int armRequests() const;      ///< asked of it so far
+    int movements() const;        ///< commands that moved it
+    int engagedAtRest() const;    ///< accepted commands with the dead-man pressed and no velocity
+    std::uint64_t turns() const;  ///< reports that were due so far: its clock, ten milliseconds each
+    std::uint32_t permit() const; ///< the true one
+
+private:
+    void build(DistributedSystem& system);
+    void turn(DistributedSystem& system);
+    void hold();
+    void onPermit(const Message& message);
+    void onMotion(const Message& message);
+
+    mutable std::mutex m_mutex;
+    State m_state = State::Hold;
+    std::uint32_t m_permit = 1000;
+    std::uint64_t m_stop = 0;
+    std::uint64_t m_turns = 0;
+    std::uint64_t m_heldSince = 0; ///< turn
+    std::uint64_t m_commandedAt = 0;
+    double m_position = 800;
+    double m_force = 0;
+    bool m_silent = false;
+    std::optional<Claim> m_claim;
+    Alter m_alterStatus;
+    Alter m_alterTip;
+    int m_armRequests = 0;
+    int m_movements = 0;
+    int m_engagedAtRest = 0;
+    TestDevice m_device; ///< last: its thread uses all of the above
+};
+
+/// Fifteen pictures a second of noise while the pedal is down. Any thread.
+class PuppetXray {
+public:
+    enum class Pictures : std::uint8_t {
+        Good,
+        None,     ///< beam on, and nothing comes
+        Repeated, ///< new numbers and times, the same bytes
+        Recorded,
+        Old, ///< taken a second before they are sent
+    };
+
+    explicit PuppetXray(Settings settings);
+
+    void show(Pictures pictures);
+
+    /// Changes each AcquisitionStatus before it is sent. Network thread; empty: nothing is changed.
+    void alterStatus(std::function<void(Message&)> alter);
+
+private:
+    void build(DistributedSystem& system);
+    void sendPicture(DistributedSystem& system);
+    void sendStatus(DistributedSystem& system);
+    bool beamOn() const;
+
+    mutable std::mutex m_mutex;
+    Pictures m_pictures = Pictures::Good;
+    std::function<void(Message&)> m_alterStatus;
+    bool m_pedal = false;
+    std::chrono::steady_clock::time_point m_commandedAt;
+    std::uint32_t m_press = 0;
+    std::uint32_t m_frame = 0;
+    std::mt19937 m_random{1};
+    std::vector<std::byte> m_pixels;
+    TestDevice m_device; ///< last
+};
+
+} // namespace liena::test

@@ -1,0 +1,185 @@
+// Alarms of the whole console by what causes them: what a robot and an X-ray system really send, or leave out, and what becomes of it.
+//
+// Those whose cause is a device that dies, a disk, a loudspeaker or a watchdog are tried elsewhere (system.cockpit, system.watchdog,
+// unit.alarm_journal, unit.alarm_sounder), those of a line that is slow, lossy or badly timed by unit.alarm_watch and unit.line_alarm.
+#include "puppet_devices.hpp"
+#include "theatre.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QFile>
+#include <QTest>
+
+using namespace console;
+using console::test::Theatre;
+using liena::Message;
+using liena::test::PuppetRobot;
+using liena::test::PuppetXray;
+using C = AlarmCondition;
+
+namespace {
+
+constexpr int patience = Theatre::patience;
+
+Theatre::Wishes wishes()
+{
+    Theatre::Wishes value;
+    value.devices = false;
+    value.arm = false;
+    return value;
+}
+
+struct Stage {
+    Theatre theatre{wishes()};
+    PuppetRobot robot{theatre.files.settingsOf("robot")};
+    PuppetXray xray{theatre.files.settingsOf("xray")};
+
+    const Alarm* alarm(C condition) const
+    {
+        for (const auto& one : theatre.models().alarms.alarms())
+            if (one.condition == condition && one.present)
+                return &one;
+        return nullptr;
+    }
+};
+
+struct Cause {
+    const char* name;
+    C condition;
+    AlarmPriority priority; ///< while armed
+    void (*make)(Stage&);
+    void (*end)(Stage&);
+};
+
+void truth(Stage& stage)
+{
+    stage.robot.alterStatus({});
+    stage.robot.alterTip({});
+    stage.xray.alterStatus({});
+}
+
+void robotSays(Stage& stage, PuppetRobot::Alter what) { stage.robot.alterStatus(std::move(what)); }
+
+const std::vector<Cause>& causes()
+{
+    static const std::vector<Cause> all{
+        {"3 the picture freezes", C::PictureStale, AlarmPriority::High, [](Stage& s) { s.xray.show(PuppetXray::Pictures::None); },
+         [](Stage& s) { s.xray.show(PuppetXray::Pictures::Good); }},
+        {"5 force at the stop", C::ForceStop, AlarmPriority::High, [](Stage& s) { s.robot.setForce(2.3); },
+         [](Stage& s) { s.robot.setForce(0); }},
+        {"5 force at the warning", C::ForceWarn, AlarmPriority::Medium, [](Stage& s) { s.robot.setForce(1.4); },
+         [](Stage& s) { s.robot.setForce(0); }},
+        {"6 a drive fails", C::DriveFault, AlarmPriority::High,
+         [](Stage& s) { robotSays(s, [](Message& m) { m.set("fault_code", 2).set("state", std::string_view("Fault")); }); }, truth},
+        {"7 emergency stop at the other site", C::EmergencyStop, AlarmPriority::High,
+         [](Stage& s) {
+             robotSays(s, [](Message& m) { m.set("emergency_stop_token", 77U).set("state", std::string_view("EmergencyStop")); });
+         },
+         truth},
+        {"11 the tracker loses the tip", C::TrackerStale, AlarmPriority::Medium,
+         [](Stage& s) { s.robot.alterTip([](Message& m) { m.set("valid", false); }); }, truth},
+        {"13 contrast runs low", C::ContrastLow, AlarmPriority::Low,
+         [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
+        {"15 soft limit", C::SoftLimit, AlarmPriority::Low, [](Stage& s) { robotSays(s, [](Message& m) { m.set("limit_switches", 2U); }); },
+         truth},
+        {"15 hard limit", C::HardLimit, AlarmPriority::Medium,
+         [](Stage& s) { robotSays(s, [](Message& m) { m.set("limit_switches", 8U); }); }, truth},
+        {"a report is overdue", C::DeadlineMissed, AlarmPriority::Medium, [](Stage& s) { s.robot.setSilent(true); },
+         [](Stage& s) { s.robot.setSilent(false); }},
+        {"9 the link is suspect three times", C::LinkUnsteady, AlarmPriority::Low,
+         [](Stage& s) {
+             const auto suspect = [&s] { return s.theatre.link("robot") == LinkState::Suspect; };
+             for (int i = 0; i < 3; ++i) {
+                 s.robot.standStill(std::chrono::milliseconds(600)); // suspect after 500 ms of silence, lost after 800
+                 (void)QTest::qWaitFor(suspect, patience);
+                 (void)QTest::qWaitFor([&] { return !suspect(); }, patience);
+             }
+         },
+         truth},
+        {"14 three gray of air kerma", C::AirKerma, AlarmPriority::Low,
+         [](Stage& s) { s.xray.alterStatus([](Message& m) { m.set("air_kerma", 3100.0); }); }, truth},
+        {"five minutes of fluoroscopy", C::FluoroscopyTime, AlarmPriority::Low,
+         [](Stage& s) { s.xray.alterStatus([](Message& m) { m.set("fluoroscopy_time", 301.0); }); }, truth},
+    };
+    return all;
+}
+
+} // namespace
+
+class AlarmCausesTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
+        m_stage = std::make_unique<Stage>();
+        QVERIFY(m_stage->theatre.openAll());
+    }
+
+    void cleanupTestCase() { m_stage.reset(); }
+
+    void whatHappensWhileTheRobotMovesIsAnAlarm_data()
+    {
+        QTest::addColumn<int>("number");
+        for (std::size_t i = 0; i < causes().size(); ++i)
+            QTest::newRow(causes()[i].name) << int(i);
+    }
+
+    void whatHappensWhileTheRobotMovesIsAnAlarm()
+    {
+        QFETCH(int, number);
+        const Cause& cause = causes().at(std::size_t(number));
+        Stage& stage = *m_stage;
+        QVERIFY2(stage.theatre.armAndMove(), qPrintable(stage.theatre.story()));
+        QVERIFY2(stage.alarm(cause.condition) == nullptr, qPrintable(stage.theatre.story()));
+        cause.make(stage);
+        QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(cause.condition) != nullptr, qPrintable(stage.theatre.story()), patience);
+        QVERIFY2(stage.alarm(cause.condition)->priority == cause.priority, qPrintable(stage.theatre.story()));
+        cause.end(stage);
+        stage.theatre.releaseAll();
+        const bool forAWhile = cause.condition == C::LinkUnsteady || cause.condition == C::DeadlineMissed;
+        if (!forAWhile)
+            QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(cause.condition) == nullptr, qPrintable(stage.theatre.story()), patience);
+    }
+
+    /// 19: the robot was started with a topology of its own.
+    void aRobotOfAnotherSystemIsAnAlarm()
+    {
+        Theatre theatre(wishes());
+        PuppetXray xray(theatre.files.settingsOf("xray"));
+        auto settings = theatre.files.settingsOf("robot");
+        QFile file(QString::fromStdString(settings.topology.string()));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        auto text = file.readAll();
+        QVERIFY(text.contains("name=\"test\""));
+        text.replace("name=\"test\"", "name=\"another\"");
+        settings.topology = theatre.files.folder() / "another.xml";
+        QFile other(QString::fromStdString(settings.topology.string()));
+        QVERIFY(other.open(QIODevice::WriteOnly) && other.write(text) == text.size());
+        other.close();
+        PuppetRobot robot(settings);
+        QVERIFY(QTest::qWaitForWindowActive(&theatre.window()));
+        QTest::keyClick(&theatre.window(), Qt::Key_F2);
+        QVERIFY(theatre.click(QStringLiteral("Open all")));
+        const auto differs = [&theatre] {
+            for (const auto& one : theatre.models().alarms.alarms())
+                if (one.condition == C::SystemDiffers && one.present)
+                    return one.priority == AlarmPriority::Medium;
+            return false;
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(differs(), qPrintable(theatre.story()), patience);
+        QCOMPARE(theatre.link("robot"), LinkState::Closed);
+        QTest::keyClick(&theatre.window(), Qt::Key_F1);
+        theatre.hold(Qt::Key_R);
+        QVERIFY(!theatre.reaches(PermitPhase::Arming));
+        QCOMPARE(robot.armRequests(), 0);
+        theatre.releaseAll();
+    }
+
+private:
+    std::unique_ptr<Stage> m_stage;
+};
+
+QTEST_MAIN(AlarmCausesTest)
+#include "alarm_causes_test.moc"
