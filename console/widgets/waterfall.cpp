@@ -79,6 +79,11 @@ void Waterfall::paintStep(QPainter& painter, const QRectF& row, const Step& step
     const auto xOf = [&](double ms) { return chart.left() + chart.width() * std::clamp(ms / full, 0.0, 1.0); };
     painter.setPen(QPen(colour::strongLine, 1, Qt::DashLine));
     painter.drawLine(QPointF(xOf(m_limit), row.top()), QPointF(xOf(m_limit), row.bottom()));
+    if (&step == &m_steps.front()) {
+        painter.setPen(colour::secondary);
+        drawFigures(painter, QRectF(chart.left(), row.top(), xOf(m_limit) - chart.left() - 6, row.height()),
+                    Qt::AlignRight | Qt::AlignVCenter, tr("limit %1").arg(figure(m_limit, 0, tr("ms"))));
+    }
     const double middle = row.center().y();
     const double thick = row.height() * 0.46;
     const double begin = xOf(step.begin);

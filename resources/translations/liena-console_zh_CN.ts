@@ -4702,6 +4702,10 @@ known here</source>
         <source>%1 / %2</source>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>limit %1</source>
+        <translation>上限 %1</translation>
+    </message>
 </context>
 <context>
     <name>console::Words</name>

@@ -53,9 +53,13 @@ private Q_SLOTS:
         const auto before = linkTo(robot, cockpitId);
         // More packets than heartbeats fit into the window: the others are the commands.
         std::uint32_t sequence = 0;
-        QTRY_VERIFY2(
-            (cockpit->send(robotId, motion(*cockpit, robotId, ++sequence)).has_value() && linkTo(robot, cockpitId).packetsHeard > 12),
-            (cockpit.story() + robot.story()).c_str());
+        const auto morePacketsThanHeartbeats = [&] {
+            for (int i = 0; i < 4; ++i)
+                if (!cockpit->send(robotId, motion(*cockpit, robotId, ++sequence)))
+                    return false;
+            return linkTo(robot, cockpitId).packetsHeard > 12;
+        };
+        QTRY_VERIFY2(morePacketsThanHeartbeats(), (cockpit.story() + robot.story()).c_str());
         QTRY_VERIFY(!robot.messages("MotionCommand").empty());
         const auto received = robot.messages("MotionCommand");
         for (std::size_t i = 1; i < received.size(); ++i)

@@ -107,10 +107,8 @@ void silence(Stage& stage) { stage.robot.setSilent(true); }
 void speak(Stage& stage) { stage.robot.setSilent(false); }
 void beTrue(Stage& stage) { stage.robot.claim(std::nullopt); }
 
-void hide(Stage& stage) { stage.theatre.window().hide(); }
-void showAgain(Stage& stage)
+void comeToTheFront(Stage& stage)
 {
-    stage.theatre.window().show();
     stage.theatre.window().activateWindow();
     (void)QTest::qWaitForWindowActive(&stage.theatre.window());
     QTest::keyClick(&stage.theatre.window(), Qt::Key_F1); // the hand has its keys again
@@ -124,10 +122,20 @@ void putAnotherInFront(Stage& stage)
     stage.other->activateWindow();
     (void)QTest::qWaitForWindowActive(stage.other.get());
 }
+
 void takeItAway(Stage& stage)
 {
     stage.other.reset();
-    showAgain(stage);
+    comeToTheFront(stage);
+}
+
+void hide(Stage& stage) { stage.theatre.window().hide(); }
+
+void showAgain(Stage& stage)
+{
+    stage.theatre.window().show();
+    putAnotherInFront(stage); // Qt's offscreen platform takes the hidden window for the active one all the time
+    takeItAway(stage);
 }
 
 void standStill(Stage&) { QThread::msleep(300); }
