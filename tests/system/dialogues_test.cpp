@@ -5,7 +5,9 @@
 
 #include <QTest>
 
+#include <atomic>
 #include <fstream>
+#include <semaphore>
 
 using namespace liena;
 using namespace liena::test;
@@ -85,6 +87,47 @@ private Q_SLOTS:
         QTRY_VERIFY2(!(received = cockpit.messages("XrayFrame")).empty(), (cockpit.story() + xray.story()).c_str());
         const auto arrived = received[0].get<std::span<const std::byte>>("pixels");
         QVERIFY(std::equal(arrived.begin(), arrived.end(), pixels.begin(), pixels.end()));
+    }
+
+    /// The handler runs while the queue from which the picture fell has work in hand.
+    void aHandlerMaySendWhenItHearsThatSomethingDidNotLeave()
+    {
+        TestSystem system({reference::cockpit, reference::xray}, {"cockpit xray"},
+                          {"tls", R"(heartbeat="20ms" suspect="2s" lost="3s" reconnect="3500ms")"});
+        const auto cockpitId = system.idOf("cockpit");
+        std::atomic<std::uint32_t> again{0};
+        const auto pixels = std::make_shared<const std::vector<std::byte>>(std::size_t{4} << 20U);
+        const auto picture = [&pixels](DistributedSystem& from, std::uint32_t number) {
+            auto frame = from.report("XrayFrame").value();
+            frame.set("frame", number).set("rows", 2048U).set("columns", 2048U).set("bits_stored", 8U);
+            frame.lend("pixels", pixels, *pixels);
+            return frame;
+        };
+        constexpr std::uint32_t repeats = 1000; // number of the first that a handler sent
+        TestDevice xray(system.settingsOf("xray"), [&](DistributedSystem& self) {
+            self.subscribe([&](const SessionEvent& event) {
+                if (event.kind == Kind::SendFailed && again < 20)
+                    (void)self.send(cockpitId, picture(self, repeats + again++));
+            });
+        });
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        QVERIFY(cockpit->openChannel(system.idOf("xray")));
+        QTRY_VERIFY2(xray.heard(Kind::Opened), xray.story().c_str());
+        // The reader stands for longer than a picture's lifespan of half a second: what does not fit on the way expires.
+        std::binary_semaphore goOn{0};
+        cockpit->post([&goOn] { (void)goOn.try_acquire_for(std::chrono::seconds(1)); });
+        for (std::uint32_t i = 0; i < 8; ++i)
+            QVERIFY(xray->send(cockpitId, picture(*xray, i)));
+        QTRY_VERIFY2(again > 0, xray.story().c_str());
+        goOn.release();
+        const auto arrived = [&] {
+            for (const auto& frame : cockpit.messages("XrayFrame"))
+                if (frame.get<std::uint32_t>("frame") >= repeats)
+                    return true;
+            return false;
+        };
+        QTRY_VERIFY2(arrived(), (cockpit.story() + xray.story()).c_str());
+        QVERIFY2(!xray.heard(Kind::Lost), xray.story().c_str());
     }
 
     void bothMayOpenAtOnce()

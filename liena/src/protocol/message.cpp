@@ -274,9 +274,10 @@ Message& Message::lend(std::size_t index, std::shared_ptr<const void> owner, std
         assignBytes(index, bytes);
         return *this;
     }
+    auto lent = std::make_shared<const LentBytes>(LentBytes{std::move(owner), bytes}); // before anything is changed: it may throw
     assignBytes(index, {});
     writeLength(bytes.size());
-    m_lent = std::make_shared<const LentBytes>(LentBytes{std::move(owner), bytes});
+    m_lent = std::move(lent);
     return *this;
 }
 

@@ -29,6 +29,9 @@ public:
         return {std::move(set), definition, std::move(fields)};
     }
 
+    /// What the definition, and every name in it, lives in.
+    static const std::shared_ptr<const MessageSet>& setIn(const Message& message) { return message.m_set; }
+    static std::shared_ptr<const MessageSet> takeSet(Message& message) { return std::move(message.m_set); }
     static FieldBytes takeFields(Message& message) { return std::move(message.m_fields); }
     static std::shared_ptr<const LentBytes> takeLent(Message& message) { return std::move(message.m_lent); }
 };

@@ -134,10 +134,24 @@ Reassembler::Outcome Reassembler::close()
     if (!partial.discarding) {
         partial.bytes->resize(partial.filled, boost::container::default_init);
         m_lastSize[segment->partial->first] = partial.filled;
-        outcome = Assembled{std::move(*partial.bytes)};
+        outcome = Assembled{takeFitting(partial)};
     }
     m_partials.erase(segment->partial);
     return outcome;
+}
+
+/// A buffer was reserved for a message as long as the one before it. What turned out to be much shorter does not keep it: whoever holds
+/// messages counts them by their length.
+FieldBytes Reassembler::takeFitting(Partial& partial)
+{
+    constexpr std::size_t worthExchanging = 65536;
+    auto& bytes = *partial.bytes;
+    if (bytes.capacity() < worthExchanging || bytes.capacity() <= 2 * bytes.size())
+        return std::move(bytes);
+    FieldBytes fitting(bytes.begin(), bytes.end());
+    if (partial.bytes.use_count() == 1) // else a read in flight writes to it
+        m_budget.recycle(std::move(bytes));
+    return fitting;
 }
 
 void Reassembler::abandon(std::uint16_t number, Timestamp timestamp)

@@ -88,6 +88,7 @@ private:
     Partials::iterator begin(const DatagramHeader& header, std::size_t maximum);
     bool reserve(Partial& partial, std::size_t bytes);
     static std::span<std::byte> tail(Partial& partial, std::size_t bytes);
+    FieldBytes takeFitting(Partial& partial);
     void release(Partial& partial);
     void drop(Partials::iterator partial);
 

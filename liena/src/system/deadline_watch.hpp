@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <string>
 
 namespace liena::system {
 
@@ -13,21 +14,28 @@ class DeadlineWatch {
 public:
     using Instant = std::chrono::steady_clock::time_point;
 
+    /// Keeps nothing of `definition`, whose set may be exchanged while the session lasts.
     void arrived(const MessageDefinition& definition, Instant now)
     {
-        if (definition.deadline)
-            m_streams.insert_or_assign(definition.number, Stream{&definition, now, false});
+        if (!definition.deadline)
+            return;
+        auto& stream = m_streams[definition.number];
+        if (stream.name.empty())
+            stream.name = definition.name;
+        stream.deadline = *definition.deadline;
+        stream.last = now;
+        stream.told = false;
     }
 
-    /// Calls `missed(const MessageDefinition&)` for each stream whose gap has become too long since the last call.
+    /// Calls `missed(number, name)` for each stream whose gap has become too long since the last call.
     template <typename Missed>
     void check(Instant now, Missed&& missed)
     {
         for (auto& [number, stream] : m_streams) {
-            if (stream.told || now - stream.last <= *stream.definition->deadline)
+            if (stream.told || now - stream.last <= stream.deadline)
                 continue;
             stream.told = true;
-            missed(*stream.definition);
+            missed(number, stream.name);
         }
     }
 
@@ -35,9 +43,10 @@ public:
 
 private:
     struct Stream {
-        const MessageDefinition* definition;
+        std::string name;
+        std::chrono::nanoseconds deadline{};
         Instant last;
-        bool told;
+        bool told = false;
     };
     std::map<std::uint16_t, Stream> m_streams;
 };

@@ -329,9 +329,9 @@ void DistributedModule::armTimer()
 void DistributedModule::housekeeping()
 {
     const auto now = m_host.now().mono;
-    m_deadlines.check(now, [this](const MessageDefinition& definition) {
+    m_deadlines.check(now, [this](std::uint16_t, const std::string& name) {
         auto event = this->event(SessionEvent::Kind::DeadlineMissed);
-        event.message = definition.name;
+        event.message = name;
         m_host.tell(std::move(event));
     });
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {

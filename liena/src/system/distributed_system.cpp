@@ -161,7 +161,10 @@ Result<void> DistributedSystem::openChannel(DeviceId peer)
     if (status->state != SessionState::Closed)
         return fail(Errc::Busy, fmt::format("the session is {} already", toString(status->state)));
     m_state->recordCommand("open-commanded", peer, 0, {});
-    post([state = m_state.get(), peer] { (void)state->module(peer)->open(); });
+    post([state = m_state.get(), peer] {
+        if (auto* one = state->module(peer)) // stop() may have been quicker
+            (void)one->open();
+    });
     return ok();
 }
 
@@ -173,7 +176,10 @@ Result<void> DistributedSystem::closeChannel(DeviceId peer, std::string_view rea
     if (status->state == SessionState::Closed || status->state == SessionState::StandBy)
         return fail(Errc::NotOpen, fmt::format("the session is {}", toString(status->state)));
     m_state->recordCommand("close-commanded", peer, 0, reason);
-    post([state = m_state.get(), peer, why = std::string(reason)] { (void)state->module(peer)->close(why); });
+    post([state = m_state.get(), peer, why = std::string(reason)] {
+        if (auto* one = state->module(peer)) // stop() may have been quicker
+            (void)one->close(why);
+    });
     return ok();
 }
 
@@ -187,7 +193,10 @@ Result<void> DistributedSystem::reopenChannel(DeviceId peer)
     if (status->state != SessionState::StandBy)
         return fail(Errc::NoIncident, fmt::format("the session is {}, there is nothing to re-open", toString(status->state)));
     m_state->recordCommand("reopen-commanded", peer, status->incident, {});
-    post([state = m_state.get(), peer, seen = status->incident] { (void)state->module(peer)->reopen(seen); });
+    post([state = m_state.get(), peer, seen = status->incident] {
+        if (auto* one = state->module(peer)) // stop() may have been quicker
+            (void)one->reopen(seen);
+    });
     return ok();
 }
 
@@ -207,7 +216,10 @@ Result<void> DistributedSystem::probe(DeviceId peer)
 {
     if (const auto linked = m_state->linkedPeer(peer); !linked)
         return linked.as_failure();
-    post([state = m_state.get(), peer] { state->module(peer)->probe(); });
+    post([state = m_state.get(), peer] {
+        if (auto* one = state->module(peer)) // stop() may have been quicker
+            one->probe();
+    });
     return ok();
 }
 

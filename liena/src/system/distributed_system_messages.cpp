@@ -33,6 +33,9 @@ void DistributedSystem::State::drainOutbox()
 void DistributedSystem::State::sendNow(DeviceId target, Message&& message)
 {
     auto* one = module(target);
+    if (one == nullptr)
+        return; // stop() was quicker
+    const auto set = MessageAccess::setIn(message); // that the name lives in
     const auto& name = message.definition().name;
     const auto sent = one->send(std::move(message));
     if (sent)

@@ -3,6 +3,7 @@
 #include "protocol/message_access.hpp"
 #include "system/distributed_module.hpp"
 
+#include <boost/asio/post.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,7 +41,8 @@ Result<void> DistributedModule::send(Message&& message)
     const auto& definition = message.definition();
     if (definition.priority != Priority::Status)
         m_usedSince = true;
-    tasks::OutputQueue::Entry entry{{}, tasks::rankOf(definition.priority), definition.history, std::nullopt, definition.name};
+    tasks::OutputQueue::Entry entry{
+        {}, tasks::rankOf(definition.priority), definition.history, std::nullopt, definition.name, MessageAccess::takeSet(message)};
     auto& encoded = entry.message;
     encoded.header.message = {m_host.ownDevice().id, definition.number};
     encoded.header.target = m_peer.id;
@@ -82,7 +84,8 @@ void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::O
     event.count = 1;
     event.detail = fate == tasks::OutputQueue::Fate::Expired ? "its lifespan ended before it could leave"
                                                              : "the session was interrupted before it left";
-    m_host.tell(std::move(event));
+    // A handler may send, and this is told in the midst of a queue's own work.
+    boost::asio::post(m_host.io(), [&host = m_host, event = std::move(event)]() mutable { host.tell(std::move(event)); });
 }
 
 std::size_t DistributedModule::backlog() const

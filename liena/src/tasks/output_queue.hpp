@@ -43,6 +43,7 @@ public:
         std::uint32_t history = 0;                                    ///< 0: kept until sent
         std::optional<std::chrono::steady_clock::time_point> expires; ///< lifespan
         std::string_view name;                                        ///< of the definition, for reports; empty for session management
+        std::shared_ptr<const MessageSet> set = nullptr;              ///< that `name` lives in: the peer's may be exchanged meanwhile
     };
 
     /// Called for each message that is accepted and will not leave.

@@ -78,6 +78,7 @@ private slots:
     void judgesABodyBeforeItsPieces();
     void abandonedBetweenPiecesStaysAbandoned();
     void expectsTheNextToBeAsLong();
+    void shortMessageAfterALongOneKeepsNoLongBuffer();
     void whatLiesInItsPlaceIsNotCopied();
     void aPlaceOutlivesItsMessage();
 };
@@ -347,6 +348,26 @@ void ReassemblerTest::expectsTheNextToBeAsLong()
     QVERIFY(is<Reassembler::Incomplete>(lane.take(9, half, true)));
     lane.reassembler.clear(); // what was given up serves the next
     QVERIFY(lane.own.kept() >= 2 * half.size());
+}
+
+/// A peer would otherwise fill the memory with messages of a few bytes that are counted as such.
+void ReassemblerTest::shortMessageAfterALongOneKeepsNoLongBuffer()
+{
+    constexpr std::size_t longest = std::size_t{4} << 20U;
+    Lane lane;
+    const std::string piece(30000, 'a');
+    std::size_t sent = 0;
+    while (sent + 2 * piece.size() < longest) {
+        lane.take(1, piece, true, longest);
+        sent += piece.size();
+    }
+    QVERIFY(is<Reassembler::Assembled>(lane.take(1, piece, false, longest)));
+    for (std::uint64_t next = 2; next < 5; ++next) {
+        lane.take(next, "short", true, longest);
+        const auto outcome = lane.take(next, " one", false, longest);
+        QCOMPARE(textOf(outcome), std::string("short one"));
+        QVERIFY(std::get<Reassembler::Assembled>(outcome).bytes.capacity() < 65536);
+    }
 }
 
 void ReassemblerTest::whatLiesInItsPlaceIsNotCopied()

@@ -23,7 +23,7 @@ MessageDefinition definition(std::uint16_t number, std::optional<std::chrono::na
 std::vector<std::uint16_t> missed(DeadlineWatch& watch, DeadlineWatch::Instant now)
 {
     std::vector<std::uint16_t> numbers;
-    watch.check(now, [&](const MessageDefinition& late) { numbers.push_back(late.number); });
+    watch.check(now, [&](std::uint16_t number, const std::string&) { numbers.push_back(number); });
     return numbers;
 }
 
