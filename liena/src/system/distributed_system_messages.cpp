@@ -34,7 +34,7 @@ void DistributedSystem::State::sendNow(DeviceId target, Message&& message)
 {
     auto* one = module(target);
     if (one == nullptr)
-        return; // stop() was quicker
+        return;                                     // stop() was quicker
     const auto set = MessageAccess::setIn(message); // that the name lives in
     const auto& name = message.definition().name;
     const auto sent = one->send(std::move(message));
