@@ -148,7 +148,10 @@ void TestPermitGuards::acceptedForceMeetsItsGuard()
 void TestPermitGuards::fewPicturesEndMotion()
 {
     auto readings = good();
-    readings.picture.atRate = false;
+    readings.picture.expectedPerSecond = 15;
+    readings.picture.shownPerSecond = 7; // the rate has just been doubled
+    QVERIFY(checkKept(readings).test(std::size_t(Guard::PictureLive)));
+    readings.picture.shownPerSecond = 4;
     QVERIFY(!checkKept(readings).test(std::size_t(Guard::PictureLive)));
 }
 
