@@ -61,6 +61,8 @@ void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
     ++m_statusCount;
     if (status.emergencyStopToken != 0)
         m_stopUnheard.reset();
+    if (std::abs(status.guidewireForce) <= m_limits.forceNearZero)
+        dropForce(); // what comes after it is another force, whichever way it points
     m_peakForce = std::max(m_peakForce, std::abs(status.guidewireForce));
     m_forces.push_back({at, status.guidewireForce});
     while (m_forces.front().at < at - forceTrail)

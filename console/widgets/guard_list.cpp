@@ -1,4 +1,4 @@
-// Lines in three columns; an empty box is missing, a tick is met. What is missing comes first, so what finds no room is met.
+// Lines in columns of five; an empty box is missing, a tick is met. What is missing comes first, so what finds no room is met.
 #include "widgets/guard_list.hpp"
 
 #include "widgets/figures.hpp"

@@ -290,6 +290,9 @@ private Q_SLOTS:
         const auto back = static_cast<std::uint32_t>(spent - stage.robot.permit());
         stage.robot.claim(RobotClaim{Said::Ready, back, true});
         stage.theatre.releaseAll();
+        stage.theatre.acknowledgeAlarms();
+        stage.theatre.testAlarms();
+        QVERIFY2(stage.theatre.models().selfTest.passed(), qPrintable(stage.theatre.story())); // it is not for want of that
         stage.theatre.hold(Qt::Key_F);
         const int asked = stage.robot.armRequests();
         stage.theatre.hold(Qt::Key_R);

@@ -181,6 +181,10 @@ private Q_SLOTS:
         QVERIFY(!robot.forceAccepted()); // another force
         feel(0.5);
         QVERIFY(robot.forceAccepted());
+        feel(0.1);
+        feel(0.5);
+        QVERIFY(!robot.forceAccepted()); // it went, and another came
+        QVERIFY(robot.acceptForce(start));
         robot.dropForce();
         QVERIFY(!robot.forceAccepted());
     }
