@@ -4,6 +4,7 @@
 #include "protocol/datagram_encoder.hpp"
 #include "protocol/reassembler.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <numeric>
@@ -67,7 +68,8 @@ Expected expectedOf(LaneModel& lane, std::size_t heldElsewhere, const DatagramHe
     }
     auto& partial = found->second;
     const bool wasPassedOver = partial.passedOver;
-    partial.passedOver = wasPassedOver || heldElsewhere + lane.held() + body.size() > budgetLimit;
+    const std::size_t held = lane.held() + body.size();
+    partial.passedOver = wasPassedOver || heldElsewhere + held > budgetLimit || held > budgetLimit - heldElsewhere - held;
     partial.bytes.insert(partial.bytes.end(), body.begin(), body.end());
     Expected expected;
     if (partial.passedOver && !wasPassedOver)
@@ -96,7 +98,33 @@ public:
             byte = static_cast<std::byte>(++m_pattern);
         header.length = static_cast<std::uint16_t>(body.size());
         compare(expectedOf(m_models[lane], m_models[1 - lane].held(), header, body, maxima[kind]),
-                m_lanes[lane].take(header, body, maxima[kind]));
+                (choice & 32U) != 0 ? inPieces(m_lanes[lane], header, body, maxima[kind]) : m_lanes[lane].take(header, body, maxima[kind]));
+    }
+
+    /// As from a connection: judged before it comes, and most of it written where it will lie.
+    static Reassembler::Outcome inPieces(Reassembler& lane, const DatagramHeader& header, std::span<const std::byte> body,
+                                         std::size_t maximum)
+    {
+        auto outcome = lane.open(header, body.size(), maximum);
+        if (std::holds_alternative<Reassembler::Whole>(outcome))
+            return lane.take(header, body, maximum);
+        if (!std::holds_alternative<Reassembler::Incomplete>(outcome))
+            return outcome;
+        lane.add(body.first(body.size() / 3));
+        const auto rest = body.subspan(body.size() / 3);
+        const auto place = lane.place(rest.size());
+        expect(place.bytes.empty() || (place.bytes.size() == rest.size() && place.keeper), "a place is kept, and has the size asked for");
+        for (std::size_t done = 0; done < rest.size();) {
+            const auto step = std::min(rest.size() - done, rest.size() / 2 + 1); // a read brings less than there is room for
+            auto piece = rest.subspan(done, step);
+            if (!place.bytes.empty()) {
+                std::copy(piece.begin(), piece.end(), place.bytes.begin() + static_cast<std::ptrdiff_t>(done));
+                piece = place.bytes.subspan(done, step);
+            }
+            lane.add(piece);
+            done += step;
+        }
+        return lane.close();
     }
 
     void abandon(FuzzInput& input)

@@ -111,8 +111,8 @@ public:
     }
 
     /// Sets a Bytes field as set() does, without copying an image: it is sent from where it lies. `owner` keeps the bytes, which must not
-    /// change until it is let go, and is let go on the network thread when they have left, or will not. Only the last field can be lent to.
-    /// What is short, and what does not travel as `bulk`, is copied all the same, and `owner` let go at once.
+    /// change until it is let go: when they have left or never will, by the network thread, or by whoever was refused or calls stop(). Only
+    /// the last field can be lent to. What is short, and what does not travel as `bulk`, is copied, and `owner` let go at once.
     Message& lend(std::string_view field, std::shared_ptr<const void> owner, std::span<const std::byte> bytes)
     {
         return lend(position(field), std::move(owner), bytes);

@@ -15,9 +15,13 @@ class PartialBudget {
 public:
     explicit PartialBudget(std::size_t limit = std::size_t{64} << 20U) : m_limit(limit) {}
 
-    bool take(std::size_t bytes)
+    /// For a lane that has taken `held` so far. No lane may have more than is left for the others: one that fills up what it can leaves
+    /// half of the limit, n of them leave an (n + 1)th (dynamic thresholds: Choudhury and Hahne, IEEE/ACM Transactions on Networking 6(2),
+    /// 1998). A peer that never ends its messages so does not keep those of others out.
+    bool take(std::size_t bytes, std::size_t held)
     {
-        if (bytes > m_limit - m_used)
+        const auto left = m_limit - m_used;
+        if (bytes > left || held + bytes > left - bytes)
             return false;
         m_used += bytes;
         return true;

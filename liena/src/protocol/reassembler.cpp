@@ -81,8 +81,9 @@ Reassembler::Partials::iterator Reassembler::begin(const DatagramHeader& header,
 /// False when it is too much: then the message is passed over.
 bool Reassembler::reserve(Partial& partial, std::size_t bytes)
 {
-    if (m_budget.take(bytes)) {
+    if (m_budget.take(bytes, m_held)) {
         partial.reserved += bytes;
+        m_held += bytes;
         return true;
     }
     release(partial);
@@ -148,10 +149,11 @@ FieldBytes Reassembler::takeFitting(Partial& partial)
     auto& bytes = *partial.bytes;
     if (bytes.capacity() < worthExchanging || bytes.capacity() <= 2 * bytes.size())
         return std::move(bytes);
-    FieldBytes fitting(bytes.begin(), bytes.end());
-    if (partial.bytes.use_count() == 1) // else a read in flight writes to it
+    const auto whole = partial.bytes;
+    partial.bytes = std::make_shared<FieldBytes>(bytes.begin(), bytes.end());
+    if (whole.use_count() == 1) // else a read in flight writes to it
         m_budget.recycle(std::move(bytes));
-    return fitting;
+    return std::move(*partial.bytes);
 }
 
 void Reassembler::abandon(std::uint16_t number, Timestamp timestamp)
@@ -174,7 +176,9 @@ void Reassembler::drop(Partials::iterator partial)
 
 void Reassembler::release(Partial& partial)
 {
-    m_budget.giveBack(std::exchange(partial.reserved, 0));
+    const auto reserved = std::exchange(partial.reserved, 0);
+    m_held -= reserved;
+    m_budget.giveBack(reserved);
     m_budget.release(std::exchange(partial.room, 0));
 }
 

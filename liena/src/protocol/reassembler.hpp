@@ -96,6 +96,7 @@ private:
     Partials m_partials;
     std::optional<Segment> m_open;
     std::map<std::uint16_t, std::size_t> m_lastSize; ///< of each message number: the next is likely as long
+    std::size_t m_held = 0;                          ///< of the budget, by all partials
     std::uint64_t m_abandoned = 0;
 };
 

@@ -10,6 +10,8 @@ using namespace std::chrono_literals;
 
 void DistributedSystem::State::deliver(Message&& message)
 {
+    if (message.definition().priority != Priority::Bulk)
+        attention.heard();
     const auto found = messageHandlers.find(message.name());
     if (found == messageHandlers.end())
         return MessageCacheAccess::put(messageCache, std::move(message));

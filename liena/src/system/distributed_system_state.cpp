@@ -92,7 +92,7 @@ void DistributedSystem::State::start()
     offerStatus();
     thread = std::thread([this] {
         threadId = std::this_thread::get_id();
-        system::runNetworkThread(context, settings.realTime);
+        system::runNetworkThread(context, settings.realTime, attention);
     });
 }
 
@@ -118,6 +118,8 @@ void DistributedSystem::State::stop()
         asio::post(context, [this] { closeAll(); });
         thread.join();
     }
+    outbox.take(letters); // nobody sends them any more
+    letters.clear();
     elasticWork.stop();
     setKeeper.finish();
     statusServer.reset();

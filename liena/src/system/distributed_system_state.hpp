@@ -15,6 +15,7 @@
 #include "system/packet_owners.hpp"
 #include "system/paired_clocks.hpp"
 #include "system/set_keeper.hpp"
+#include "tasks/attention.hpp"
 #include "topology/local_store.hpp"
 #include "topology/registry.hpp"
 #include "transport/status_server.hpp"
@@ -139,6 +140,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     boost::asio::io_context context{1};
     boost::asio::executor_work_guard<boost::asio::io_context::executor_type> work{context.get_executor()};
     system::ElasticWork elasticWork{context, settings};
+    tasks::Attention attention;
     tasks::InterfaceShares interfaceShares;
     TimestampSource stamps;
     mutable system::PairedClocks clocks; ///< remembers what it read

@@ -71,6 +71,25 @@ Result<void> takeThread(const RealTimeOptions& options)
     return taken ? takePriority(options.priority) : taken;
 }
 
+bool hasOneProcessor()
+{
+    cpu_set_t set;
+    return ::sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) == 1;
+}
+
+void runWithAttention(boost::asio::io_context& context, tasks::Attention& attention)
+{
+    const bool sleepsAlways = hasOneProcessor();
+    while (!context.stopped()) {
+        if (attention.isAwake() && !sleepsAlways)
+            context.poll();
+        else
+            context.run_one();
+        if (attention.isConcerned())
+            attention.judge(std::chrono::steady_clock::now());
+    }
+}
+
 } // namespace
 
 Result<void> prepareRealTime(const RealTimeOptions& options)
@@ -98,11 +117,11 @@ void runAsOrdinaryThread()
     (void)::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &parameters); // less is always permitted
 }
 
-void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options)
+void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options, tasks::Attention& attention)
 {
     (void)takeThread(options); // it was permitted when it was tried
     if (options.search <= 0us) {
-        context.run();
+        runWithAttention(context, attention);
         return;
     }
     auto worked = std::chrono::steady_clock::now();

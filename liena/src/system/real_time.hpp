@@ -3,6 +3,7 @@
 
 #include "liena/error.hpp"
 #include "liena/settings.hpp"
+#include "tasks/attention.hpp"
 
 namespace boost::asio {
 class io_context;
@@ -14,8 +15,9 @@ namespace liena::system {
 /// and how to permit it.
 Result<void> prepareRealTime(const RealTimeOptions& options);
 
-/// The network thread's life: takes priority and processors, then works until the context is stopped.
-void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options);
+/// The network thread's life: takes priority and processors, then works until the context is stopped. While `attention` is awake it does
+/// not sleep, unless it has one processor only: then whoever is to answer needs that.
+void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options, tasks::Attention& attention);
 
 /// For a thread that the network thread makes and that must not stand in its way: threads inherit their priority.
 void runAsOrdinaryThread();

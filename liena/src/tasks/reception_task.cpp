@@ -10,6 +10,8 @@ ReceptionTask::ReceptionTask(std::shared_ptr<transport::TcpChannel> channel, std
     : m_channel(std::move(channel)), m_decoder(std::move(decoder)), m_reassembler(budget), m_lane(lane), m_sink(&sink)
 {
     m_channel->setListener(this);
+    if (m_lane == 0)
+        m_channel->answerFirst();
 }
 
 ReceptionTask::~ReceptionTask() { close(); }

@@ -51,6 +51,13 @@ void retransmitSoon(int socket)
     set(socket, IPPROTO_TCP, rtoMinUs, soonest);
 }
 
+/// What was read is acknowledged now, and what comes next is not acknowledged by reading it (tcp(7), TCP_QUICKACK).
+void acknowledge(int socket)
+{
+    set(socket, IPPROTO_TCP, TCP_QUICKACK, 1);
+    set(socket, IPPROTO_TCP, TCP_QUICKACK, 0);
+}
+
 } // namespace
 
 TcpChannel::TcpChannel(tcp::socket socket)
@@ -263,6 +270,8 @@ void TcpChannel::settle(Way& way, const Step& done)
 
 void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
 {
+    if (m_answersFirst && &way == &m_reading)
+        acknowledge(m_descriptor);
     m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
                         Ready{shared_from_this(), &way});
 }

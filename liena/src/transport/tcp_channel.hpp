@@ -84,6 +84,10 @@ public:
     /// without.
     void tune(Traffic traffic, std::uint8_t dscp);
 
+    /// What arrives here may be answered elsewhere: it is acknowledged when reading goes on, after the answer has left. Else reading
+    /// sends the acknowledgement first, and the answer waits until that has gone through the network stack.
+    void answerFirst() { m_answersFirst = true; }
+
     /// Sends no faster than this, in bursts of at most so many bytes. Not while a write is in flight.
     void pace(double bytesPerSecond, std::size_t burst);
 
@@ -147,6 +151,7 @@ private:
     WorkerThreads* m_workers = nullptr;
     std::uint64_t m_mark = 0;
     Listener* m_listener = nullptr;
+    bool m_answersFirst = false;
     bool m_stepInFlight = false; ///< on a worker
     bool m_closed = false;
 };

@@ -11,6 +11,7 @@ class PartialBudgetTest : public QObject {
 
 private slots:
     void takesUpToItsLimit();
+    void laneThatFillsUpLeavesAsMuchForOthers();
     void recycledBufferServesTheNextMessage();
     void shortBuffersAreNotKept();
     void muchTooLargeBufferIsNotTaken();
@@ -23,9 +24,27 @@ private slots:
 void PartialBudgetTest::takesUpToItsLimit()
 {
     PartialBudget budget(100);
-    QVERIFY(budget.take(60) && !budget.take(41) && budget.take(40));
-    budget.giveBack(60);
-    QCOMPARE(budget.used(), std::size_t{40});
+    for (int lane = 0; lane < 100; ++lane)
+        QCOMPARE(budget.take(1, 0), lane < 99); // the hundredth would have more than is left
+    QVERIFY(!budget.take(2, 0));
+    budget.giveBack(99);
+    QCOMPARE(budget.used(), std::size_t{0});
+}
+
+void PartialBudgetTest::laneThatFillsUpLeavesAsMuchForOthers()
+{
+    PartialBudget budget(90);
+    std::size_t greedy = 0;
+    while (budget.take(1, greedy))
+        ++greedy;
+    QCOMPARE(greedy, std::size_t{45});
+    QVERIFY(!budget.take(23, 0) && budget.take(22, 0)); // another lane's message fits still
+    budget.giveBack(22);
+    std::size_t second = 0;
+    while (budget.take(1, second) || budget.take(1, greedy))
+        ++second;
+    QVERIFY(budget.used() <= 68); // two leave a third, though the first came long before
+    budget.giveBack(budget.used());
 }
 
 void PartialBudgetTest::recycledBufferServesTheNextMessage()

@@ -68,6 +68,7 @@ private slots:
     void refusesMoreThanTheDefinitionAllows();
     void takesExactlyTheMaximum();
     void countsMessageOverTheSharedBudget();
+    void laneThatEndsNothingDoesNotKeepOthersOut();
     void recoversFromOverBudget();
     void messageOverBudgetStillHasItsMaximum();
     void givesTheBudgetBack();
@@ -215,16 +216,30 @@ void ReassemblerTest::takesExactlyTheMaximum()
 
 void ReassemblerTest::countsMessageOverTheSharedBudget()
 {
-    PartialBudget budget(1000);
+    PartialBudget budget(1500);
     Lane first(budget);
     Lane second(budget);
     QVERIFY(is<Reassembler::Incomplete>(first.take(1, std::string(700, 'a'), true)));
     QVERIFY(is<Reassembler::OverBudget>(second.take(1, std::string(700, 'b'), true))); // said once
-    QVERIFY(budget.used() <= 1000);
+    QVERIFY(budget.used() <= 1500);
     QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), true)));
     QVERIFY(is<Reassembler::Incomplete>(second.take(1, std::string(10, 'b'), false)));
     QCOMPARE(textOf(first.take(1, "z", false)), std::string(700, 'a') + "z");
     QCOMPARE(budget.used(), std::size_t{0});
+}
+
+void ReassemblerTest::laneThatEndsNothingDoesNotKeepOthersOut()
+{
+    PartialBudget budget(1000);
+    Lane greedy(budget);
+    Lane other(budget);
+    for (std::uint16_t number = 0x0200; number < 0x0220; ++number)
+        (void)greedy.take(1, std::string(100, 'a'), true, plenty, number);
+    QVERIFY(budget.used() <= 500);
+    QVERIFY(is<Reassembler::Incomplete>(other.take(1, std::string(200, 'b'), true)));
+    QCOMPARE(textOf(other.take(1, "!", false)), std::string(200, 'b') + "!");
+    greedy.reassembler.clear();
+    QVERIFY(is<Reassembler::Incomplete>(greedy.take(2, std::string(400, 'a'), true))); // what it held counts no more
 }
 
 /// A message that does not fit the budget must not go on for ever.
@@ -249,7 +264,7 @@ void ReassemblerTest::messageOverBudgetStillHasItsMaximum()
 
 void ReassemblerTest::givesTheBudgetBack()
 {
-    PartialBudget budget(100);
+    PartialBudget budget(140);
     for (std::uint64_t round = 1; round <= 50; ++round) {
         Lane lane(budget);
         QVERIFY(is<Reassembler::Incomplete>(lane.take(round, std::string(60, 'a'), true)));

@@ -10,7 +10,9 @@
 #include <sched.h>
 
 #include <atomic>
+#include <functional>
 #include <thread>
+#include <vector>
 
 using namespace liena;
 using namespace liena::system;
@@ -71,7 +73,8 @@ private slots:
                 processors = CPU_COUNT(&set);
             context.stop();
         });
-        std::thread([&] { runNetworkThread(context, {0, {0}, false, 0us}); }).join();
+        liena::tasks::Attention attention;
+        std::thread([&] { runNetworkThread(context, {0, {0}, false, 0us}, attention); }).join();
         QCOMPARE(processors, 1);
     }
 
@@ -81,7 +84,8 @@ private slots:
         boost::asio::steady_timer timer(context);
         auto work = boost::asio::make_work_guard(context);
         std::atomic<int> done = 0;
-        std::thread thread([&] { runNetworkThread(context, {0, {}, false, 200us}); });
+        liena::tasks::Attention attention;
+        std::thread thread([&] { runNetworkThread(context, {0, {}, false, 200us}, attention); });
         boost::asio::post(context, [&] { ++done; });
         timer.expires_after(20ms); // it sleeps long before
         timer.async_wait([&](const boost::system::error_code&) {
@@ -93,6 +97,40 @@ private slots:
         });
         thread.join();
         QCOMPARE(done.load(), 3);
+    }
+
+    void attentiveThreadWorksSleepsAgainAndEnds_data()
+    {
+        QTest::addColumn<std::vector<int>>("processors");
+        QTest::newRow("all processors") << std::vector<int>{};
+        QTest::newRow("one, on which it always sleeps") << std::vector<int>{0};
+    }
+
+    void attentiveThreadWorksSleepsAgainAndEnds()
+    {
+        QFETCH(const std::vector<int>, processors);
+        boost::asio::io_context context;
+        boost::asio::steady_timer timer(context);
+        liena::tasks::Attention attention;
+        int steps = 0;
+        bool awakeWhenDue = true;
+        std::function<void()> answer = [&] { // a step each, as messages that follow each other at once
+            ++steps;
+            if (!attention.isAwake()) {
+                attention.heard();
+                return boost::asio::post(context, answer);
+            }
+            timer.expires_after(50ms);
+            timer.async_wait([&](const boost::system::error_code&) {
+                awakeWhenDue = attention.isAwake();
+                context.stop();
+            });
+        };
+        boost::asio::post(context, answer);
+        std::thread([&] { runNetworkThread(context, {0, processors, false, 0us}, attention); }).join();
+        QVERIFY(steps > liena::tasks::Attention::enough);
+        QCOMPARE(awakeWhenDue, processors.size() == 1); // one processor slept through, and judges at the timer
+        QVERIFY(!attention.isAwake());
     }
 };
 
