@@ -1,6 +1,7 @@
 // Sealing, opening, and the change of keys.
 #include "system/datagram_path.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -34,7 +35,7 @@ void DatagramPath::end()
     m_lastNumber = 0;
     m_hears = false;
     m_receiving.reset();
-    m_before.reset();
+    m_before.clear();
     m_window = {};
 }
 
@@ -65,8 +66,9 @@ void DatagramPath::incomingUp(std::uint64_t token, const transport::TcpChannel& 
     if (!m_sealed)
         return;
     if (m_receiving) {
-        m_before = std::move(m_receiving);
-        m_beforeUntil = now + 1s;
+        if (m_before.size() == mostBefore)
+            m_before.erase(m_before.begin());
+        m_before.push_back({std::move(*m_receiving), now + 1s});
     }
     m_receiving.reset();
     if (const auto key = lane.datagramKey(token))
@@ -129,8 +131,10 @@ bool DatagramPath::unseal(std::uint64_t number, std::span<std::byte> packet, ses
     if (length > plain.size())
         return false;
     const auto target = std::span(plain).first(length);
-    const bool genuine = (m_receiving && m_receiving->open(number, clear, sealed, target)) ||
-                         (m_before && now < m_beforeUntil && m_before->open(number, clear, sealed, target));
+    const auto opens = [&](security::DatagramSeal& seal) { return seal.open(number, clear, sealed, target); };
+    const bool genuine = (m_receiving && opens(*m_receiving)) || std::any_of(m_before.rbegin(), m_before.rend(), [&](Before& before) {
+                             return now < before.until && opens(before.seal);
+                         });
     if (genuine)
         std::memcpy(sealed.data(), target.data(), target.size());
     return genuine;

@@ -14,6 +14,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace liena::system {
 
@@ -26,7 +27,7 @@ public:
     /// Our lane 0 of the session with that token stands: its key seals; from now on, or soon when another one did until now.
     void outgoingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
 
-    /// The peer's lane 0 stands: its key opens from now on, and the one before for another second.
+    /// The peer's lane 0 stands: its key opens from now on, and those before for another second each.
     void incomingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
 
     /// The session is over; its keys are forgotten.
@@ -51,6 +52,13 @@ public:
     std::uint64_t bytesReceived() const { return m_bytesReceived; }
 
 private:
+    /// The key of a lane 0 that was replaced. A peer that makes it anew again and again still seals with the first of them.
+    struct Before {
+        security::DatagramSeal seal;
+        session::Instant until;
+    };
+    static constexpr std::size_t mostBefore = 4;
+
     void begin(std::uint64_t token);
     bool unseal(std::uint64_t number, std::span<std::byte> packet, session::Instant now);
 
@@ -68,8 +76,7 @@ private:
 
     bool m_hears = false;
     std::optional<security::DatagramSeal> m_receiving;
-    std::optional<security::DatagramSeal> m_before;
-    session::Instant m_beforeUntil;
+    std::vector<Before> m_before; ///< the newest last
     session::PacketWindow m_window;
 
     std::uint64_t m_bytesSent = 0;

@@ -2,6 +2,7 @@
 #include "tasks/path_rate.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace liena::tasks {
@@ -17,6 +18,10 @@ constexpr auto mostUnrest = 500us;           // of a long path
 constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
 constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
+constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
+constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
+constexpr auto tried = 3s;                   // before a slow path's confirmed ceiling is tried again
+constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;            // a step while nothing is known
 constexpr double gentle = 1.01;              // a step near the ceiling
 constexpr double nearCeiling = 0.9;          // gently from here
@@ -72,6 +77,7 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
             judgeBurst(facts, now);
         m_burst = Burst{now, std::nullopt, facts.bytesSent};
         m_window = Window{now, facts.bytesAcknowledged, facts.windowClosed, true};
+        m_course.forget();
         return;
     }
     if (m_draining && !hasQueue(facts))
@@ -84,13 +90,24 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
         return; // nothing of it is acknowledged yet
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
-    m_delivered = static_cast<double>(facts.bytesAcknowledged - ended.acknowledged) / secondsOf(elapsed);
+    m_delivered = m_course.rate(ended, facts.bytesAcknowledged, now, timeToNotice());
     if (hasQueue(facts)) {
-        if (isEffective(facts) || m_delivered * margin < m_rate * used)
+        const bool heard = facts.bytesAcknowledged > ended.acknowledged; // else the round trip is an old one
+        if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
             meetQueue(facts, m_delivered, now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
         grow(now);
     }
+}
+
+double PathRate::Course::rate(const Window& ended, std::uint64_t acknowledged, Instant now, Nanoseconds span)
+{
+    m_beginnings[m_count++ % m_beginnings.size()] = {ended.begin, ended.acknowledged};
+    const auto known = std::min(m_count, m_beginnings.size());
+    auto since = m_beginnings[(m_count - 1) % m_beginnings.size()];
+    for (std::size_t back = 2; back <= known && now - since.at < span; ++back)
+        since = m_beginnings[(m_count - back) % m_beginnings.size()];
+    return static_cast<double>(acknowledged - since.acknowledged) / secondsOf(now - since.at);
 }
 
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
@@ -104,8 +121,10 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
         return;
     if (hasWaited(facts))
         meetQueue(facts, bytes / (seconds + secondsOf(facts.roundTrip - facts.leastRoundTrip)), now);
-    else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof)
+    else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof) {
+        m_confirmed.reset(); // with pauses a step too far is over soon
         grow(now);
+    }
     m_draining = false; // it had the pause for that
 }
 
@@ -119,25 +138,28 @@ bool PathRate::hasQueue(const transport::PathFacts& facts) const
 {
     if (!hasWaited(facts))
         return false;
-    const double underWay = static_cast<double>(facts.bytesSent - facts.bytesAcknowledged);
-    return underWay > m_delivered * (secondsOf(facts.leastRoundTrip) + unrest) + 1.25 * inOnePiece;
+    const double underWay = static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged); // that counts the SYN
+    return underWay > m_delivered * (secondsOf(facts.leastRoundTrip) + unrest) + 1.25 * static_cast<double>(smallestSegment);
 }
 
 /// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
     const double segments = 2 * static_cast<double>(segment()) / m_rate;
-    const std::chrono::duration<double> own(std::min(segments, inOnePiece / m_rate + 0.001));
+    const std::chrono::duration<double> own(std::min(segments, inOnePiece / m_rate + 0.0005));
     return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(own) + std::min<Nanoseconds>(facts.leastRoundTrip / 16, mostUnrest);
 }
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, Instant now)
 {
+    delivered = std::max(delivered, m_rate * deepestFall);
+    const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
     m_ceiling = std::clamp(delivered, least, most);
     m_rate = std::clamp(std::min(m_rate, delivered) * margin, least, most);
     m_draining = true;
     m_step = gentle;
     m_nextStep = now + pauseBetweenSteps();
+    m_confirmed = again && pauseBetweenSteps() > gentlePause ? std::optional(now + tried) : std::nullopt;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
     if (m_share)
         m_share->even(*this);
@@ -153,26 +175,29 @@ void PathRate::shift(double bytesPerSecond)
 void PathRate::grow(Instant now)
 {
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
-        m_rate = std::min(m_rate * quickest, most);
+        m_rate = std::min(m_rate * quickest, m_ceiling ? *m_ceiling * margin : most);
         return;
     }
-    if (now < m_nextStep)
+    if (now < m_nextStep || (m_confirmed && now < *m_confirmed))
         return;
-    m_rate = std::min(m_rate * m_step, most);
+    if (m_rate > *m_ceiling * refuted)
+        m_confirmed.reset();
+    m_rate = std::min(m_rate * (m_confirmed ? gentle : m_step), most);
     const auto pause = pauseBetweenSteps();
     const double shorter = gentlePause / std::chrono::duration<double>(pause);
     const double boldest = std::max(1 + (quickest - 1) * shorter * shorter, leastBoldest);
-    if (m_rate > *m_ceiling)
+    if (m_rate > *m_ceiling && !m_confirmed)
         m_step = std::min(1 + (m_step - 1) * bolder, boldest);
     m_nextStep = m_step < boldest || pause > gentlePause ? now + pause : now;
 }
 
-/// A step too far must show before the next one.
-PathRate::Nanoseconds PathRate::pauseBetweenSteps() const
+PathRate::Nanoseconds PathRate::timeToNotice() const
 {
-    return std::max<Nanoseconds>(gentlePause,
-                                 std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(noticing * inOnePiece / m_rate)));
+    return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(noticing * inOnePiece / m_rate));
 }
+
+/// A step too far must show before the next one.
+PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nanoseconds>(gentlePause, timeToNotice()); }
 
 std::optional<double> PathRate::known() const
 {

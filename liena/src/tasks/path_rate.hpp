@@ -5,6 +5,7 @@
 #include "transport/path_facts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +16,8 @@ namespace liena::tasks {
 
 /// Pure. The rate grows while a round trip takes what it takes on the idle path, and falls below what was delivered as soon as it takes
 /// longer: the difference is a queue that control would wait behind. Growth is quick up to the rate at which a queue was met last, gentle
-/// near it, and bolder with each step beyond it, so that a path that heals is used within moments.
+/// near it, and bolder with each step beyond it, so that a path that heals is used within moments. On a slow path, where a step too far is
+/// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently.
 ///
 /// In the spirit of delay-based congestion control (LEDBAT, RFC 6817; TIMELY, SIGCOMM 2015), with the kernel's own congestion control
 /// below it: that one decides what the network bears at all.
@@ -36,7 +38,7 @@ public:
     /// With whom it shares the interface; null: with nobody.
     void shareWith(std::shared_ptr<FairShare> share);
 
-    /// While something is being sent: at each write that begins or ends.
+    /// While something is being sent: at each write that begins or ends, and now and then during one.
     void observe(const transport::PathFacts& facts, Instant now);
 
     /// From now on the facts are those of another connection.
@@ -75,6 +77,23 @@ private:
         bool first = true; ///< after a pause: the acknowledgements of what was sent in it are still to come
     };
 
+    /// How the acknowledgements came in the last windows. On a slow path a window is a packet or two: a rate needs more of them.
+    class Course {
+    public:
+        void forget() { m_count = 0; }
+
+        /// Of what came since the newest beginning of a window that is at least `span` ago, or else since the oldest that is known.
+        double rate(const Window& ended, std::uint64_t acknowledged, Instant now, Nanoseconds span);
+
+    private:
+        struct Beginning {
+            Instant at;
+            std::uint64_t acknowledged = 0;
+        };
+        std::array<Beginning, 32> m_beginnings;
+        std::size_t m_count = 0; ///< so many were noted; the last of them are kept
+    };
+
     struct Burst {
         Instant begin;
         std::optional<Instant> end;
@@ -87,6 +106,7 @@ private:
     bool isEffective(const transport::PathFacts& facts) const;
     bool hasWaited(const transport::PathFacts& facts) const;
     bool hasQueue(const transport::PathFacts& facts) const;
+    Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, Instant now);
@@ -97,12 +117,14 @@ private:
     double m_rate = first;
     std::optional<double> m_limit;
     std::optional<double> m_ceiling; ///< delivered when a queue was met last
-    double m_delivered = 0;          ///< bytes per second, in the last window
+    double m_delivered = 0;          ///< bytes per second, of late
     bool m_draining = false;
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};
+    std::optional<Instant> m_confirmed; ///< a slow path's ceiling, met twice: tried again from then on, and gently
     std::optional<Window> m_window;
+    Course m_course;
     std::optional<Burst> m_burst; ///< nothing was decided since it began
 };
 

@@ -13,6 +13,7 @@ TransmissionTask::TransmissionTask(std::shared_ptr<transport::TcpChannel> channe
       m_queue(&queue),
       m_settings(settings),
       m_rate(rate),
+      m_look(m_channel->io()),
       m_lost(std::move(lost))
 {
     m_channel->tune(m_settings.traffic, m_settings.dscp);
@@ -28,6 +29,7 @@ TransmissionTask::~TransmissionTask() { close(); }
 
 void TransmissionTask::close()
 {
+    m_look.cancel();
     m_channel->setListener(nullptr);
     m_channel->close();
 }
@@ -49,8 +51,11 @@ void TransmissionTask::wake()
             m_rate->pause(now);
         return;
     }
-    if (m_rate != nullptr)
+    if (m_rate != nullptr) {
         keepPace(now);
+        if (!m_looking)
+            watchPace(now);
+    }
     m_writing = true;
     m_bytesSent += m_buffers->batch.size();
     m_channel->write(m_buffers->batch.parts(), m_buffers);
@@ -78,6 +83,26 @@ void TransmissionTask::keepPace(std::chrono::steady_clock::time_point now)
         return;
     m_paced = m_rate->rate();
     m_channel->pace(m_paced, m_rate->segment() + protocol::headerSize);
+}
+
+/// A path that becomes narrow makes a write of a millisecond last for fifty: the queue is seen before that is over, and what the kernel has
+/// of it slowed down.
+void TransmissionTask::watchPace(std::chrono::steady_clock::time_point now)
+{
+    constexpr std::chrono::milliseconds between{5};
+    m_looking = true;
+    m_look.at(now + between, [this] {
+        m_looking = false;
+        if (!m_writing)
+            return;
+        const auto later = std::chrono::steady_clock::now();
+        if (const auto facts = m_channel->facts()) {
+            m_rate->observe(*facts, later);
+            m_channel->slow(m_rate->rate());
+            m_paced = 0; // the next write tells the kernel all of it
+        }
+        watchPace(later);
+    });
 }
 
 void TransmissionTask::bytesWritten()

@@ -6,6 +6,7 @@
 #include "tasks/output_queue.hpp"
 #include "tasks/path_rate.hpp"
 #include "transport/tcp_channel.hpp"
+#include "transport/timer.hpp"
 
 #include <array>
 #include <functional>
@@ -57,6 +58,7 @@ private:
 
     void fill(std::chrono::steady_clock::time_point now);
     void keepPace(std::chrono::steady_clock::time_point now);
+    void watchPace(std::chrono::steady_clock::time_point now);
 
     /// A worker may still use them when the task is gone.
     struct Buffers {
@@ -70,7 +72,9 @@ private:
     OutputQueue* m_queue;
     Settings m_settings;
     PathRate* m_rate;
-    double m_paced = 0; ///< bytes per second that the kernel was told
+    double m_paced = 0; ///< bytes per second that the kernel was told with the last write
+    transport::Timer m_look;
+    bool m_looking = false;
     Lost m_lost;
     bool m_writing = false;
     std::uint64_t m_bytesSent = 0;

@@ -88,12 +88,18 @@ void TcpChannel::pace(double bytesPerSecond, std::size_t burst)
 {
     if (m_closed)
         return;
-    const auto rate = static_cast<std::uint64_t>(bytesPerSecond);
-    (void)::setsockopt(m_descriptor, SOL_SOCKET, SO_MAX_PACING_RATE, &rate, sizeof rate);
-    // What is in the kernel can no longer give way to something newer: a hundredth of a second, within bounds.
-    const auto unsent = std::clamp(static_cast<int>(std::min(bytesPerSecond / 100, 1e9)), static_cast<int>(2 * burst), mostBulkUnsent);
+    slow(bytesPerSecond);
+    // What is in the kernel can no longer give way to something newer, nor to a path that becomes narrow: 4 ms of it, within bounds.
+    const auto unsent = std::clamp(static_cast<int>(std::min(bytesPerSecond / 250, 1e9)), static_cast<int>(2 * burst), mostBulkUnsent);
     set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, unsent);
     m_burst = burst; // at the next step
+}
+
+void TcpChannel::slow(double bytesPerSecond)
+{
+    const auto rate = static_cast<std::uint64_t>(bytesPerSecond);
+    if (!m_closed)
+        (void)::setsockopt(m_descriptor, SOL_SOCKET, SO_MAX_PACING_RATE, &rate, sizeof rate);
 }
 
 TcpChannel::~TcpChannel() { close(); }

@@ -91,6 +91,11 @@ public:
     /// Sends no faster than this, in bursts of at most so many bytes. Not while a write is in flight.
     void pace(double bytesPerSecond, std::size_t burst);
 
+    /// The same rate for what the kernel has already, at any time.
+    void slow(double bytesPerSecond);
+
+    boost::asio::io_context& io() { return m_io; }
+
     std::optional<PathFacts> facts() const { return m_closed ? std::nullopt : readPathFacts(m_descriptor); }
 
     /// Both ends are on this computer: there is no path that others share.
