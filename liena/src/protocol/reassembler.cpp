@@ -149,11 +149,10 @@ FieldBytes Reassembler::takeFitting(Partial& partial)
     auto& bytes = *partial.bytes;
     if (bytes.capacity() < worthExchanging || bytes.capacity() <= 2 * bytes.size())
         return std::move(bytes);
-    const auto whole = partial.bytes;
-    partial.bytes = std::make_shared<FieldBytes>(bytes.begin(), bytes.end());
-    if (whole.use_count() == 1) // else a read in flight writes to it
+    FieldBytes fitting(bytes.begin(), bytes.end());
+    if (partial.bytes.use_count() == 1) // else a read in flight writes to it
         m_budget.recycle(std::move(bytes));
-    return std::move(*partial.bytes);
+    return fitting;
 }
 
 void Reassembler::abandon(std::uint16_t number, Timestamp timestamp)
