@@ -20,7 +20,7 @@ constexpr double used = 0.7;                 // of the rate: less delivered prov
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
 constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
-constexpr auto tried = 3s;                   // before a slow path's confirmed ceiling is tried again
+constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;            // a step while nothing is known
 constexpr double gentle = 1.01;              // a step near the ceiling
@@ -159,7 +159,9 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, In
     m_draining = true;
     m_step = gentle;
     m_nextStep = now + pauseBetweenSteps();
-    m_confirmed = again && pauseBetweenSteps() > gentlePause ? std::optional(now + tried) : std::nullopt;
+    const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
+    m_confirmed =
+        again && pauseBetweenSteps() > gentlePause ? std::optional(now + std::max<Nanoseconds>(passed - climb, 0s)) : std::nullopt;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
     if (m_share)
         m_share->even(*this);
