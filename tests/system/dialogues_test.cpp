@@ -6,8 +6,11 @@
 #include <QTest>
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <semaphore>
+
+#include <fcntl.h>
 
 using namespace liena;
 using namespace liena::test;
@@ -63,6 +66,29 @@ private Q_SLOTS:
         QCOMPARE(robot->publish(status), std::size_t{1});
         QTRY_VERIFY(!(received = cockpit.messages("RobotStatus")).empty());
         QCOMPARE(received[0].get<std::string>("state"), std::string("Ready"));
+    }
+
+    /// A program that the application starts must not hold its port and its connections beyond its end.
+    void programsThatTheApplicationStartsGetNoSocket()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        auto settings = system.settingsOf("cockpit");
+        settings.status = system.folder();
+        TestDevice robot(system.settingsOf("robot"));
+        TestDevice cockpit(settings);
+        QVERIFY(cockpit->openChannel(system.idOf("robot")));
+        QTRY_VERIFY2(cockpit.heard(Kind::Opened), cockpit.story().c_str());
+        int sockets = 0;
+        for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+            std::error_code gone;
+            const auto what = std::filesystem::read_symlink(entry.path(), gone).string();
+            if (gone || what.rfind("socket:", 0) != 0)
+                continue;
+            ++sockets;
+            const int flags = ::fcntl(std::stoi(entry.path().filename().string()), F_GETFD);
+            QVERIFY2((flags & FD_CLOEXEC) != 0, what.c_str());
+        }
+        QVERIFY2(sockets >= 9, qPrintable(QString::number(sockets))); // each: listening, UDP, two connections; and the status
     }
 
     void carriesImagesOnTheirOwnLane()

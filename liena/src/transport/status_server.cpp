@@ -1,6 +1,7 @@
 // The watchers' socket and its thread.
 #include "transport/status_server.hpp"
 
+#include "transport/close_on_exec.hpp"
 #include "transport/timer.hpp"
 
 #include <boost/asio/local/stream_protocol.hpp>
@@ -74,7 +75,7 @@ Result<void> removeDead(asio::io_context& io, const std::filesystem::path& file)
 
 struct StatusServer::State {
     struct Watcher {
-        explicit Watcher(stream_protocol::socket accepted) : socket(std::move(accepted)) {}
+        explicit Watcher(stream_protocol::socket accepted) : socket(std::move(accepted)) { closeOnExec(socket.native_handle()); }
         stream_protocol::socket socket;
         std::string line;    ///< on its way
         std::string reply;   ///< waits behind it
@@ -98,6 +99,7 @@ struct StatusServer::State {
             return free;
         boost::system::error_code error;
         acceptor.open(stream_protocol(), error);
+        closeOnExec(acceptor.native_handle());
         if (!error)
             acceptor.bind(stream_protocol::endpoint(file.string()), error);
         if (!error && ::chmod(file.c_str(), 0600) != 0)

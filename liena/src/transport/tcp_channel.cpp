@@ -2,6 +2,7 @@
 #include "transport/tcp_channel.hpp"
 
 #include "security/tls_identity.hpp"
+#include "transport/close_on_exec.hpp"
 #include "transport/packet_mark.hpp"
 #include "transport/worker_threads.hpp"
 
@@ -66,6 +67,7 @@ TcpChannel::TcpChannel(tcp::socket socket)
       m_descriptor(m_socket.native_handle()),
       m_end(m_descriptor)
 {
+    closeOnExec(m_descriptor);
     boost::system::error_code ignored;
     m_socket.set_option(tcp::no_delay(true), ignored);
     m_remote = m_socket.remote_endpoint(ignored);

@@ -2,6 +2,7 @@
 #include "transport/tcp_server.hpp"
 
 #include "protocol/header_judge.hpp"
+#include "transport/close_on_exec.hpp"
 
 #include <fmt/format.h>
 
@@ -139,6 +140,7 @@ Result<void> TcpServer::listen(const std::string& host, std::uint16_t port)
         return refuse(error, "check the device's host in the topology");
     const tcp::endpoint endpoint = *endpoints.begin();
     m_acceptor.open(endpoint.protocol(), error);
+    closeOnExec(m_acceptor.native_handle());
     if (!error)
         m_acceptor.set_option(tcp::acceptor::reuse_address(true), error);
     if (!error)

@@ -1,6 +1,7 @@
 // Binding, receiving in bursts, sending without waiting.
 #include "transport/udp_socket.hpp"
 
+#include "transport/close_on_exec.hpp"
 #include "transport/packet_mark.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ Result<void> UdpSocket::listen(const asio::ip::address& address, std::uint16_t p
     const udp::endpoint endpoint(address, port);
     boost::system::error_code error;
     m_socket.open(endpoint.protocol(), error);
+    closeOnExec(m_socket.native_handle());
     if (!error)
         m_socket.non_blocking(true, error);
     if (!error)
