@@ -16,6 +16,9 @@ public:
     void enter(PathRate& rate);
     void leave(PathRate& rate);
 
+    /// Nobody but one lane has something to send.
+    bool isAlone() const { return m_busy.size() <= 1; }
+
     /// `met` met a queue and has yielded.
     void even(const PathRate& met);
 

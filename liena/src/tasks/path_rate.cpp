@@ -13,8 +13,12 @@ namespace {
 
 constexpr auto shortestWindow = 2ms; // between decisions, however near the peer is
 constexpr auto gentlePause = 20ms;   // between two steps near the ceiling
+constexpr auto longWay = 10ms;       // there and back: from here on round trips vary by milliseconds
 constexpr auto alwaysTolerated = 300us;
-constexpr auto mostUnrest = 500us;           // of a long path
+constexpr auto usualUnrest = 500us;          // of a long path, before more of it is seen
+constexpr auto mostUnrest = 8ms;             // that is taken for one: what is longer is a queue
+constexpr auto unrestHalves = 10s;           // what was seen of it, when it is not seen again
+constexpr double clearlyBelow = 0.75;        // what passed without a queue a moment ago
 constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
 constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
@@ -29,7 +33,7 @@ constexpr double leastBoldest = 1.08;        // of the steps on a slow path, whi
 constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
 constexpr double inOnePiece = 2896;          // bytes: two packets, which the kernel sends and acknowledges together
 constexpr double noticing = 12;              // such pieces, until the smoothed round trip shows a queue
-constexpr double unrest = 0.0002;            // seconds of what is delivered, in a round trip without a queue
+constexpr double usual = 0.0002;             // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 constexpr std::size_t smallestSegment = 4096;
 constexpr std::size_t largestSegment = 16384;
@@ -51,6 +55,7 @@ void PathRate::restart()
 {
     m_window.reset();
     m_burst.reset();
+    m_departures = {};
     m_draining = false;
     m_effective = 0;
 }
@@ -70,6 +75,12 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     if (facts.bytesAcknowledged < provenBytes)
         return;
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
+    if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
+        m_unrest /= 2;
+        m_proven *= 0.8;
+        m_unrestSeen = now;
+    }
+    m_departures.note(facts.bytesSent, now, facts.leastRoundTrip);
     if (m_share)
         m_share->enter(*this);
     if (!m_window) {
@@ -80,7 +91,7 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
         m_course.forget();
         return;
     }
-    if (m_draining && !hasQueue(facts))
+    if (m_draining && !hasQueue(facts, now))
         m_draining = false;
     const auto elapsed = now - m_window->begin;
     if (elapsed < std::max<Nanoseconds>(shortestWindow, facts.leastRoundTrip))
@@ -91,10 +102,10 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
     m_delivered = m_course.rate(ended, facts.bytesAcknowledged, now, timeToNotice());
-    if (hasQueue(facts)) {
+    if (hasQueue(facts, now)) {
         const bool heard = facts.bytesAcknowledged > ended.acknowledged; // else the round trip is an old one
         if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
-            meetQueue(facts, m_delivered, now);
+            meetQueue(facts, carriesWhatIsSent(facts, now) ? m_rate : m_delivered, now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
         grow(now);
     }
@@ -107,6 +118,7 @@ double PathRate::Course::rate(const Window& ended, std::uint64_t acknowledged, I
     auto since = m_beginnings[(m_count - 1) % m_beginnings.size()];
     for (std::size_t back = 2; back <= known && now - since.at < span; ++back)
         since = m_beginnings[(m_count - back) % m_beginnings.size()];
+    m_since = since.at;
     return static_cast<double>(acknowledged - since.acknowledged) / secondsOf(now - since.at);
 }
 
@@ -120,7 +132,7 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     if (bytes < leastBytes || !isEffective(facts))
         return;
     if (hasWaited(facts))
-        meetQueue(facts, bytes / (seconds + secondsOf(facts.roundTrip - facts.leastRoundTrip)), now);
+        meetQueue(facts, mayBeUnrest(facts) ? m_rate : bytes / (seconds + secondsOf(m_waiting)), now);
     else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof) {
         m_confirmed.reset(); // with pauses a step too far is over soon
         grow(now);
@@ -134,12 +146,36 @@ bool PathRate::hasWaited(const transport::PathFacts& facts) const { return facts
 
 /// The round trip is smoothed over many acknowledgements, which on a slow path takes long: it goes on telling of a queue that is gone. What
 /// is under way knows better, and at once.
-bool PathRate::hasQueue(const transport::PathFacts& facts) const
+bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
 {
     if (!hasWaited(facts))
         return false;
     const double underWay = static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged); // that counts the SYN
-    return underWay > m_delivered * (secondsOf(facts.leastRoundTrip) + unrest) + 1.25 * static_cast<double>(smallestSegment);
+    return underWay > mayBeUnderWay(facts, now) + 1.25 * static_cast<double>(smallestSegment);
+}
+
+/// Without a queue: what a round trip carries. On a long path that was delivered a round trip ago, and a connection that has just begun
+/// sends twice as much in each; what left within the last one is not late.
+double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) const
+{
+    const double carried = m_delivered * (secondsOf(facts.leastRoundTrip + m_unrest) + usual);
+    const auto before = facts.leastRoundTrip >= longWay ? m_departures.until(now - facts.leastRoundTrip - m_unrest) : std::nullopt;
+    return before ? std::max(carried, static_cast<double>(facts.bytesSent) - static_cast<double>(*before)) : carried;
+}
+
+void PathRate::Departures::note(std::uint64_t bytesSent, Instant now, Nanoseconds roundTrip)
+{
+    const auto quarter = static_cast<Nanoseconds::rep>(m_noted.size() / 4);
+    if (m_count == 0 || now - m_noted[(m_count - 1) % m_noted.size()].at >= roundTrip / quarter)
+        m_noted[m_count++ % m_noted.size()] = {now, bytesSent};
+}
+
+std::optional<std::uint64_t> PathRate::Departures::until(Instant then) const
+{
+    for (std::size_t back = 1; back <= std::min(m_count, m_noted.size()); ++back)
+        if (const auto& noted = m_noted[(m_count - back) % m_noted.size()]; noted.at <= then)
+            return noted.bytesSent;
+    return std::nullopt;
 }
 
 /// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
@@ -147,11 +183,46 @@ PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) con
 {
     const double segments = 2 * static_cast<double>(segment()) / m_rate;
     const std::chrono::duration<double> own(std::min(segments, inOnePiece / m_rate + 0.0005));
-    return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(own) + std::min<Nanoseconds>(facts.leastRoundTrip / 16, mostUnrest);
+    return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(own) + std::min<Nanoseconds>(facts.leastRoundTrip / 16, usualUnrest) +
+           m_unrest;
+}
+
+bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
+{
+    const bool alone = !m_share || m_share->isAlone();
+    return alone && facts.leastRoundTrip >= longWay && m_waiting <= std::min<Nanoseconds>(facts.leastRoundTrip / 3, mostUnrest);
+}
+
+/// Of a long path: what left a round trip ago has come, only somewhat late. A connection that TCP itself holds back, as each does at first,
+/// delivers less than the rate, and that says nothing of the path.
+bool PathRate::carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const
+{
+    constexpr double nearly = 0.85;
+    if (!mayBeUnrest(facts))
+        return false;
+    const auto from = m_departures.until(m_course.since() - facts.leastRoundTrip);
+    const auto to = m_departures.until(now - facts.leastRoundTrip);
+    return from && to &&
+           m_delivered * secondsOf(now - m_course.since()) >= nearly * (static_cast<double>(*to) - static_cast<double>(*from));
+}
+
+/// A path that carried more a moment ago, and carries what is sent now, has no queue of ours: its round trips vary by themselves, as those
+/// of long and of wireless ways do.
+bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Instant now)
+{
+    if (!mayBeUnrest(facts) || delivered < m_rate * used)
+        m_proven = 0;
+    if (m_rate > m_proven * clearlyBelow)
+        return false;
+    m_unrest = std::max(m_unrest, m_waiting);
+    m_unrestSeen = now;
+    return true;
 }
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, Instant now)
 {
+    if (isUnrest(facts, delivered, now))
+        return;
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
     m_ceiling = std::clamp(delivered, least, most);
@@ -176,6 +247,7 @@ void PathRate::shift(double bytesPerSecond)
 
 void PathRate::grow(Instant now)
 {
+    m_proven = std::max(m_proven, m_rate);
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
         m_rate = std::min(m_rate * quickest, m_ceiling ? *m_ceiling * margin : most);
         return;

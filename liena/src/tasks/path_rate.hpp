@@ -17,7 +17,9 @@ namespace liena::tasks {
 /// Pure. The rate grows while a round trip takes what it takes on the idle path, and falls below what was delivered as soon as it takes
 /// longer: the difference is a queue that control would wait behind. Growth is quick up to the rate at which a queue was met last, gentle
 /// near it, and bolder with each step beyond it, so that a path that heals is used within moments. On a slow path, where a step too far is
-/// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently.
+/// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently. Round trips of a long
+/// path vary without any queue: what is late by a part of a round trip only, while all that was sent arrives, costs the rate little, and
+/// what goes on far below a rate that passed is held for the path's own.
 ///
 /// In the spirit of delay-based congestion control (LEDBAT, RFC 6817; TIMELY, SIGCOMM 2015), with the kernel's own congestion control
 /// below it: that one decides what the network bears at all.
@@ -84,6 +86,7 @@ private:
 
         /// Of what came since the newest beginning of a window that is at least `span` ago, or else since the oldest that is known.
         double rate(const Window& ended, std::uint64_t acknowledged, Instant now, Nanoseconds span);
+        Instant since() const { return m_since; } ///< of what was counted for it
 
     private:
         struct Beginning {
@@ -91,6 +94,24 @@ private:
             std::uint64_t acknowledged = 0;
         };
         std::array<Beginning, 32> m_beginnings;
+        std::size_t m_count = 0; ///< so many were noted; the last of them are kept
+        Instant m_since{};
+    };
+
+    /// What had been sent when, over the last four round trips.
+    class Departures {
+    public:
+        void note(std::uint64_t bytesSent, Instant now, Nanoseconds roundTrip);
+
+        /// No more than what had been sent by then; nothing when that is not known.
+        std::optional<std::uint64_t> until(Instant then) const;
+
+    private:
+        struct Departure {
+            Instant at;
+            std::uint64_t bytesSent = 0;
+        };
+        std::array<Departure, 128> m_noted;
         std::size_t m_count = 0; ///< so many were noted; the last of them are kept
     };
 
@@ -105,11 +126,15 @@ private:
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool isEffective(const transport::PathFacts& facts) const;
     bool hasWaited(const transport::PathFacts& facts) const;
-    bool hasQueue(const transport::PathFacts& facts) const;
+    bool hasQueue(const transport::PathFacts& facts, Instant now) const;
+    double mayBeUnderWay(const transport::PathFacts& facts, Instant now) const;
+    bool mayBeUnrest(const transport::PathFacts& facts) const;
+    bool carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const;
     Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, Instant now);
+    bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
     void grow(Instant now);
 
     std::shared_ptr<FairShare> m_share;
@@ -125,6 +150,10 @@ private:
     std::optional<Instant> m_confirmed; ///< a slow path's ceiling, met twice: tried again from then on, and gently
     std::optional<Window> m_window;
     Course m_course;
+    Departures m_departures;
+    Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
+    Instant m_unrestSeen{};
+    double m_proven = first;      ///< bytes per second that passed without a queue, of late
     std::optional<Burst> m_burst; ///< nothing was decided since it began
 };
 

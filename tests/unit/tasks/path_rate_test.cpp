@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <random>
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
@@ -30,7 +31,7 @@ public:
             rate.pause(m_now);
         for (const auto end = m_now + time; m_now < end; m_now += step) {
             const double seconds = std::chrono::duration<double>(step).count();
-            const double offered = busy ? rate.rate() * seconds : 0;
+            const double offered = busy ? std::clamp(m_window - (m_entered - m_delivered), 0.0, rate.rate() * seconds) : 0;
             const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds);
             const double taken = std::min(offered, deepest() + carried - m_queue);
             m_queue += taken - carried;
@@ -57,11 +58,20 @@ public:
             if (news.bytes <= 0)
                 continue;
             m_delivered += news.bytes;
+            m_window += news.bytes; // slow start
             m_deliveryRate = news.rate;
             // An eighth for each acknowledgement, which comes for two packets: on a slow path that takes its time.
             for (m_unacknowledged += news.bytes; m_unacknowledged >= acknowledged; m_unacknowledged -= acknowledged)
-                m_smoothed += ((m_idle + news.waiting + carrying(acknowledged)) - m_smoothed) / 8;
+                m_smoothed += ((m_idle + news.waiting + carrying(acknowledged) + unrest()) - m_smoothed) / 8;
         }
+    }
+
+    /// As on a wireless or a busy way: what overtakes nothing is late together.
+    Nanoseconds unrest()
+    {
+        if (mostUnrest > Nanoseconds::zero() && m_sinceUnrest++ % lateTogether == 0)
+            m_unrest = Nanoseconds(static_cast<Nanoseconds::rep>(m_random() % static_cast<std::uint64_t>(mostUnrest.count())));
+        return m_unrest;
     }
 
     void observe()
@@ -84,10 +94,15 @@ public:
     Nanoseconds waiting() const { return carrying(m_queue); }
     double sent() const { return m_sent; }
 
+    /// As a new connection.
+    void startSlowly() { m_window = 14'600; }
+
     PathRate rate;
     double capacity;
     bool stalled = false;
     bool receiverLimits = false;
+    Nanoseconds mostUnrest{};  ///< so much later may acknowledgements come, whatever is sent
+    unsigned lateTogether = 1; ///< so many of them by the same
     Nanoseconds tooLong = 2ms;
     Nanoseconds longestWait{};
     Nanoseconds late{}; ///< time in which what entered had to wait too long
@@ -119,11 +134,15 @@ private:
     double m_left = 0;
     std::deque<Entry> m_entries; ///< of what waits: since when
     double m_delivered = 0;
+    double m_window = 1e12; ///< bytes that TCP lets be under way
     double m_unacknowledged = 0;
     double m_deliveryRate = 0;
     std::deque<News> m_onItsWay;
     double m_sent = 0;
     Nanoseconds m_closed{};
+    Nanoseconds m_unrest{};
+    unsigned m_sinceUnrest = 0;
+    std::mt19937_64 m_random{1};
 };
 
 } // namespace
@@ -185,6 +204,79 @@ private slots:
         }
         QVERIFY2(slowest <= 20ms, millisecondsOf(slowest, "ms, of at least 17").constData());
         QVERIFY2(longestWait < 4ms, millisecondsOf(longestWait, "ms").constData());
+    }
+
+    void takesNoUnrestOfALongPathForAQueue_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("unrestMs");
+        QTest::addColumn<unsigned>("together");
+        for (const auto& [megabits, unrest] : {std::pair(100.0, 2), std::pair(100.0, 4), std::pair(1000.0, 2)})
+            for (const int frames : {15, 30})
+                for (const unsigned together : {1U, 20U})
+                    QTest::addRow("%.0f Mbit/s, %d frames/s, %d ms, %u together", megabits, frames, unrest, together)
+                        << megabits * 125'000 << frames << unrest << together;
+    }
+
+    /// Frames of a quarter and of half of what the path carries, over 40 ms there and back.
+    void takesNoUnrestOfALongPathForAQueue()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestMs);
+        QFETCH(unsigned, together);
+        Path path(capacity, 40ms);
+        path.mostUnrest = std::chrono::milliseconds(unrestMs);
+        path.lateTogether = together;
+        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
+        const double bytes = capacity * 0.0168;
+        const auto frame = [&] {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < bytes && taken < 1s; taken += 1000us)
+                path.run(1ms);
+            path.run(std::max(period - taken, 0us), false);
+            return taken;
+        };
+        for (int i = 0; i < 5 * framesPerSecond; ++i)
+            frame();
+        auto all = 0us;
+        Nanoseconds longestWait{};
+        for (int i = 0; i < 10 * framesPerSecond; ++i) {
+            all += frame();
+            longestWait = std::max(longestWait, path.longestWait);
+        }
+        const auto mean = all / (10 * framesPerSecond);
+        QVERIFY2(mean <= 25ms, millisecondsOf(mean, "ms, of at least 17").constData());
+        QVERIFY2(longestWait < 12ms, millisecondsOf(longestWait, "ms").constData());
+    }
+
+    /// Each round trip carries twice as much as the one before, and what is under way is more than what the last one delivered.
+    void takesNoSlowStartOnALongPathForAQueue()
+    {
+        Path path(gigabit / 10, 40ms);
+        path.mostUnrest = 4ms;
+        path.lateTogether = 20;
+        path.startSlowly();
+        path.run(1s);
+        QVERIFY2(path.rate.rate() > 0.5 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
+    }
+
+    /// What was learnt of the unrest does not hide a path that became narrow.
+    void yieldsOnAnUnquietPathThatCollapsesToATenth()
+    {
+        Path path(gigabit / 10, 40ms);
+        path.mostUnrest = 4ms;
+        path.lateTogether = 20;
+        path.run(10s);
+        path.capacity = gigabit / 100;
+        path.run(2s);
+        path.forget();
+        path.run(10s);
+        QVERIFY2(path.rate.rate() < 1.15 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
+        QVERIFY2(path.longestWait < 60ms, millisecondsOf(path.longestWait, "ms").constData());
+        QVERIFY2(path.sent() > 0.7 * path.capacity * 10, qPrintable(QString::number(path.sent() / path.capacity / 10)));
     }
 
     void yieldsAtOnceWhenThePathCollapsesToATenth()
