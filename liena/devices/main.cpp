@@ -237,8 +237,9 @@ int main(int argc, char** argv)
     addVesselOption(*xray, options);
     robot->add_option("--start", options.start, "Where the guidewire's tip is at the start, in mm along its way; default two thirds of it")
         ->check(CLI::Range(0.0, 1500.0));
-    robot->add_flag("--two-person", options.twoPersons,
-                    "The robot can be armed only after the person beside it has typed clear; again after each stand-by, stop and fault");
+    robot->add_flag(
+        "--two-person", options.twoPersons,
+        "The robot can be armed only after the person beside it has typed clear; again after each session, stand-by, stop and fault");
     addPictureOptions(*xray, options);
     try {
         program.parse(argc, argv);

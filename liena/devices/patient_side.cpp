@@ -85,12 +85,12 @@ std::string describe(const SessionEvent& event, const SystemTopology& topology)
 }
 
 PatientSide::PatientSide(DistributedSystem& system, LogSink log, std::vector<DeviceId> keptOpen,
-                         std::function<void(std::string_view)> emergencyStop, std::function<void(bool given)> clearance)
+                         std::function<void(std::string_view)> emergencyStop, Arming arming)
     : m_system(system),
       m_log(std::move(log)),
       m_keeper(system.self().id, keptOpen),
       m_emergencyStop(std::move(emergencyStop)),
-      m_clearance(std::move(clearance))
+      m_arming(std::move(arming))
 {
     m_system.subscribe([this](const SessionEvent& event) {
         m_keeper.handle(event, std::chrono::steady_clock::now());
@@ -179,9 +179,9 @@ void PatientSide::carryOut(const PersonCommand& command)
         return m_emergencyStop(command.reason.empty() ? "stop at the patient's side" : command.reason);
     case PersonAction::ClearToArm:
     case PersonAction::Wait:
-        if (!m_clearance)
+        if (!m_arming.clearance)
             return m_log(LogLevel::Warning, "this device is not armed; say so at the robot");
-        return m_clearance(command.action == PersonAction::ClearToArm);
+        return m_arming.clearance(command.action == PersonAction::ClearToArm);
     case PersonAction::Dismiss:
         return dismiss(command);
     case PersonAction::Open:
@@ -225,6 +225,8 @@ void PatientSide::dismiss(const PersonCommand& command)
 
 void PatientSide::tellStatus() const
 {
+    if (m_arming.status)
+        m_log(LogLevel::Info, m_arming.status());
     for (const LinkStatus& link : m_system.links())
         m_log(LogLevel::Info, nameOf(link.peer) + ": " + std::string(toString(link.state)) + (link.incident != 0 ? ", incident" : "") +
                                   ", " + std::to_string(link.messagesReceived) + " messages in, " + std::to_string(link.messagesSent) +

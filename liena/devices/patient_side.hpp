@@ -17,9 +17,15 @@ namespace liena::devices {
 /// Made before the system starts, outlives its run; everything but obey() is on the network thread.
 class PatientSide {
 public:
-    /// `emergencyStop`: what `stop` typed here does; `clearance`: what `clear` and `wait` do, and nothing for a device that is not armed.
+    /// Of a device that is armed.
+    struct Arming {
+        std::function<void(bool given)> clearance; ///< what `clear` and `wait` do
+        std::function<std::string()> status;       ///< a line for `status`
+    };
+
+    /// `emergencyStop`: what `stop` typed here does.
     PatientSide(DistributedSystem& system, LogSink log, std::vector<DeviceId> keptOpen, std::function<void(std::string_view)> emergencyStop,
-                std::function<void(bool given)> clearance = {});
+                Arming arming = {});
 
     /// Any thread: a line typed by the person.
     void obey(std::string_view line);
@@ -46,7 +52,7 @@ private:
     LogSink m_log;
     LinkKeeper m_keeper;
     std::function<void(std::string_view)> m_emergencyStop;
-    std::function<void(bool given)> m_clearance;
+    Arming m_arming;
     std::map<DeviceId, std::string> m_failures; ///< what was last said of an opening that failed: it is tried every second
 };
 

@@ -29,8 +29,8 @@ RobotDevice::RobotDevice(DistributedSystem& system, const VesselTree& tree, cons
       m_gate(DriveLimits::forWay(VesselWay(tree).length())),
       m_machine(randomPermit(), options.arming),
       m_body(VesselWay(tree), options.start.value_or(VesselWay(tree).length() * 0.65), options.seed),
-      m_patientSide(
-          system, log, {}, [this](std::string_view reason) { stopLocally(reason); }, [this](bool given) { sayClearance(given); })
+      m_patientSide(system, log, {}, [this](std::string_view reason) { stopLocally(reason); },
+                    {[this](bool given) { sayClearance(given); }, [this] { return describe(); }})
 {}
 
 Result<std::unique_ptr<RobotDevice>> RobotDevice::create(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options,
@@ -70,7 +70,7 @@ void RobotDevice::onEvent(const SessionEvent& event)
         if (carriesMessages(event.to) && !carriesMessages(event.from))
             handle(SessionOpened{event.peer});
         else if (!carriesMessages(event.to) && carriesMessages(event.from))
-            handle(SessionLost{event.peer});
+            handle(SessionLost{event.peer, event.to != SessionState::Reconnecting});
         break;
     case Kind::Interrupted: // the session is open again; the permission to move has ended all the same
         handle(SessionLost{event.peer});
@@ -78,7 +78,7 @@ void RobotDevice::onEvent(const SessionEvent& event)
         break;
     case Kind::Lost:
     case Kind::Closed:
-        handle(SessionLost{event.peer});
+        handle(SessionLost{event.peer, true});
         break;
     case Kind::StandByBegan:
         handle(StandByBegan{});
@@ -224,11 +224,22 @@ void RobotDevice::stopLocally(std::string_view reason)
 
 void RobotDevice::sayClearance(bool given)
 {
+    m_lastRefusal = {}; // a person hears an answer each time
     if (!handle(ClearanceSaid{given}))
         return;
     const std::string_view said = given ? "clear to arm" : "wait: the robot cannot be armed";
     m_system.audit("clearance", m_system.self().name, said);
     m_log(LogLevel::Info, std::string(said) + ", says the person beside the robot");
+}
+
+std::string RobotDevice::describe() const
+{
+    std::string text = "robot: " + std::string(toString(m_machine.state()));
+    if (m_machine.owner())
+        text += ", armed by " + m_patientSide.nameOf(*m_machine.owner());
+    if (m_machine.clearance() != Clearance::NotAsked)
+        text += m_machine.clearance() == Clearance::Given ? ", clear to arm" : ", waits for clear";
+    return text;
 }
 
 void RobotDevice::onReset(const Message& message) { handle(ResetCommanded{message.origin(), message.get<std::uint64_t>("token")}); }

@@ -46,6 +46,7 @@ private:
     void control();
     void stopLocally(std::string_view reason);
     void sayClearance(bool given);
+    std::string describe() const; ///< for `status`
     void publishStatus();
     void publishDrives();
     void publishTip();

@@ -226,6 +226,8 @@ void RobotMachine::on(const SessionOpened& event, SteadyTime)
 void RobotMachine::on(const SessionLost& event, SteadyTime now)
 {
     m_cockpits.erase(event.peer);
+    if (event.over && isCockpit(event.peer))
+        endClearance(); // the next at that cockpit may be another person
     if (permitsMotion() && m_owner == event.peer)
         enterHold("the armed cockpit's session is not open", now);
 }
@@ -295,6 +297,8 @@ void RobotMachine::on(const ClearanceSaid& event, SteadyTime now)
     const bool mayBeGiven = m_state == RobotState::Hold && !m_standBy;
     if (event.given && m_clearance == Clearance::Awaited && !mayBeGiven)
         return refuse("not while the robot is off, stopped or faulty, or the system stands by");
+    if (event.given && m_cockpits.empty())
+        return refuse("no cockpit is in session that could arm the robot");
     m_clearance = event.given ? Clearance::Given : Clearance::Awaited;
     if (!event.given && permitsMotion())
         enterHold("the person beside the robot withdrew the word to arm", now);

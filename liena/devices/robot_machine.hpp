@@ -65,6 +65,7 @@ struct SessionOpened {
 };
 struct SessionLost { ///< left Open and Suspect for any reason, or was interrupted
     DeviceId peer;
+    bool over = false; ///< it does not go on by itself
 };
 struct StandByBegan {};
 struct StandByEnded {};
@@ -112,8 +113,8 @@ struct RobotActions {
 ///                      └───────────────────────────────────────────│─┴──► Engaged ─────┘
 ///    EmergencyStop: from every state at once; Hold when every stop in force was reset by its token.
 ///    Fault: from every state but EmergencyStop and Off when a drive fails; Hold when the drives are healthy again.
-///    With TwoPersons the robot is Ready only while the person beside it says that it may be armed. That word ends with stand-by, an
-///    emergency stop and a fault, and must then be said again.
+///    With TwoPersons the robot is Ready only while the person beside it says that it may be armed. That word ends with a cockpit's
+///    session, stand-by, an emergency stop and a fault, and must then be said again.
 ///
 /// A permit is new at each entry into Hold. Pure: no I/O and no clock.
 class RobotMachine {

@@ -105,6 +105,10 @@ class RobotMachineTest : public QObject {
             return ResetCommanded{cockpit, stopToken + 1};
         if (name == "cockpit lost")
             return SessionLost{cockpit};
+        if (name == "cockpit's session over")
+            return SessionLost{cockpit, true};
+        if (name == "arm's session over")
+            return SessionLost{::arm, true};
         if (name == "arm lost")
             return SessionLost{::arm};
         if (name == "stand-by")
@@ -396,7 +400,8 @@ private slots:
         QFETCH(RobotState, state);
         Robot robot{RobotMachine(100, ArmingRule::TwoPersons)};
         robot.bring(RobotState::Hold);
-        robot.give(ClearanceSaid{true});
+        robot.give(SessionOpened{cockpit});
+        QVERIFY(robot.give(ClearanceSaid{true}).accepted);
         robot.bring(state);
         QCOMPARE(name(robot.machine.state()), name(state));
         const auto permit = robot.machine.permit();
@@ -418,6 +423,9 @@ private slots:
         QTest::newRow("release") << QStringLiteral("release") << false;
         QTest::newRow("force stop") << QStringLiteral("force stop") << false;
         QTest::newRow("stall") << QStringLiteral("stall") << false;
+        QTest::newRow("session interrupted") << QStringLiteral("cockpit lost") << false;
+        QTest::newRow("session over") << QStringLiteral("cockpit's session over") << true;
+        QTest::newRow("arm's session over") << QStringLiteral("arm's session over") << false;
     }
 
     void theWordEndsWithWhatItWasSaidOf()
@@ -426,7 +434,8 @@ private slots:
         QFETCH(bool, ends);
         Robot robot{RobotMachine(100, ArmingRule::TwoPersons)};
         robot.bring(RobotState::Hold);
-        robot.give(ClearanceSaid{true});
+        robot.give(SessionOpened{cockpit});
+        QVERIFY(robot.give(ClearanceSaid{true}).accepted);
         robot.bring(RobotState::Engaged);
         QCOMPARE(name(robot.machine.state()), QByteArray("Engaged"));
         robot.give(event(given, robot));
@@ -453,9 +462,14 @@ private slots:
         standing.give(StandByBegan{});
         QVERIFY(!standing.give(ClearanceSaid{true}).accepted);
 
-        Robot alone;
+        Robot alone{RobotMachine(100, ArmingRule::TwoPersons)};
         alone.bring(RobotState::Hold);
-        QVERIFY(!alone.give(ClearanceSaid{true}).accepted); // nobody asked
+        QVERIFY(!alone.give(ClearanceSaid{true}).accepted); // nobody is in session who could arm
+        QVERIFY(alone.give(ClearanceSaid{false}).accepted);
+
+        Robot unasked;
+        unasked.bring(RobotState::Hold);
+        QVERIFY(!unasked.give(ClearanceSaid{true}).accepted);
     }
 };
 
