@@ -8,6 +8,7 @@
 #include <QStorageInfo>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <utility>
@@ -19,6 +20,7 @@ namespace console {
 
 namespace {
 
+constexpr std::chrono::seconds retryPeriod{1};
 constexpr qint64 leastRoom = 64 * 1024 * 1024;
 
 QString because(const QString& what, const QString& file) { return what.arg(file, QString::fromLocal8Bit(std::strerror(errno))); }
@@ -140,17 +142,20 @@ void AlarmJournal::append(const AlarmLogEntry& entry)
 void AlarmJournal::run()
 {
     std::unique_lock lock(m_mutex);
-    while (true) {
-        m_wake.wait(lock, [this] { return m_stopping || !m_waiting.empty(); });
-        if (m_waiting.empty())
-            return;
-        const auto entries = std::exchange(m_waiting, {});
+    bool ending = false;
+    while (!ending) {
+        if (m_unwritten.empty())
+            m_wake.wait(lock, [this] { return m_stopping || !m_waiting.empty(); });
+        else
+            m_wake.wait_for(lock, retryPeriod, [this] { return m_stopping; });
+        ending = m_stopping;
+        while (!m_waiting.empty() && m_unwritten.size() < queueLimit) {
+            m_unwritten.push_back(std::move(m_waiting.front()));
+            m_waiting.pop_front();
+        }
         const auto lost = std::exchange(m_lost, 0);
         lock.unlock();
-        QString failure;
-        for (const auto& entry : entries)
-            if (const auto wrong = write(entry); !wrong.isEmpty())
-                failure = wrong;
+        auto failure = writeAll();
         if (lost > 0)
             failure = tr("%1 entries were lost, the disk is too slow").arg(lost);
         if (m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0 && failure.isEmpty())
@@ -158,6 +163,17 @@ void AlarmJournal::run()
         report(failure.isEmpty() ? checkRoom() : failure, failure.isEmpty());
         lock.lock();
     }
+}
+
+/// In their order: what a disk does not take now waits for it.
+QString AlarmJournal::writeAll()
+{
+    while (!m_unwritten.empty()) {
+        if (const auto wrong = write(m_unwritten.front()); !wrong.isEmpty())
+            return wrong;
+        m_unwritten.pop_front();
+    }
+    return {};
 }
 
 QString AlarmJournal::write(const AlarmLogEntry& entry)
@@ -170,7 +186,7 @@ QString AlarmJournal::write(const AlarmLogEntry& entry)
         m_inFile = 0;
         m_goodBytes = 0;
     }
-    if (m_descriptor < 0 && !openNewest()) // tried again with each entry
+    if (m_descriptor < 0 && !openNewest())
         return because(tr("%1 cannot be opened: %2"), m_file);
     const auto line = alarmLine(entry, m_chain);
     const auto written = ::write(m_descriptor, line.bytes.constData(), static_cast<std::size_t>(line.bytes.size()));

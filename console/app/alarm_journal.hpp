@@ -19,7 +19,7 @@ namespace console {
 /// Two files in one folder, `NAME.jsonl` and `NAME.previous.jsonl`, one entry a line; the first becomes the second when it is full, so the
 /// last `fileLimit` entries are always there and never more than twice as many. Each line carries a hash of itself and of the line before:
 /// the console changes no line, and a line that somebody changed does not fit. Entries are written and forced to the disk by a thread of
-/// its own; the GUI thread never waits.
+/// its own; the GUI thread never waits. What the disk does not take is tried again each second, and is lost only when it is too much.
 class AlarmJournal : public QObject {
     Q_OBJECT
 public:
@@ -53,6 +53,7 @@ Q_SIGNALS:
 private:
     void read(const QString& file, bool newest);
     void run();
+    QString writeAll();
     QString write(const AlarmLogEntry& entry);
     bool openNewest();
     QString checkRoom() const;
@@ -72,6 +73,7 @@ private:
     std::size_t m_inFile = 0;
     qint64 m_goodBytes = 0; ///< of the newest file: where its last whole line ends
     QByteArray m_chain;
+    std::deque<AlarmLogEntry> m_unwritten; ///< taken over, and not on the disk yet
     QString m_reported;
     bool m_reportedKeeps = true;
 

@@ -6,8 +6,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
 #include <functional>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -167,6 +169,31 @@ private Q_SLOTS:
         journal.append(entry(1));
         QTRY_VERIFY2(!journal.trouble().isEmpty(), "an entry that was not written must be told");
         QVERIFY(journal.trouble().contains(folder.file()));
+    }
+
+    /// A full disk that is emptied: nothing new has to happen for the log to be kept again, and nothing of it is missing.
+    void whatTheDiskDidNotTakeIsWrittenWhenItDoes()
+    {
+        const Folder folder;
+        {
+            AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+            rlimit usual{};
+            QCOMPARE(::getrlimit(RLIMIT_FSIZE, &usual), 0);
+            const auto before = std::signal(SIGXFSZ, SIG_IGN);
+            const rlimit none{0, usual.rlim_max};
+            QCOMPARE(::setrlimit(RLIMIT_FSIZE, &none), 0);
+            for (int number = 1; number <= 3; ++number)
+                journal.append(entry(number));
+            const bool told = QTest::qWaitFor([&journal] { return !journal.keeps(); });
+            QCOMPARE(::setrlimit(RLIMIT_FSIZE, &usual), 0);
+            std::signal(SIGXFSZ, before);
+            QVERIFY(told);
+            QTRY_VERIFY2(journal.keeps(), qPrintable(journal.trouble()));
+        }
+        const AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+        QCOMPARE(journal.restored().size(), std::size_t(3));
+        QCOMPARE(journal.restored()[2].text, entry(3).text);
+        QCOMPARE(journal.remark(), QString());
     }
 };
 
