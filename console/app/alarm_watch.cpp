@@ -69,6 +69,7 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
     if (const auto line = m_lines.find(link.peer); line != m_lines.end()) {
         reading.jittery = line->second.jittery();
         reading.lossy = line->second.lossy();
+        reading.packetsLost = line->second.packetsLost();
     }
     reading.clockUncertain = link.state == LinkState::Open && link.figures.clockOffset &&
                              link.figures.clockUncertainty > clockUncertaintyLimit(m_models.picture.limit());

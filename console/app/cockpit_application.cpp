@@ -172,7 +172,7 @@ void CockpitApplication::connectHand()
     connect(window, &CockpitWindow::armHoldChanged, control, &CockpitControl::setArmHeld);
     connect(window, &CockpitWindow::pedalChanged, control, &CockpitControl::setPedal);
     connect(window, &CockpitWindow::panicHoldRequested, control, &CockpitControl::panicHold);
-    connect(window, &CockpitWindow::forceAccepted, control, [this] { m_control->acceptForce(m_options.user); });
+    connect(window, &CockpitWindow::forceAccepted, control, [this](double newtons) { m_control->acceptForce(newtons, m_options.user); });
     connect(window, &CockpitWindow::handFocusChanged, control, &CockpitControl::setHandHasKeys);
     auto* keyboard = &m_hand.keyboard();
     connect(window, &CockpitWindow::handKeyPressed, keyboard, [keyboard](int key) { keyboard->press(key); });

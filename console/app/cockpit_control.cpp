@@ -104,14 +104,7 @@ void CockpitControl::run()
 void CockpitControl::checkAllGuards(Instant now) { carryOut(m_models.permit.check(readGuards(now), now), now); }
 
 /// Between two full checks only what ends motion is looked at.
-void CockpitControl::checkGuards(Instant now)
-{
-    PermitEvent event;
-    event.kind = PermitEventKind::GuardsChecked;
-    event.armable = m_models.permit.state().armable;
-    event.kept = checkKept(readGuards(now));
-    apply(event, now);
-}
+void CockpitControl::checkGuards(Instant now) { carryOut(m_models.permit.keep(readGuards(now), now), now); }
 
 void CockpitControl::apply(PermitEventKind kind)
 {
@@ -143,6 +136,8 @@ void CockpitControl::carryOut(const PermitActions& actions, Instant now)
 
 void CockpitControl::tellSession()
 {
+    if (!m_link.robot() || !carriesMessages(m_models.sessions.state(*m_link.robot())))
+        m_models.instrument.dropForce(); // nobody saw what it did meanwhile
     if (m_models.sessions.inStandBy() || !m_models.incidents.empty())
         return apply(PermitEventKind::SystemStandsBy);
     const auto state = m_link.robot() ? m_models.sessions.state(*m_link.robot()) : LinkState::Closed;
@@ -227,14 +222,13 @@ void CockpitControl::setPedal(bool down)
 
 void CockpitControl::panicHold() { apply(PermitEventKind::PanicHold); }
 
-void CockpitControl::acceptForce(const QString& who)
+void CockpitControl::acceptForce(double newtons, const QString& who)
 {
-    const auto force = m_models.instrument.robot().value.guidewireForce;
-    if (m_models.instrument.acceptForce(presentTime()))
-        m_models.log.append(
-            LogKind::Operator,
-            tr("force of %1 N accepted for the next arming by %2").arg(force, 0, 'f', 2).arg(who.isEmpty() ? tr("the operator") : who),
-            QDateTime::currentMSecsSinceEpoch());
+    const auto force = QString::number(newtons, 'f', 2);
+    const auto line = m_models.instrument.acceptForce(newtons, presentTime())
+                          ? tr("force of %1 N accepted for the next arming by %2").arg(force, who.isEmpty() ? tr("the operator") : who)
+                          : tr("force of %1 N not accepted: it is another by now").arg(force);
+    m_models.log.append(LogKind::Operator, line, QDateTime::currentMSecsSinceEpoch());
 }
 
 void CockpitControl::setHandHasKeys(bool has)
@@ -252,7 +246,7 @@ void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
         m_models.instrument.dropForce(); // what was accepted was accepted for one arming
     auto line = tr("%1 -> %2").arg(word(from), word(to));
     if (to == PermitPhase::Hold)
-        line += tr(": %1").arg(word(m_models.permit.state().cause));
+        line += tr(": %1").arg(m_models.permit.holdReasons().join(QStringLiteral(" · ")));
     else if (from == PermitPhase::Arming && to == PermitPhase::Standby && m_models.permit.unmetCount() > 0)
         line += tr(": %1").arg(m_models.permit.unmetText());
     m_models.log.append(LogKind::Permit, line, QDateTime::currentMSecsSinceEpoch());

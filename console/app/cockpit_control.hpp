@@ -34,8 +34,8 @@ public:
     void setPedal(bool down);
     void panicHold();
 
-    /// `who` for the log; may be empty.
-    void acceptForce(const QString& who);
+    /// `newtons` as it was shown; `who` for the log, may be empty.
+    void acceptForce(double newtons, const QString& who);
 
     /// The hand may use the keyboard: the window is active, and nothing else in it has the focus.
     void setHandHasKeys(bool has);

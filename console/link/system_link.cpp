@@ -175,9 +175,21 @@ void SystemLink::readFigures()
     for (const auto& status : links)
         if (m_xray && status.peer.value() == *m_xray)
             m_xrayUncertainty.store((status.clockOffset ? status.clockUncertainty : Duration::max()).count(), std::memory_order_relaxed);
+    readCarried();
     if (m_motion)
         m_models.hand.setCommandsSent(m_motion->sent());
     repeatEmergencyStop();
+}
+
+/// The robot's set may be learnt, and learnt anew, with each opening.
+void SystemLink::readCarried()
+{
+    const auto set = m_robot ? m_system->messageSet(liena::DeviceId(*m_robot)) : nullptr;
+    if (!set)
+        return;
+    const auto* command = set->find("MotionCommand");
+    const auto* link = m_system->topology().link(m_system->self().id, liena::DeviceId(*m_robot));
+    m_models.sessions.setCarried(*m_robot, command && link ? std::optional(roundTripCarried(*command, link->timing)) : std::nullopt);
 }
 
 void SystemLink::note(LogKind kind, const QString& line) { m_models.log.append(kind, line, QDateTime::currentMSecsSinceEpoch()); }

@@ -103,6 +103,7 @@ private:
     void takeFrame(const liena::Message& message);
     void drain();
     void readFigures();
+    void readCarried();
     void repeatEmergencyStop();
     void sendPermit(quint32 permit, const char* request);
     void note(LogKind kind, const QString& text);

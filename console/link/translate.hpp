@@ -34,6 +34,10 @@ LossKind lossKind(liena::LossCause cause);
 ProbeFinding probeFinding(liena::ProbeResult result);
 LinkDiagnosis linkDiagnosis(const liena::Diagnosis& diagnosis);
 
+/// How long a command that the robot's set declares may take there and back before it comes too old: a command is as old as the robot's
+/// heartbeat that it echoes, which may have been here for a heartbeat's period.
+Duration roundTripCarried(const liena::MessageDefinition& command, const liena::LinkTiming& timing);
+
 /// Rates are of the time between the two readings; zero without a previous one.
 LinkFigures linkFigures(const liena::LinkStatus& status, const liena::LinkStatus* previous, Duration between);
 

@@ -1,6 +1,8 @@
 // The library's sessions as the console's values.
 #include "link/translate.hpp"
 
+#include <algorithm>
+
 namespace console {
 
 namespace {
@@ -94,6 +96,11 @@ LinkDiagnosis linkDiagnosis(const liena::Diagnosis& diagnosis)
     return value;
 }
 
+Duration roundTripCarried(const liena::MessageDefinition& command, const liena::LinkTiming& timing)
+{
+    return std::max<Duration>(command.maxAge.value_or(timing.lost) - timing.heartbeat, Duration::zero());
+}
+
 LinkFigures linkFigures(const liena::LinkStatus& status, const liena::LinkStatus* previous, Duration between)
 {
     LinkFigures figures;
@@ -109,6 +116,7 @@ LinkFigures linkFigures(const liena::LinkStatus& status, const liena::LinkStatus
     figures.messagesDropped = status.messagesDropped;
     figures.queuedMessages = status.queuedMessages;
     figures.interruptions = status.interruptions;
+    figures.packetsPass = status.packetsHeard > 0 && status.packetsHeardByPeer > 0;
     figures.toPeerConnected = status.toPeerConnected;
     figures.fromPeerConnected = status.fromPeerConnected;
     figures.peerState = linkState(status.peerState);

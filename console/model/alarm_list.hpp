@@ -31,6 +31,7 @@ enum class AlarmCondition : std::uint8_t {
     StopUnheard,    ///< a person asks for an emergency stop, and the robot has not told of one after 200 ms
     DeadlineMissed, ///< subject: the peer
     LinkUnsteady,   ///< subject: the peer; suspect three times within a minute, or jitter or loss above the limit
+    PacketsLost,    ///< subject: the peer; UDP packets passed, and do so no more
     ClockUncertain, ///< subject: the peer
     SoftLimit,
     HardLimit,

@@ -79,6 +79,9 @@ void Rules::addLink(const AlarmLinkReading& link)
             Text::tr("%1: %2 is overdue").arg(link.title, link.deadlineMissed),
             Text::tr("Look at that device; what is shown of it is old."), link.peer);
     addUnsteady(link);
+    if (link.packetsLost)
+        add(AlarmCondition::PacketsLost, Priority::Low, false, Text::tr("%1: one of two ways is lost, no UDP packets pass").arg(link.title),
+            Text::tr("The session goes on by TCP, where a lost segment delays commands; have the network looked at."), link.peer);
     if (link.clockUncertain)
         add(AlarmCondition::ClockUncertain, whenArmed(Priority::Medium, Priority::Low), false,
             Text::tr("%1: clock uncertain, ages unknown").arg(link.title),

@@ -21,6 +21,7 @@ struct AlarmLinkReading {
     int suspectsInMinute = 0;
     bool jittery = false; ///< above the profile's limit, and not only for a moment
     bool lossy = false;
+    bool packetsLost = false;
     bool clockUncertain = false;
     QString deadlineMissed; ///< the message that is overdue; empty
     bool images = false;    ///< it carries the live picture

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t injectionLimit = 16;
 constexpr double forceMargin = 0.1; ///< N, more than this above what was accepted is another force
+constexpr double goneShare = 0.5;   ///< of what is near zero: below it the force has gone, and noise about the limit is no new force
 
 } // namespace
 
@@ -29,21 +30,25 @@ bool InstrumentState::drivesHealthy(Instant now) const
 bool InstrumentState::mayAcceptForce(Instant now) const
 {
     const double force = std::abs(m_robot.value.guidewireForce);
-    return robotFresh(now) && force > m_limits.forceNearZero && force < m_limits.forceWarn && !forceAccepted();
+    return robotFresh(now) && force > m_limits.forceNearZero && force < m_limits.forceWarn && !forceAccepted(now);
 }
 
-bool InstrumentState::acceptForce(Instant now)
+bool InstrumentState::acceptForce(double shown, Instant now)
 {
-    if (!mayAcceptForce(now))
+    const double force = std::abs(m_robot.value.guidewireForce);
+    const double seen = std::abs(shown);
+    const bool there = robotFresh(now) && force > goneShare * m_limits.forceNearZero && force < m_limits.forceWarn;
+    if (!there || seen <= m_limits.forceNearZero || force > seen + forceMargin)
         return false;
-    m_acceptedForce = std::abs(m_robot.value.guidewireForce);
+    m_acceptedForce = seen;
+    m_acceptedAt = now;
     return true;
 }
 
-bool InstrumentState::forceAccepted() const
+bool InstrumentState::forceAccepted(Instant now) const
 {
     const double force = std::abs(m_robot.value.guidewireForce);
-    return m_acceptedForce && force <= *m_acceptedForce + forceMargin && force < m_limits.forceWarn;
+    return m_acceptedForce && now - m_acceptedAt <= acceptedFor && force <= *m_acceptedForce + forceMargin && force < m_limits.forceWarn;
 }
 
 void InstrumentState::noteStopAsked(Instant at)
@@ -61,9 +66,10 @@ void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
     ++m_statusCount;
     if (status.emergencyStopToken != 0)
         m_stopUnheard.reset();
-    if (std::abs(status.guidewireForce) <= m_limits.forceNearZero)
+    if (std::abs(status.guidewireForce) <= goneShare * m_limits.forceNearZero)
         dropForce(); // what comes after it is another force, whichever way it points
     m_peakForce = std::max(m_peakForce, std::abs(status.guidewireForce));
+    m_mostContrast = std::max(m_mostContrast, status.contrastRemaining);
     m_forces.push_back({at, status.guidewireForce});
     while (m_forces.front().at < at - forceTrail)
         m_forces.pop_front();

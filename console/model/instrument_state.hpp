@@ -25,6 +25,7 @@ public:
         double force = 0;
     };
     static constexpr std::chrono::seconds forceTrail{10};
+    static constexpr std::chrono::seconds acceptedFor{30};
 
     explicit InstrumentState(QObject* parent = nullptr);
 
@@ -44,6 +45,7 @@ public:
 
     double peakForce() const { return m_peakForce; } ///< largest magnitude since resetPeakForce()
     void resetPeakForce() { m_peakForce = 0; }
+    double mostContrast() const { return m_mostContrast; } ///< mL, the most that was ever left
     quint64 statusCount() const { return m_statusCount; }
 
     /// Since when a person has been asking for an emergency stop of which the robot has not told; nothing when none is asked for.
@@ -53,10 +55,11 @@ public:
     /// below the warning, and not accepted yet.
     bool mayAcceptForce(Instant now) const;
 
-    /// A person has looked at it. It holds for the force as it is now and a little more, until dropForce(); false when it may not be.
-    bool acceptForce(Instant now);
+    /// A person has looked at a force of `shown` N. It holds for that and a little more, for `acceptedFor`, until dropForce(), or until the
+    /// force has gone; false when it may not be, or when the force is another by now.
+    bool acceptForce(double shown, Instant now);
     void dropForce() { m_acceptedForce.reset(); }
-    bool forceAccepted() const;
+    bool forceAccepted(Instant now) const;
 
     // For the link room.
     void noteStopAsked(Instant at);
@@ -81,7 +84,9 @@ private:
     RobotLimits m_limits;
     std::optional<Instant> m_stopUnheard;
     std::optional<double> m_acceptedForce; ///< N, magnitude
+    Instant m_acceptedAt;
     double m_peakForce = 0;
+    double m_mostContrast = 0;
     quint64 m_statusCount = 0;
 };
 

@@ -42,6 +42,9 @@ void LineQuality::note(const LinkFigures& figures, const LineLimits& limits, Ins
     m_jitter.judge(figures.jitter ? std::optional<double>(milliseconds(*figures.jitter)) : std::nullopt, limits.jitterMs,
                    limits.jitterGoodMs, now);
     m_loss.judge(lossPercent(), limits.lossPercent, limits.lossGoodPercent, now);
+    m_packetsPassed = m_packetsPassed || figures.packetsPass;
+    if (m_packetsPassed)
+        m_packets.judge(figures.packetsPass ? 0.0 : 1.0, 0.5, 0.5, now);
 }
 
 } // namespace console

@@ -1,4 +1,4 @@
-// Whether a line's jitter or loss is above its limit, told so that it does not chatter at the limit.
+// Whether a line's jitter or loss is above its limit, and its packets pass, told so that it does not chatter.
 #pragma once
 
 #include "model/instant.hpp"
@@ -29,6 +29,9 @@ public:
     bool jittery() const { return m_jitter.above; }
     bool lossy() const { return m_loss.above; }
 
+    /// They passed in this session, and do so no more: what went two ways goes one.
+    bool packetsLost() const { return m_packets.above; }
+
     /// Of the last ten seconds; nothing before enough was counted.
     std::optional<double> lossPercent() const;
 
@@ -48,6 +51,8 @@ private:
 
     Threshold m_jitter;
     Threshold m_loss;
+    Threshold m_packets;
+    bool m_packetsPassed = false;
     std::deque<Mark> m_marks;
 };
 

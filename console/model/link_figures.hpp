@@ -28,6 +28,7 @@ struct LinkFigures {
     quint64 messagesDropped = 0;
     quint32 queuedMessages = 0;
     quint32 interruptions = 0;
+    bool packetsPass = false; ///< UDP, both ways, within the last few heartbeats: the way that no lost segment holds up
     bool toPeerConnected = false;
     bool fromPeerConnected = false;
     LinkState peerState = LinkState::Closed; ///< as the peer last said it

@@ -83,11 +83,26 @@ GuardLine forceLine(const GuardReadings& r)
                 r.robotFresh ? Text::tr("Force %1 N").arg(number(r.force, 2)) : Text::tr("Force is not known"));
 }
 
+/// The robot refuses what is older than its message set says, and a command is as old as the way there and back.
+bool carried(const GuardReadings& r) { return r.usualRoundTrip && r.carried && *r.usualRoundTrip <= *r.carried; }
+
+QString roundTripMissing(const GuardReadings& r)
+{
+    if (!r.roundTrip || !r.usualRoundTrip)
+        return Text::tr("Round trip not yet measured");
+    if (!r.carried)
+        return Text::tr("It is not known how late the robot takes commands");
+    if (!carried(r))
+        return Text::tr("Commands take %1 ms there and back, the robot takes them up to %2 ms")
+            .arg(number(milliseconds(*r.usualRoundTrip), 0), number(milliseconds(*r.carried), 0));
+    return Text::tr("Commands take %1 ms there and back, at most %2 ms to arm")
+        .arg(number(milliseconds(*r.roundTrip), 0), number(milliseconds(r.pictureLimit), 0));
+}
+
 GuardLine roundTripLine(const GuardReadings& r)
 {
-    return line(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= r.pictureLimit, Text::tr("Commands are quick"),
-                r.roundTrip ? Text::tr("Commands take %1 ms there and back").arg(number(milliseconds(*r.roundTrip), 0))
-                            : Text::tr("Round trip not yet measured"));
+    return line(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= r.pictureLimit && carried(r), Text::tr("Commands are quick"),
+                roundTripMissing(r));
 }
 
 GuardLine clearanceLine(const GuardReadings& r)
@@ -126,7 +141,8 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         forceLine(r),
         roundTripLine(r),
         clearanceLine(r),
-        line(Guard::Recorded, r.recorded, Text::tr("Alarm log is kept"), Text::tr("Alarm log is not kept")),
+        line(Guard::Recorded, r.recorded && r.auditKept, Text::tr("Logs are kept"),
+             r.recorded ? Text::tr("Audit file is not kept") : Text::tr("Alarm log is not kept")),
         line(Guard::NoIncident, !r.incident, Text::tr("No incident"), Text::tr("An incident is not resolved")),
         line(Guard::NoHighAlarm, !r.highAlarm, Text::tr("No high alarm"), Text::tr("A high alarm is not acknowledged")),
         line(Guard::HandAlive, r.handAlive, Text::tr("Hand control is there"),
@@ -145,18 +161,26 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     const auto keep = [&met](Guard guard, bool holds) { met.set(static_cast<std::size_t>(guard), holds); };
     keep(Guard::SessionOpen, r.robotLink == LinkState::Open || (r.robotLink == LinkState::Suspect && r.inLinkState <= limits.suspectGrace));
     keep(Guard::IdentityEqual, r.identityEqual);
-    // What is shown is counted over a second, and what is expected may rise at once, to twice as much: that is no lack of pictures.
-    const bool enough = r.picture.shownPerSecond >= r.picture.expectedPerSecond / 3;
-    keep(Guard::PictureLive, pictureTrusted(r) && enough);
+    keep(Guard::PictureLive, pictureTrusted(r) && r.picture.keepsRate);
     keep(Guard::RobotFresh, r.robotFresh);
     keep(Guard::DrivesHealthy, r.drivesHealthy);
     keep(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages * 4);
     keep(Guard::ForceNearZero, std::abs(r.force) < r.limits.forceStop);
-    keep(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= roundTripHold);
+    keep(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= roundTripHold && carried(r));
     keep(Guard::NoIncident, !r.incident);
     keep(Guard::HandAlive, r.handAlive);
     keep(Guard::WindowActive, r.windowActive);
     return met;
+}
+
+QStringList brokenGuards(const GuardReadings& readings, const GuardLimits& limits)
+{
+    const auto kept = checkKept(readings, limits);
+    QStringList broken;
+    for (const auto& entry : checkGuards(readings, limits))
+        if (!kept.test(static_cast<std::size_t>(entry.guard)))
+            broken << entry.text;
+    return broken;
 }
 
 GuardSet metGuards(const GuardChecklist& checklist)

@@ -7,6 +7,7 @@
 #include "model/robot_values.hpp"
 
 #include <QString>
+#include <QStringList>
 
 #include <array>
 #include <bitset>
@@ -69,11 +70,14 @@ struct GuardReadings {
     bool drivesHealthy = false;
     Clearance clearance = Clearance::NotAsked;
     quint32 queuedMessages = 0;
-    std::optional<Duration> roundTrip; ///< of commands; nothing: not measured
-    double force = 0;                  ///< N
-    bool forceAccepted = false;        ///< a person has seen it and arms all the same
+    std::optional<Duration> roundTrip;      ///< of commands; nothing: not measured
+    std::optional<Duration> usualRoundTrip; ///< of the last few
+    std::optional<Duration> carried;        ///< LinkNode::carried of the robot's link
+    double force = 0;                       ///< N
+    bool forceAccepted = false;             ///< a person has seen it and arms all the same
     RobotLimits limits;
-    bool recorded = false; ///< the log reaches the disk
+    bool recorded = false;  ///< the alarm log reaches the disk
+    bool auditKept = false; ///< and the audit file, where one was asked for
     bool incident = false;
     bool highAlarm = false; ///< an unacknowledged one
     bool handAlive = false;
@@ -99,6 +103,9 @@ GuardChecklist checkGuards(const GuardReadings& readings, const GuardLimits& lim
 /// The looser form of the guards that are kept while armed: a link may be suspect for one heartbeat window, the picture must be younger
 /// than its limit, the force below the stop. Guards that are not kept count as met.
 GuardSet checkKept(const GuardReadings& readings, const GuardLimits& limits = {});
+
+/// What is missing of those, a line for each.
+QStringList brokenGuards(const GuardReadings& readings, const GuardLimits& limits = {});
 
 GuardSet metGuards(const GuardChecklist& checklist);
 

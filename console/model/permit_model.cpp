@@ -28,6 +28,8 @@ PermitActions PermitModel::apply(const PermitEvent& event, Instant now)
     const auto before = m_state.phase;
     const auto next = step(m_state, event, now);
     m_state = next.state;
+    if (m_state.phase == PermitPhase::Hold && before != PermitPhase::Hold)
+        m_holdReasons = m_state.cause == HoldCause::GuardFailed && !m_broken.isEmpty() ? m_broken : QStringList(word(m_state.cause));
     if (m_state.phase != before)
         Q_EMIT phaseChanged(before, m_state.phase);
     return next.actions;
@@ -44,7 +46,23 @@ PermitActions PermitModel::check(const GuardReadings& readings, Instant now)
     PermitEvent event;
     event.kind = PermitEventKind::GuardsChecked;
     event.armable = metGuards(m_checklist);
+    return applyKept(event, readings, now);
+}
+
+PermitActions PermitModel::keep(const GuardReadings& readings, Instant now)
+{
+    PermitEvent event;
+    event.kind = PermitEventKind::GuardsChecked;
+    event.armable = m_state.armable;
+    return applyKept(event, readings, now);
+}
+
+PermitActions PermitModel::applyKept(PermitEvent event, const GuardReadings& readings, Instant now)
+{
     event.kept = checkKept(readings);
+    const bool mayHold =
+        m_state.phase == PermitPhase::Arming || m_state.phase == PermitPhase::Armed || m_state.phase == PermitPhase::Engaged;
+    m_broken = mayHold && !event.kept.all() ? brokenGuards(readings) : QStringList();
     return apply(event, now);
 }
 

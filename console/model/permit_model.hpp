@@ -22,19 +22,29 @@ public:
     /// The first unmet conditions as one line; empty when all are met.
     QString unmetText(int most = 3) const;
 
+    /// Why motion was held last: the conditions that failed, or the cause. Empty before the first time.
+    const QStringList& holdReasons() const { return m_holdReasons; }
+
     /// Feeds the machine; the actions are the caller's to carry out.
     PermitActions apply(const PermitEvent& event, Instant now);
 
     /// Replaces the checklist and feeds GuardsChecked.
     PermitActions check(const GuardReadings& readings, Instant now);
 
+    /// Between two of those: feeds GuardsChecked with what ends motion, and leaves what arming needs as it is.
+    PermitActions keep(const GuardReadings& readings, Instant now);
+
 Q_SIGNALS:
     void phaseChanged(console::PermitPhase from, console::PermitPhase to);
     void checklistChanged();
 
 private:
+    PermitActions applyKept(PermitEvent event, const GuardReadings& readings, Instant now);
+
     PermitState m_state;
     GuardChecklist m_checklist;
+    QStringList m_broken; ///< of the guards that are being looked at, where they would end motion
+    QStringList m_holdReasons;
 };
 
 } // namespace console

@@ -40,7 +40,26 @@ void PictureState::expect(double perSecond, Instant now)
 {
     if (perSecond > 0 && m_expected <= 0)
         m_expectedSince = now;
+    const double before = expectedRate();
     m_expected = std::max(perSecond, 0.0);
+    noteRate(before, now);
+}
+
+/// What the X-ray system says that it sends of what it acquires.
+double PictureState::expectedRate() const
+{
+    const bool reduced = m_newest && m_newest->reduction.stands() && m_newest->reduction.rate > 0;
+    return reduced ? std::min(m_expected, m_newest->reduction.rate) : m_expected;
+}
+
+/// What is shown is counted over a second: for so long after a rise it holds pictures of the lower rate.
+void PictureState::noteRate(double before, Instant now)
+{
+    if (expectedRate() <= before)
+        return;
+    const bool again = m_rose && now - *m_rose < rateWindow;
+    m_rateBefore = again ? std::min(m_rateBefore, before) : before;
+    m_rose = now;
 }
 
 void PictureState::setLinkUp(bool up) { m_linkUp = up; }
@@ -71,7 +90,7 @@ PictureReading PictureState::reading(Instant now) const
 {
     PictureReading reading;
     reading.condition = condition(now);
-    reading.expectedPerSecond = m_expected;
+    reading.expectedPerSecond = expectedRate();
     if (!m_newest)
         return reading;
     reading.source = m_newest->source;
@@ -86,9 +105,10 @@ PictureReading PictureState::reading(Instant now) const
     }
     reading.processing = m_newest->painted - m_newest->arrived + m_newest->filterDelay;
     reading.shownPerSecond = paintedPerSecond(now);
-    if (reading.reduction.stands() && reading.reduction.rate > 0)
-        reading.expectedPerSecond = std::min(m_expected, reading.reduction.rate);
     reading.atRate = reading.shownPerSecond >= rateShare * reading.expectedPerSecond;
+    const bool rising = m_rose && now - *m_rose < rateWindow;
+    const double asked = rising ? std::min(m_rateBefore, reading.expectedPerSecond) : reading.expectedPerSecond;
+    reading.keepsRate = reading.shownPerSecond >= rateShare * asked;
     if (reading.condition == PictureCondition::Live && reading.atRate)
         reading.liveFor = now - m_liveSince;
     if (reading.condition == PictureCondition::Frozen)
@@ -117,7 +137,9 @@ void PictureState::notePainted(const PictureStamp& stamp)
     if (gap || !young)
         m_liveSince = stamp.painted;
     const PictureReduction before = m_newest ? m_newest->reduction : PictureReduction();
+    const double rateBefore = expectedRate();
     m_newest = stamp;
+    noteRate(rateBefore, stamp.painted);
     ++m_painted;
     noteStages(stamp);
     m_paints.push_back(stamp.painted);

@@ -71,6 +71,7 @@ struct PictureReading {
     double shownPerSecond = 0;
     double expectedPerSecond = 0; ///< acquired, or what the X-ray system says that it sends of that; 0: nothing is expected
     bool atRate = false;          ///< two thirds of that or more are shown
+    bool keepsRate = false;       ///< the same, where a rate that rose within the last second is not asked for yet
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
 };
@@ -134,6 +135,8 @@ private:
     std::optional<Instant> shown(const PictureStamp& stamp) const;
     std::optional<Instant> earliest(const PictureStamp& stamp) const;
     double paintedPerSecond(Instant now) const;
+    double expectedRate() const;
+    void noteRate(double before, Instant now);
     void noteStages(const PictureStamp& stamp);
 
     std::optional<PictureStamp> m_newest;
@@ -142,6 +145,8 @@ private:
     Instant m_liveSince; ///< start of the present unbroken run
     Instant m_expectedSince;
     double m_expected = 0;
+    double m_rateBefore = 0;       ///< what was expected before it rose
+    std::optional<Instant> m_rose; ///< when it did so last
     bool m_linkUp = false;
     bool m_rehearsal = false;
     PictureProfile m_profile = PictureProfile::Neuro;

@@ -16,6 +16,8 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
         r.clockUncertainty = link.figures.clockUncertainty;
     r.queuedMessages = link.figures.queuedMessages;
     r.roundTrip = link.figures.roundTrip;
+    r.usualRoundTrip = link.usualRoundTrip();
+    r.carried = link.carried;
 }
 
 } // namespace
@@ -36,9 +38,10 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.drivesHealthy = models.instrument.drivesHealthy(now);
     r.clearance = status.clearance;
     r.force = status.guidewireForce;
-    r.forceAccepted = models.instrument.forceAccepted();
+    r.forceAccepted = models.instrument.forceAccepted(now);
     r.limits = models.instrument.limits();
-    r.recorded = models.recorder.keeps();
+    r.recorded = models.recorder.logKept;
+    r.auditKept = models.recorder.auditTrouble.isEmpty();
     r.incident = models.sessions.inStandBy() || !models.incidents.empty();
     r.highAlarm = models.alarms.unacknowledgedHigh();
     r.handAlive = models.hand.reading().alive;

@@ -8,6 +8,7 @@ namespace console {
 namespace {
 
 constexpr std::chrono::milliseconds samplePeriod{100};
+constexpr std::size_t usualOf = 3;
 constexpr std::size_t mostSuspects = 10'000; // within a minute: beyond that the number says nothing more
 
 bool isWorse(LinkState to) { return to == LinkState::Suspect || to == LinkState::Reconnecting || to == LinkState::StandBy; }
@@ -30,7 +31,25 @@ void forgetOldSuspects(LinkNode& link, Instant now)
     std::erase_if(link.suspects, [now](Instant at) { return at < now - SessionModel::historyLength; });
 }
 
+void noteRoundTrip(LinkNode& link)
+{
+    if (!link.figures.roundTrip)
+        return link.roundTrips.clear();
+    link.roundTrips.push_back(*link.figures.roundTrip);
+    if (link.roundTrips.size() > usualOf)
+        link.roundTrips.pop_front();
+}
+
 } // namespace
+
+std::optional<Duration> LinkNode::usualRoundTrip() const
+{
+    if (roundTrips.empty())
+        return std::nullopt;
+    std::vector<Duration> sorted(roundTrips.begin(), roundTrips.end());
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[sorted.size() / 2];
+}
 
 SessionModel::SessionModel(QObject* parent) : QObject(parent) {}
 
@@ -137,9 +156,16 @@ void SessionModel::setLinkFigures(quint32 peer, const LinkFigures& figures, Inst
     if (link == nullptr)
         return;
     link->figures = figures;
+    noteRoundTrip(*link);
     sample(*link, now);
     forgetOldSuspects(*link, now);
     Q_EMIT linkFiguresChanged(peer);
+}
+
+void SessionModel::setCarried(quint32 peer, std::optional<Duration> roundTrip)
+{
+    if (auto* link = ownLink(peer))
+        link->carried = roundTrip;
 }
 
 void SessionModel::noteOpened(quint32 peer, Duration took)

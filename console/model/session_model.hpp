@@ -25,6 +25,8 @@ struct LinkNode {
     Instant since;                       ///< when that state was entered; the epoch before the first change
     LinkFigures figures;                 ///< own links only
     std::deque<LinkSample> history;      ///< own links: 60 s, oldest first
+    std::deque<Duration> roundTrips;     ///< own links: the last three, oldest first
+    std::optional<Duration> carried;     ///< own links: commands that take longer there and back come too old; nothing: not known
     std::optional<double> openingMs;     ///< how long the last opening or re-opening took
     QString failure;                     ///< why the last opening failed, for a person; empty after a success
     bool systemDiffers = false;          ///< the last opening failed since topology or message sets are not the same on both sides
@@ -33,6 +35,10 @@ struct LinkNode {
     quint64 incident = 0;
 
     bool stateKnown() const { return own; }
+
+    /// The median of the last three: a single one that a busy computer delayed is not the line.
+    std::optional<Duration> usualRoundTrip() const;
+
     bool joins(quint32 x, quint32 y) const { return (a == x && b == y) || (a == y && b == x); }
 };
 
@@ -91,6 +97,7 @@ public:
     // For the link room.
     void setLinkState(quint32 peer, LinkState state, Instant now);
     void setLinkFigures(quint32 peer, const LinkFigures& figures, Instant now);
+    void setCarried(quint32 peer, std::optional<Duration> roundTrip);
     void noteOpened(quint32 peer, Duration took);
     void noteOpenFailed(quint32 peer, const QString& reason, bool systemDiffers = false);
     void setLinkIncident(quint32 a, quint32 b, quint64 incident); ///< 0: no longer

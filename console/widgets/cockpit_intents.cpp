@@ -35,7 +35,10 @@ void CockpitWindow::connectIntents()
     connect(sheet, &DiagnosisSheet::reopenAllRequested, this, &CockpitWindow::reopenAllRequested);
     connect(sheet, &DiagnosisSheet::probeRequested, this, &CockpitWindow::probeRequested);
     connect(sheet, &DiagnosisSheet::dismissRequested, this, &CockpitWindow::dismissRequested);
-    connect(sheet, &DiagnosisSheet::silenceRequested, this, &CockpitWindow::audioPauseRequested);
+    connect(sheet, &DiagnosisSheet::silenceRequested, this, [this] {
+        if (!m_models.alarms.audioPauseLeft(std::chrono::steady_clock::now())) // it silences, and never the other way
+            Q_EMIT audioPauseRequested();
+    });
     connect(sheet, &DiagnosisSheet::reportRequested, this, &CockpitWindow::reportRequested);
     connect(m_away, &InterruptionCard::readRequested, this, [this] {
         Q_EMIT interruptionReadRequested();
@@ -46,8 +49,8 @@ void CockpitWindow::connectIntents()
     connect(m_motion, &MotionBar::armHoldChanged, this, &CockpitWindow::armHoldChanged);
     connect(m_motion, &MotionBar::pedalChanged, this, &CockpitWindow::pedalChanged);
     connect(m_motion, &MotionBar::masterChosen, this, &CockpitWindow::masterChosen);
-    connect(m_motion, &MotionBar::forceAccepted, this, [this] {
-        Q_EMIT forceAccepted();
+    connect(m_motion, &MotionBar::forceAccepted, this, [this](double newtons) {
+        Q_EMIT forceAccepted(newtons);
         setFocus();
     });
 }

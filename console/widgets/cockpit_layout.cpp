@@ -20,7 +20,7 @@ constexpr double linksWidth = 300;
 constexpr double lowerShare = 574.0 / 1136.0; // of the column right of the live image
 constexpr double robotShare = 0.63;           // of the lower part
 constexpr double widestBeside = 0.36;         // of the width right of C, for the live picture beside another
-constexpr double otherShare = 0.88;           // of its height
+constexpr double otherShare = 0.85;           // of its height
 constexpr double doseShare = 0.64;            // of the column's width
 
 struct Lines {

@@ -87,7 +87,7 @@ Q_SIGNALS:
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
     void masterChosen(console::MasterKind kind);
-    void forceAccepted();
+    void forceAccepted(double newtons);
     void acknowledgeRequested(quint64 alarm);
     void audioPauseRequested();
     void alarmTestRequested();

@@ -6,6 +6,7 @@
 #include "widgets/roll_call.hpp"
 #include "widgets/sheet_button.hpp"
 
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -163,7 +164,12 @@ void DiagnosisSheet::connectActions()
 {
     connect(m_fold, &QPushButton::clicked, this, [this] { Q_EMIT foldRequested(m_incident); });
     connect(m_silence, &QPushButton::clicked, this, &DiagnosisSheet::silenceRequested);
-    connect(m_save, &QPushButton::clicked, this, [this] { Q_EMIT reportRequested(m_report); });
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        if (m_saved.isValid() && m_saved.elapsed() < QApplication::doubleClickInterval())
+            return; // a double click is one wish
+        m_saved.start();
+        Q_EMIT reportRequested(m_report);
+    });
     connect(m_reopen, &QPushButton::clicked, this, [this] { Q_EMIT reopenRequested(m_peer); });
     connect(m_reopenAll, &QPushButton::clicked, this, &DiagnosisSheet::reopenAllRequested);
     connect(m_checks, &QPushButton::clicked, this, [this] { Q_EMIT probeRequested(m_peer); });

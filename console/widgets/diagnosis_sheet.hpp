@@ -3,6 +3,7 @@
 
 #include "model/incident_model.hpp"
 
+#include <QElapsedTimer>
 #include <QFrame>
 
 class QLabel;
@@ -47,6 +48,7 @@ private:
 
     quint64 m_incident = 0;
     QString m_report;
+    QElapsedTimer m_saved; ///< since the report was asked for last
     quint32 m_peer = 0;
     FigureLabel* m_since = nullptr;
     QLabel* m_headline = nullptr;

@@ -1,6 +1,7 @@
 // A repeat is never shown without its age.
 #include "widgets/dose_panel.hpp"
 
+#include "widgets/contrast_bar.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/stale_mark.hpp"
@@ -31,6 +32,13 @@ DosePanel::DosePanel(const InstrumentState& instrument, const XraySystemState& x
     m_contrast = addFigure(grid, 0, 0, tr("Contrast left"), QStringLiteral("000.0 mL"));
     m_injection = addFigure(grid, 0, 1, tr("Last injection"), QStringLiteral("00.0 mL"));
     m_fluoroscopy = addFigure(grid, 0, 2, tr("Fluoroscopy time"), QStringLiteral("00:00"));
+    m_contrastBar = new ContrastBar(this);
+    grid->removeWidget(m_contrast);
+    auto* left = new QHBoxLayout;
+    left->setSpacing(6);
+    left->addWidget(m_contrast, 1);
+    left->addWidget(m_contrastBar);
+    grid->addLayout(left, 1, 0);
     m_kerma = addFigure(grid, 2, 0, tr("Air kerma"), QStringLiteral("0000.0 mGy"));
     m_kermaRate = addFigure(grid, 2, 1, tr("Kerma rate"), QStringLiteral("00.0 mGy/min"));
     m_product = addFigure(grid, 2, 2, tr("Dose-area product"), QStringLiteral("00.00 Gy·cm\u00B2"));
@@ -71,6 +79,7 @@ void DosePanel::refreshContrast(Instant now)
     const auto left = robot.known() ? std::optional<double>(robot.value.contrastRemaining) : std::nullopt;
     m_contrast->setText(figure(left, 1, tr("mL")));
     setInk(m_contrast, valueInk(freshness));
+    m_contrastBar->setContrast(freshness == Freshness::Fresh ? left : std::nullopt, m_instrument.mostContrast());
     const auto& injections = m_instrument.injections();
     m_injection->setText(figure(injections.empty() ? std::nullopt : std::optional<double>(injections.back().delivered), 1, tr("mL")));
     setInk(m_injection, injections.empty() ? colour::secondary : colour::bright);

@@ -11,6 +11,7 @@ class QLabel;
 
 namespace console {
 
+class ContrastBar;
 class FigureLabel;
 
 class DosePanel : public QFrame {
@@ -26,6 +27,7 @@ private:
     const InstrumentState& m_instrument;
     const XraySystemState& m_xray;
     FigureLabel* m_contrast = nullptr;
+    ContrastBar* m_contrastBar = nullptr;
     FigureLabel* m_fluoroscopy = nullptr;
     FigureLabel* m_kerma = nullptr;
     FigureLabel* m_kermaRate = nullptr;

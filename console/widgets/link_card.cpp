@@ -6,10 +6,10 @@
 #include "widgets/link_arrow.hpp"
 #include "widgets/sparkline.hpp"
 #include "widgets/theme.hpp"
+#include "widgets/touch_button.hpp"
 
 #include <QPainter>
 #include <QPainterPath>
-#include <QPushButton>
 
 namespace console {
 
@@ -22,7 +22,7 @@ struct LinkCard::Metrics {
     QRectF head, directions, figures, spark;
 };
 
-LinkCard::LinkCard(quint32 peer, QWidget* parent) : QFrame(parent), m_peer(peer), m_action(new QPushButton(this))
+LinkCard::LinkCard(quint32 peer, QWidget* parent) : QFrame(parent), m_peer(peer), m_action(new TouchButton(this))
 {
     theme::setTextRole(this, TextRole::Body);
     theme::setTextRole(m_action, TextRole::Strong);

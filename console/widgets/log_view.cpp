@@ -71,6 +71,7 @@ QPushButton* LogView::addToggle(QHBoxLayout* row, const QString& text, const QSt
     button->setAccessibleName(accessibleName);
     button->setCheckable(true);
     button->setProperty("compact", true);
+    button->setTight(true);
     row->addWidget(button);
     return button;
 }
@@ -129,6 +130,7 @@ QHBoxLayout* LogView::makeSaving()
     m_save = new SheetButton(tr("Save lines shown"), SheetButton::Enter::Clicks, this);
     m_save->setAccessibleName(tr("Write the lines shown into the file"));
     m_save->setProperty("compact", true);
+    m_save->setTight(true);
     row->addWidget(m_save);
     connect(m_save, &QPushButton::clicked, this, &LogView::save);
     connect(m_path, &QLineEdit::returnPressed, this, &LogView::save);

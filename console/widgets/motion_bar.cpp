@@ -15,6 +15,8 @@
 #include <QStackedLayout>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace console {
 
 using theme::TextRole;
@@ -31,8 +33,8 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
       m_pedal(new HoldButton(this)),
       m_stop(new StopButton(this)),
       m_masters(new MasterRow(this)),
-      m_acceptForce(
-          new SmallButton({}, tr("Arm with this force"), tr("You have looked at it: the next arming is not refused for it"), this)),
+      m_acceptForce(new SmallButton({}, tr("Accept this force"),
+                                    tr("You have looked at it: the next arming within 30 s is not refused for it"), this)),
       m_legend(plainLabel({}, TextRole::Caption, this))
 {
     setAccessibleName(tr("Motion"));
@@ -42,6 +44,7 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     m_reset->setAccent(colour::text);
     m_pedal->setAccessibleName(tr("X-ray pedal: fluoroscopy while held"));
     m_pedal->setAccent(colour::xray);
+    m_acceptForce->setTight(true);
     setInk(m_legend, colour::secondary);
     m_legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto* column = new QVBoxLayout(this);
@@ -76,7 +79,7 @@ void MotionBar::connectButtons()
     connect(m_arm, &HoldButton::holdChanged, this, &MotionBar::armHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
-    connect(m_acceptForce, &QPushButton::clicked, this, &MotionBar::forceAccepted);
+    connect(m_acceptForce, &QPushButton::clicked, this, [this] { Q_EMIT forceAccepted(m_forceShown); });
     connect(m_stop, &QAbstractButton::pressed, this, [this] {
         Q_EMIT emergencyStopRequested(QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Button on the console's screen")));
     });
@@ -136,8 +139,18 @@ void MotionBar::refreshForce(Instant now)
     const InstrumentState& instrument = m_models.instrument;
     const auto phase = m_models.permit.phase();
     const bool armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
-    m_acceptForce->setVisible(!armed && instrument.mayAcceptForce(now));
-    m_acceptForce->setText(tr("Arm with %1").arg(figure(instrument.robot().value.guidewireForce, 2, tr("N"))));
+    const bool stands = m_forceSince && now - *m_forceSince < forceStands;
+    const bool warns = std::abs(instrument.robot().value.guidewireForce) >= instrument.limits().forceWarn;
+    if (armed || warns || instrument.forceAccepted(now) || !instrument.robotFresh(now)) {
+        m_forceSince.reset();
+    } else if (!stands && instrument.mayAcceptForce(now)) {
+        m_forceSince = now;
+        m_forceShown = instrument.robot().value.guidewireForce;
+        m_acceptForce->setText(tr("Accept %1").arg(figure(m_forceShown, 2, tr("N"))));
+    } else if (!stands) {
+        m_forceSince.reset();
+    }
+    m_acceptForce->setVisible(m_forceSince.has_value());
 }
 
 void MotionBar::refresh(Instant now)

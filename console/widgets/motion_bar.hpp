@@ -37,7 +37,7 @@ Q_SIGNALS:
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
     void masterChosen(console::MasterKind kind);
-    void forceAccepted();
+    void forceAccepted(double newtons); ///< as it was shown
 
 private:
     void connectButtons();
@@ -46,6 +46,7 @@ private:
     void refreshForce(Instant now);
 
     static constexpr std::chrono::milliseconds resetHold{1500};
+    static constexpr std::chrono::seconds forceStands{1}; ///< long enough to be read and pressed, however the force trembles
 
     const ConsoleModels& m_models;
     PermitBlock* m_permit;
@@ -60,6 +61,8 @@ private:
     QLabel* m_legend;
     QStackedLayout* m_armOrReset = nullptr;
     std::optional<Instant> m_resetSince;
+    std::optional<Instant> m_forceSince; ///< when the force on its button was written there; nothing while there is none
+    double m_forceShown = 0;             ///< N
     bool m_resetAsked = false;
 };
 

@@ -38,7 +38,7 @@ PlotsView::PlotsView(const ConsoleModels& models, QWidget* parent)
     column->addWidget(headingLabel(tr("Where the picture's age comes from: median and 99th percentile of the last minute"), this));
     column->addWidget(m_waterfall, 3);
     column->addSpacing(6);
-    column->addWidget(headingLabel(tr("How the figures lay"), this));
+    column->addWidget(headingLabel(tr("How the figures lay; over ten minutes the largest of each second"), this));
     column->addLayout(makeTable(), 2);
     auto* foot = new QHBoxLayout;
     foot->addStretch(1);

@@ -207,7 +207,13 @@ void PreferencesView::makeFoot(QVBoxLayout* column)
     foot->addWidget(m_about);
     foot->addWidget(m_leave);
     column->addLayout(foot);
-    connect(m_defaults, &QPushButton::clicked, this, [this] { ask([](Preferences& p) { p = {}; }); });
+    connect(m_defaults, &QPushButton::clicked, this, [this] {
+        ask([](Preferences& p) {
+            Preferences fresh;
+            fresh.patientSide = p.patientSide; // it belongs to the site: there is no default that could stand for it
+            p = fresh;
+        });
+    });
     connect(m_about, &QPushButton::clicked, this, &PreferencesView::aboutRequested);
     connect(m_leave, &QPushButton::clicked, this, &PreferencesView::leaveRequested);
 }

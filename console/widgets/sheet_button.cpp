@@ -13,7 +13,7 @@ bool isEnter(const QKeyEvent* event) { return event->key() == Qt::Key_Return || 
 
 } // namespace
 
-SheetButton::SheetButton(const QString& text, Enter enter, QWidget* parent) : QPushButton(text, parent), m_enter(enter)
+SheetButton::SheetButton(const QString& text, Enter enter, QWidget* parent) : TouchButton(text, parent), m_enter(enter)
 {
     setAutoDefault(false);
     setAccessibleName(text);

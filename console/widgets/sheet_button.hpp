@@ -1,11 +1,11 @@
 // A button of the diagnosis sheet. Enter presses it only where that can do no harm.
 #pragma once
 
-#include <QPushButton>
+#include "widgets/touch_button.hpp"
 
 namespace console {
 
-class SheetButton : public QPushButton {
+class SheetButton : public TouchButton {
     Q_OBJECT
 public:
     enum class Enter { Ignored, Clicks };

@@ -6,7 +6,7 @@
 namespace console {
 
 SmallButton::SmallButton(const QString& text, const QString& accessibleName, const QString& tip, QWidget* parent)
-    : QPushButton(text, parent)
+    : TouchButton(text, parent)
 {
     setAutoDefault(false);
     setFocusPolicy(Qt::TabFocus);

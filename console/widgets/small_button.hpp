@@ -1,11 +1,11 @@
 // A button of a picture's row of controls: small, and reached by Tab or the mouse without taking the keys from the hand.
 #pragma once
 
-#include <QPushButton>
+#include "widgets/touch_button.hpp"
 
 namespace console {
 
-class SmallButton : public QPushButton {
+class SmallButton : public TouchButton {
     Q_OBJECT
 public:
     SmallButton(const QString& text, const QString& accessibleName, const QString& tip, QWidget* parent = nullptr);

@@ -86,6 +86,12 @@ void applyScale(QWidget* root, double scale)
 
 int px(const QWidget* widget, double length) { return length <= 0 ? 0 : std::max(1, int(std::lround(length * scaleOf(widget)))); }
 
+int touchSide(const QWidget* widget)
+{
+    constexpr double side = 52; // at 2560 pixels on 597 mm
+    return std::max(leastTouchSide, px(widget, side));
+}
+
 void apply(QApplication& application)
 {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

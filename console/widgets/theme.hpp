@@ -89,6 +89,11 @@ void applyScale(QWidget* root, double scale);
 /// `length` at the reference, in pixels of the present scale; at least 1 for anything above 0.
 int px(const QWidget* widget, double length);
 
+inline constexpr int leastTouchSide = 24; ///< pixels (WCAG 2.2, target size)
+
+/// The side of what a finger must hit: 12 mm on a screen of 27 inches, whatever its resolution, and never below leastTouchSide.
+int touchSide(const QWidget* widget);
+
 /// Fusion, Inter, the dark palette and the style sheet.
 void apply(QApplication& application);
 

@@ -3,10 +3,10 @@
 
 #include "widgets/figures.hpp"
 #include "widgets/theme.hpp"
+#include "widgets/touch_button.hpp"
 
 #include <QPainter>
 #include <QPainterPath>
-#include <QPushButton>
 
 #include <algorithm>
 
@@ -43,7 +43,7 @@ double fullScale(const std::deque<TrendSlot>& slots, double least, std::optional
 
 } // namespace
 
-TrendsPane::TrendsPane(const TrendBook& book, QWidget* parent) : QFrame(parent), m_book(book), m_spanButton(new QPushButton(this))
+TrendsPane::TrendsPane(const TrendBook& book, QWidget* parent) : QFrame(parent), m_book(book), m_spanButton(new TouchButton(this))
 {
     setAccessibleName(tr("Trends"));
     theme::setTextRole(this, TextRole::Caption);

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 namespace console {
 
 class Waterfall : public QWidget {

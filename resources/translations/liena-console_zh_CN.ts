@@ -462,6 +462,14 @@
         <source>Fluoroscopy has reached %1 min</source>
         <translation>透视已达 %1 min</translation>
     </message>
+    <message>
+        <source>%1: one of two ways is lost, no UDP packets pass</source>
+        <translation>%1：两条通路失去其一，UDP 数据包不通</translation>
+    </message>
+    <message>
+        <source>The session goes on by TCP, where a lost segment delays commands; have the network looked at.</source>
+        <translation>会话经 TCP 继续，丢失的分段会延迟命令；请检查网络。</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>
@@ -687,6 +695,10 @@
         <source>the operator</source>
         <translation>操作者</translation>
     </message>
+    <message>
+        <source>force of %1 N not accepted: it is another by now</source>
+        <translation>未接受 %1 N 的力：此时力已不同</translation>
+    </message>
 </context>
 <context>
     <name>console::CockpitWindow</name>
@@ -729,6 +741,21 @@
     <message>
         <source>F8 alarm test · F9 audio pause · F1 cockpit · F2 topology · F3 plots · F4 log</source>
         <translation>F8 报警自检 · F9 暂停报警声 · F1 驾驶舱 · F2 拓扑 · F3 曲线 · F4 日志</translation>
+    </message>
+</context>
+<context>
+    <name>console::ContrastBar</name>
+    <message>
+        <source>Injections left</source>
+        <translation>剩余注射次数</translation>
+    </message>
+    <message>
+        <source>About %1 injections of %2 mL</source>
+        <translation>约 %1 次，每次 %2 mL</translation>
+    </message>
+    <message>
+        <source>Contrast left is not known</source>
+        <translation>造影剂余量未知</translation>
     </message>
 </context>
 <context>
@@ -1354,10 +1381,6 @@
         <translation>命令往返及时</translation>
     </message>
     <message>
-        <source>Commands take %1 ms there and back</source>
-        <translation>命令往返需 %1 ms</translation>
-    </message>
-    <message>
         <source>Round trip not yet measured</source>
         <translation>往返时间尚未测得</translation>
     </message>
@@ -1378,12 +1401,28 @@
         <translation>患者端是否允许未知</translation>
     </message>
     <message>
-        <source>Alarm log is kept</source>
-        <translation>报警日志正在保存</translation>
-    </message>
-    <message>
         <source>Alarm log is not kept</source>
         <translation>报警日志未保存</translation>
+    </message>
+    <message>
+        <source>It is not known how late the robot takes commands</source>
+        <translation>不知机器人接受多迟的命令</translation>
+    </message>
+    <message>
+        <source>Commands take %1 ms there and back, the robot takes them up to %2 ms</source>
+        <translation>命令往返需 %1 ms，机器人最多接受 %2 ms</translation>
+    </message>
+    <message>
+        <source>Commands take %1 ms there and back, at most %2 ms to arm</source>
+        <translation>命令往返需 %1 ms，解锁时最多 %2 ms</translation>
+    </message>
+    <message>
+        <source>Logs are kept</source>
+        <translation>日志正在保存</translation>
+    </message>
+    <message>
+        <source>Audit file is not kept</source>
+        <translation>审计文件未保存</translation>
     </message>
 </context>
 <context>
@@ -2380,20 +2419,20 @@
         <translation>按住以成像</translation>
     </message>
     <message>
-        <source>Arm with this force</source>
-        <translation>带此力解锁</translation>
-    </message>
-    <message>
-        <source>You have looked at it: the next arming is not refused for it</source>
-        <translation>您已查看：下一次解锁不会因它被拒绝</translation>
-    </message>
-    <message>
-        <source>Arm with %1</source>
-        <translation>带 %1 解锁</translation>
-    </message>
-    <message>
         <source>N</source>
         <translation>N</translation>
+    </message>
+    <message>
+        <source>Accept this force</source>
+        <translation>接受此力</translation>
+    </message>
+    <message>
+        <source>You have looked at it: the next arming within 30 s is not refused for it</source>
+        <translation>您已查看：30 s 内的下一次解锁不会因此被拒绝</translation>
+    </message>
+    <message>
+        <source>Accept %1</source>
+        <translation>接受 %1</translation>
     </message>
 </context>
 <context>
@@ -2900,10 +2939,6 @@
         <translation>图像时龄的来源：最近一分钟的中位数和第 99 百分位</translation>
     </message>
     <message>
-        <source>How the figures lay</source>
-        <translation>各项数值的分布</translation>
-    </message>
-    <message>
         <source>60 s, median</source>
         <translation>60 s，中位数</translation>
     </message>
@@ -2918,6 +2953,10 @@
     <message>
         <source>10 min, 99 %</source>
         <translation>10 min，99 %</translation>
+    </message>
+    <message>
+        <source>How the figures lay; over ten minutes the largest of each second</source>
+        <translation>数值分布；十分钟内取每秒最大值</translation>
     </message>
 </context>
 <context>

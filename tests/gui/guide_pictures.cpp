@@ -53,6 +53,7 @@ private:
         wishes.window = size;
         wishes.pictureSize = 1024;
         wishes.user = QStringLiteral("Dr. Example");
+        wishes.preferences.patientSide = QStringLiteral("lab 2, tel. 4711");
         wishes.voice = &voice;
         wishes.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
         wishes.system.timing = R"(heartbeat="20ms" suspect="150ms" lost="250ms" reconnect="800ms")";

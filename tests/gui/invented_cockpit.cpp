@@ -133,6 +133,7 @@ GuardReadings InventedCockpit::goodReadings() const
     r.picture.shownPerSecond = 15;
     r.picture.expectedPerSecond = 15;
     r.picture.atRate = true;
+    r.picture.keepsRate = true;
     r.pictureLimit = 250ms;
     r.robotFresh = true;
     r.robotState = RobotState::Ready;
@@ -140,7 +141,10 @@ GuardReadings InventedCockpit::goodReadings() const
     r.robotPermit = permitNumber;
     r.drivesHealthy = true;
     r.roundTrip = 8ms;
-    r.recorded = models.recorder.keeps();
+    r.usualRoundTrip = 8ms;
+    r.carried = 30ms;
+    r.recorded = models.recorder.logKept;
+    r.auditKept = models.recorder.auditTrouble.isEmpty();
     r.handAlive = true;
     r.windowActive = true;
     r.alarmsTested = true;

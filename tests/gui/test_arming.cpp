@@ -1,6 +1,7 @@
 // ARM, the pedal and the emergency stop under a person's hands.
 #include "cockpit_stage.hpp"
 #include "widgets/hold_button.hpp"
+#include "widgets/permit_block.hpp"
 #include "widgets/stop_button.hpp"
 
 #include <QPushButton>
@@ -182,7 +183,7 @@ private Q_SLOTS:
         CockpitStage stage;
         QVERIFY(stage.ready());
         stage.cockpit.openAll();
-        const auto name = QStringLiteral("Arm with this force");
+        const auto name = QStringLiteral("Accept this force");
         const auto feel = [&stage](double newtons, RobotState state) {
             auto status = stage.cockpit.status(state);
             status.guidewireForce = newtons;
@@ -204,6 +205,28 @@ private Q_SLOTS:
         stage.cockpit.arm();
         feel(0.43, RobotState::Armed);
         QVERIFY(!stage.named<QPushButton>(name));
+    }
+
+    void holdNamesTheConditionThatFailedAlsoWhenItIsMetAgain()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.arm();
+        stage.cockpit.engage();
+        auto& permit = stage.cockpit.models.permit;
+        QCOMPARE(permit.phase(), PermitPhase::Engaged);
+        auto readings = stage.cockpit.goodReadings();
+        readings.robotState = RobotState::Engaged;
+        readings.carried = 30ms;
+        readings.usualRoundTrip = 62ms;
+        permit.keep(readings, stage.cockpit.now);
+        QCOMPARE(permit.phase(), PermitPhase::Hold);
+        QCOMPARE(permit.holdReasons().size(), 1);
+        permit.check(stage.cockpit.goodReadings(), stage.cockpit.now);
+        stage.refresh();
+        const auto* block = stage.window.findChild<PermitBlock*>();
+        QVERIFY2(block->accessibleDescription().contains(QStringLiteral("62 ms")), qPrintable(block->accessibleDescription()));
     }
 
     void emergencyStopActsAtThePress()

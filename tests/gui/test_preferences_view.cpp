@@ -131,10 +131,16 @@ private Q_SLOTS:
         QVERIFY(stage.open());
         stage.choose(QStringLiteral("Language: English"));
         stage.choose(QStringLiteral("Window: AUTO"));
+        auto* line = stage.line(QStringLiteral("Patient side"));
+        line->setFocus();
+        QTest::keyClicks(line, QStringLiteral("tel. 4711"));
+        QTest::keyClick(line, Qt::Key_Return);
         QVERIFY(stage.desk.preferences() != Preferences());
         QTest::mouseClick(stage.button(QStringLiteral("Restore the defaults of all entries")), Qt::LeftButton);
-        QCOMPARE(stage.desk.preferences(), Preferences());
-        QCOMPARE(stage.kept(), Preferences());
+        Preferences expected;
+        expected.patientSide = QStringLiteral("tel. 4711"); // it belongs to the site
+        QCOMPARE(stage.desk.preferences(), expected);
+        QCOMPARE(stage.kept(), expected);
     }
 
     void whatTheControlsChangedStaysWhenAnotherEntryChanges()

@@ -10,6 +10,7 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QScopeGuard>
 #include <QTest>
 #include <QThread>
 #include <QWheelEvent>
@@ -302,6 +303,66 @@ private Q_SLOTS:
         stage.theatre.releaseAll();
     }
 
+    /// What was accepted was accepted for one arming, and for the force that was looked at.
+    void anAcceptedForceArmsOnce()
+    {
+        Stage& stage = *m_stage;
+        const auto force = [&stage] { return stage.theatre.models().permit.checklist().at(std::size_t(Guard::ForceNearZero)); };
+        const auto meets = [&force](bool met) { return QTest::qWaitFor([&] { return force().met == met; }, patience); };
+        QVERIFY2(stage.theatre.makeReady(), qPrintable(stage.theatre.story()));
+        stage.robot.setForce(0.43);
+        QVERIFY(meets(false));
+        QVERIFY(stage.theatre.click(QStringLiteral("Accept 0.43")));
+        QVERIFY2(meets(true), qPrintable(stage.theatre.story()));
+        stage.robot.setForce(0.6); // another one
+        QVERIFY(meets(false));
+        stage.robot.setForce(0.43);
+        QVERIFY(meets(true));
+        auto hand = stage.theatre.keyboardHand();
+        hand.letGo = [&stage] { // as often as a condition fails on the way
+            if (stage.theatre.button(QStringLiteral("Accept 0.43")) != nullptr)
+                (void)stage.theatre.click(QStringLiteral("Accept 0.43"));
+        };
+        QVERIFY2(stage.theatre.armAndMove(hand), qPrintable(stage.theatre.story()));
+        QTest::keyClick(&stage.theatre.window(), Qt::Key_F12);
+        QTRY_VERIFY_WITH_TIMEOUT(!stage.mayMove(), patience);
+        stage.theatre.releaseAll();
+        QVERIFY2(meets(false), qPrintable(stage.theatre.story()));
+        const int asked = stage.robot.armRequests();
+        stage.theatre.acknowledgeAlarms();
+        stage.theatre.testAlarms();
+        stage.theatre.hold(Qt::Key_F);
+        stage.theatre.hold(Qt::Key_R);
+        QVERIFY2(stage.staysUnarmed(320), qPrintable(stage.theatre.story()));
+        QCOMPARE(stage.robot.armRequests(), asked);
+        stage.theatre.releaseAll();
+        stage.robot.setForce(0);
+    }
+
+    /// A command is as old as the robot's heartbeat that it echoes: with one each 50 ms and a max-age of 50 ms no line is short enough.
+    void nobodyArmsOverALineThatTheRobotsMaxAgeDoesNotCarry()
+    {
+        const auto back = qScopeGuard([this] { comeToTheFront(*m_stage); }); // another window is in front for a while
+        auto slow = wishes();
+        slow.system.timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
+        Theatre theatre(slow);
+        PuppetRobot robot(theatre.files.settingsOf("robot"));
+        PuppetXray xray(theatre.files.settingsOf("xray"));
+        QVERIFY(theatre.openAll());
+        theatre.acknowledgeAlarms();
+        theatre.testAlarms();
+        theatre.hold(Qt::Key_F);
+        const auto& permit = theatre.models().permit;
+        // All but this one.
+        QTRY_VERIFY2_WITH_TIMEOUT(permit.unmetCount() == 1, qPrintable(theatre.story()), patience);
+        const auto line = permit.checklist().at(std::size_t(Guard::CommandsQuick));
+        QVERIFY2(!line.met && line.text.contains(QStringLiteral("up to 0 ms")), qPrintable(line.text));
+        theatre.hold(Qt::Key_R);
+        QVERIFY(!theatre.reaches(PermitPhase::Arming));
+        QCOMPARE(robot.armRequests(), 0);
+        theatre.releaseAll();
+    }
+
     // Rules 7 and 8.
 
     void armWantsAPersonWhoHoldsIt_data()
@@ -381,7 +442,8 @@ private Q_SLOTS:
         const double before = scale();
         for (int i = 0; i < 5; ++i)
             QTest::keyClick(&stage.theatre.window(), Qt::Key_PageUp);
-        QTRY_VERIFY_WITH_TIMEOUT(stage.robot.engagedAtRest() > 0, patience);
+        const int rested = stage.robot.engagedAtRest();
+        QTRY_VERIFY_WITH_TIMEOUT(stage.robot.engagedAtRest() > rested, patience);
         QCOMPARE(stage.phase(), PermitPhase::Engaged);
         QCOMPARE(scale(), before);
         QTest::keyClick(&stage.theatre.window(), Qt::Key_PageDown); // less is always allowed

@@ -49,10 +49,10 @@ struct Line {
         }
     }
 
-    const Alarm* alarm() const
+    const Alarm* alarm(AlarmCondition condition = AlarmCondition::LinkUnsteady) const
     {
         for (const auto& one : cockpit.models.alarms.alarms())
-            if (one.condition == AlarmCondition::LinkUnsteady && one.subject == robotId && one.present)
+            if (one.condition == condition && one.subject == robotId && one.present)
                 return &one;
         return nullptr;
     }
@@ -102,6 +102,25 @@ private Q_SLOTS:
         QVERIFY2(line.alarm()->text.contains(QStringLiteral("more than 1 % lost")), qPrintable(line.alarm()->text));
         line.run(20s, 1ms, 0);
         QVERIFY(line.alarm() == nullptr);
+    }
+
+    /// The session goes on by TCP, and somebody is told.
+    void packetsThatPassNoMoreAreLow()
+    {
+        Line line;
+        QVERIFY(line.alarm(AlarmCondition::PacketsLost) == nullptr); // where none ever passed, none is lost
+        line.status.packetsHeard = 8;
+        line.status.packetsHeardByPeer = 7;
+        line.run(1s, 1ms, 0);
+        line.status.packetsHeardByPeer = 0; // one direction is enough
+        line.run(1900ms, 1ms, 0);
+        QVERIFY(line.alarm(AlarmCondition::PacketsLost) == nullptr);
+        line.run(1s, 1ms, 0);
+        QVERIFY(line.alarm(AlarmCondition::PacketsLost) != nullptr);
+        QCOMPARE(line.alarm(AlarmCondition::PacketsLost)->priority, AlarmPriority::Low);
+        line.status.packetsHeardByPeer = 1;
+        line.run(6s, 1ms, 0);
+        QVERIFY(line.alarm(AlarmCondition::PacketsLost) == nullptr);
     }
 
     void thePatientsProfileSetsTheLimit()

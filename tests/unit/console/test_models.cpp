@@ -85,6 +85,29 @@ private Q_SLOTS:
         QVERIFY(!history.front().roundTripMs);
     }
 
+    void usualRoundTripLeavesOneOutlierOut()
+    {
+        SessionModel sessions;
+        sessions.setTopology(pair());
+        const auto* link = sessions.linkTo(0x00008208);
+        QVERIFY(!link->usualRoundTrip());
+        const auto measure = [&sessions](std::optional<Duration> roundTrip) {
+            LinkFigures figures;
+            figures.roundTrip = roundTrip;
+            sessions.setLinkFigures(0x00008208, figures, start);
+        };
+        measure(8ms);
+        measure(90ms);
+        QCOMPARE(*link->usualRoundTrip(), Duration(90ms)); // of two the worse
+        measure(9ms);
+        QCOMPARE(*link->usualRoundTrip(), Duration(9ms));
+        measure(91ms);
+        measure(92ms);
+        QCOMPARE(*link->usualRoundTrip(), Duration(91ms));
+        measure(std::nullopt); // another session
+        QVERIFY(!link->usualRoundTrip());
+    }
+
     void suspectsOfTheLastMinuteAreCounted()
     {
         SessionModel sessions;
@@ -157,36 +180,56 @@ private Q_SLOTS:
         QVERIFY(log.data(log.index(0)).toString().endsWith(QStringLiteral("note  3")));
     }
 
-    void forceIsAcceptedAsItIsAndNoLarger()
+    void forceIsAcceptedAsItWasShownAndNoLarger()
     {
         InstrumentState robot;
-        QVERIFY(!robot.acceptForce(start)); // nothing is known
-        const auto feel = [&robot](double newtons) {
+        QVERIFY(!robot.acceptForce(0.5, start)); // nothing is known
+        const auto feel = [&robot](double newtons, Instant at = start) {
             RobotStatus status;
             status.guidewireForce = newtons;
-            robot.receiveRobot(status, start);
+            robot.receiveRobot(status, at);
         };
         feel(0.15);
         QVERIFY(!robot.mayAcceptForce(start)); // nothing to accept
         feel(1.0);
-        QVERIFY(!robot.mayAcceptForce(start) && !robot.acceptForce(start)); // a warning stands
+        QVERIFY(!robot.mayAcceptForce(start) && !robot.acceptForce(1.0, start)); // a warning stands
         feel(-0.5);
         QVERIFY(robot.mayAcceptForce(start));
-        QVERIFY(!robot.acceptForce(start + 101ms)); // the report is old
-        QVERIFY(robot.acceptForce(start));
-        QVERIFY(robot.forceAccepted() && !robot.mayAcceptForce(start));
+        QVERIFY(!robot.acceptForce(-0.5, start + 101ms)); // the report is old
+        QVERIFY(!robot.acceptForce(-0.39, start));        // it grew since it was shown
+        QVERIFY(!robot.acceptForce(0, start));
+        QVERIFY(robot.acceptForce(-0.5, start));
+        QVERIFY(robot.forceAccepted(start) && !robot.mayAcceptForce(start));
         feel(0.59);
-        QVERIFY(robot.forceAccepted());
+        QVERIFY(robot.forceAccepted(start));
         feel(0.61);
-        QVERIFY(!robot.forceAccepted()); // another force
+        QVERIFY(!robot.forceAccepted(start)); // another force
         feel(0.5);
-        QVERIFY(robot.forceAccepted());
+        QVERIFY(robot.forceAccepted(start));
         feel(0.1);
         feel(0.5);
-        QVERIFY(!robot.forceAccepted()); // it went, and another came
-        QVERIFY(robot.acceptForce(start));
+        QVERIFY(!robot.forceAccepted(start)); // it went, and another came
+        QVERIFY(robot.acceptForce(0.5, start));
         robot.dropForce();
-        QVERIFY(!robot.forceAccepted());
+        QVERIFY(!robot.forceAccepted(start));
+    }
+
+    void acceptedForceLastsForHalfAMinuteThroughNoiseAboutItsLimit()
+    {
+        InstrumentState robot;
+        const auto feel = [&robot](double newtons, Instant at) {
+            RobotStatus status;
+            status.guidewireForce = newtons;
+            robot.receiveRobot(status, at);
+        };
+        feel(0.21, start);
+        feel(0.19, start);
+        QVERIFY(robot.acceptForce(0.21, start));
+        feel(0.19, start);
+        feel(0.22, start + 30s);
+        QVERIFY(robot.forceAccepted(start + 30s));
+        QVERIFY(!robot.forceAccepted(start + 30s + 1ms));
+        QVERIFY(robot.mayAcceptForce(start + 30s + 1ms));
     }
 
     void permitModelTellsOfPhasesAndConditions()

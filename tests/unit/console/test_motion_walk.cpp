@@ -364,6 +364,7 @@ private:
         r.picture.mayGuide = true;
         r.picture.liveFor = live ? Duration(m_world.now - m_world.pictureSince) : Duration{};
         r.picture.atRate = live;
+        r.picture.keepsRate = live;
         r.pictureLimit = pictureLimit;
         r.robotFresh = m_world.now - m_world.reported <= 200ms;
         r.robotState = m_world.robot;
@@ -372,7 +373,10 @@ private:
         r.spentPermit = m_permit.spentPermit;
         r.drivesHealthy = true;
         r.roundTrip = 40ms;
+        r.usualRoundTrip = 40ms;
+        r.carried = 100ms;
         r.recorded = true;
+        r.auditKept = true;
         r.force = m_world.force;
         r.incident = m_world.standsBy;
         r.handAlive = m_rack.read(m_world.now).alive;

@@ -23,6 +23,7 @@ GuardReadings good()
     r.picture.age = 80ms;
     r.picture.liveFor = 1s;
     r.picture.atRate = true;
+    r.picture.keepsRate = true;
     r.pictureLimit = 250ms;
     r.robotFresh = true;
     r.robotState = RobotState::Ready;
@@ -31,7 +32,10 @@ GuardReadings good()
     r.spentPermit = 3;
     r.drivesHealthy = true;
     r.roundTrip = 40ms;
+    r.usualRoundTrip = 38ms;
+    r.carried = 400ms;
     r.recorded = true;
+    r.auditKept = true;
     r.handAlive = true;
     r.windowActive = true;
     r.alarmsTested = true;
@@ -80,10 +84,13 @@ const std::vector<Case>& cases()
         {"commands slow", [](auto& r) { r.roundTrip = 251ms; }, Guard::CommandsQuick, true},
         {"commands slow, other profile", [](auto& r) { r.pictureLimit = 400ms, r.roundTrip = 401ms; }, Guard::CommandsQuick, true},
         {"commands far too slow", [](auto& r) { r.roundTrip = 451ms; }, Guard::CommandsQuick, false},
+        {"commands later than the robot takes them", [](auto& r) { r.carried = 37ms; }, Guard::CommandsQuick, false},
+        {"how late the robot takes commands is not known", [](auto& r) { r.carried.reset(); }, Guard::CommandsQuick, false},
         {"round trip not known", [](auto& r) { r.roundTrip.reset(); }, Guard::CommandsQuick, false},
         {"patient side has not said clear", [](auto& r) { r.clearance = Clearance::Awaited; }, Guard::ClearToArm, true},
         {"patient side's word not known", [](auto& r) { r.robotFresh = false; }, Guard::ClearToArm, false},
         {"alarm log not kept", [](auto& r) { r.recorded = false; }, Guard::Recorded, true},
+        {"audit file not kept", [](auto& r) { r.auditKept = false; }, Guard::Recorded, true},
         {"force at the stop", [](auto& r) { r.force = 2.0; }, Guard::ForceNearZero, false},
         {"an incident", [](auto& r) { r.incident = true; }, Guard::NoIncident, false},
         {"a high alarm", [](auto& r) { r.highAlarm = true; }, Guard::NoHighAlarm, true},
@@ -105,6 +112,7 @@ private Q_SLOTS:
     void areAllMetWhenEverythingIsGood();
     void areUnmetWithoutAnyReading();
     void acceptedForceMeetsItsGuard();
+    void lateCommandsAreToldWithBothFigures();
     void fewPicturesEndMotion();
     void failOneByOne_data();
     void failOneByOne();
@@ -144,14 +152,27 @@ void TestPermitGuards::acceptedForceMeetsItsGuard()
     QVERIFY(!checkKept(readings).all());
 }
 
+void TestPermitGuards::lateCommandsAreToldWithBothFigures()
+{
+    auto readings = good();
+    readings.carried = 39ms;
+    readings.roundTrip = 90ms; // a single one: the usual is 38 ms
+    QVERIFY(checkGuards(readings).at(std::size_t(Guard::CommandsQuick)).met);
+    QVERIFY(brokenGuards(readings).isEmpty());
+    readings.usualRoundTrip = 62ms;
+    readings.carried = 30ms;
+    const auto broken = brokenGuards(readings);
+    QCOMPARE(broken.size(), 1);
+    QVERIFY2(broken.front().contains(QStringLiteral("62 ms")) && broken.front().contains(QStringLiteral("30 ms")),
+             qPrintable(broken.front()));
+    QCOMPARE(checkGuards(readings).at(std::size_t(Guard::CommandsQuick)).text, broken.front());
+}
+
 /// Live and young, and too few of them.
 void TestPermitGuards::fewPicturesEndMotion()
 {
     auto readings = good();
-    readings.picture.expectedPerSecond = 15;
-    readings.picture.shownPerSecond = 7; // the rate has just been doubled
-    QVERIFY(checkKept(readings).test(std::size_t(Guard::PictureLive)));
-    readings.picture.shownPerSecond = 4;
+    readings.picture.keepsRate = false;
     QVERIFY(!checkKept(readings).test(std::size_t(Guard::PictureLive)));
 }
 

@@ -134,6 +134,48 @@ private Q_SLOTS:
         QVERIFY(reading.liveFor > 1s);
     }
 
+    /// What is shown is counted over a second: for so long a doubled rate is not a lack of pictures, and afterwards half of it is.
+    void rateThatRoseIsAskedForASecondLater()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(7.5, start);
+        quint32 frame = 0;
+        auto at = start;
+        for (; at < start + 3s; at += 133ms)
+            state.notePainted(stamp(++frame, at));
+        state.expect(15, at);
+        const auto rose = at;
+        for (; at < rose + 3s; at += 66ms) {
+            state.notePainted(stamp(++frame, at));
+            QVERIFY2(state.reading(at).keepsRate, qPrintable(QString::number(milliseconds(at - rose))));
+            QCOMPARE(state.reading(at).atRate, state.reading(at).shownPerSecond >= 10); // arming waits until it is there
+        }
+        const auto fell = at;
+        bool told = false;
+        for (; at < fell + 1s; at += 133ms) {
+            state.notePainted(stamp(++frame, at));
+            told = told || !state.reading(at).keepsRate;
+        }
+        QVERIFY(told);
+    }
+
+    /// A rate that goes up and down every half second buys no respite.
+    void rateThatRisesAgainAndAgainIsHeldAgainstItsLowest()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(7.5, start);
+        state.notePainted(stamp(1, start));
+        auto at = start + 1s;
+        for (; at < start + 4s; at += 400ms) {
+            state.expect(7.5, at);
+            state.expect(30, at);
+        }
+        state.notePainted(stamp(2, at));
+        QVERIFY(!state.reading(at).keepsRate); // one picture in a second is too few even for 7.5
+    }
+
     void takesNoPictureThatIsHeldOrReviewed()
     {
         PictureState state;
