@@ -120,6 +120,7 @@ void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
 {
     const auto& instrument = m_models.instrument;
     const bool linked = m_robot && carriesMessages(m_models.sessions.state(*m_robot));
+    all.roadmapRemoved = m_models.roadmap.reason();
     all.trackerOverdue = linked && instrument.tip().known() && !instrument.tipFresh(now);
     all.contrastLeft = instrument.robot().value.contrastRemaining;
     const auto& injections = instrument.injections();

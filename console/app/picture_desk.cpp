@@ -12,6 +12,8 @@
 #include <QDir>
 #include <QStandardPaths>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace console {
@@ -33,6 +35,7 @@ PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject*
     : QObject(parent), m_displayFile(options.display), m_models(models), m_review(m_ring), m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
+    m_pipeline.mapInto(m_maker);
 }
 
 bool PictureDesk::prepare(QString* error)
@@ -68,6 +71,7 @@ void PictureDesk::build(CockpitWindow& window)
     window.setReferenceView(new PicturePane(m_reference, m_reviewControls));
     connectLive();
     connectReference();
+    connectRoadmap();
     connectSaving();
 }
 
@@ -95,23 +99,43 @@ void PictureDesk::connectReference()
     });
     connect(&m_hold, &ImageHold::held, this, [this](const DisplayPicture& picture) {
         m_held = picture;
-        if (!m_review.isOpen())
+        if (!m_review.isOpen() && !m_models.roadmap.isWanted())
             showHold();
     });
     connect(&m_review, &CineReview::pictureReady, this, &PictureDesk::showReference);
     connect(&m_review, &CineReview::placeChanged, this, [this] {
-        showPlace(m_review.place());
+        if (!m_models.roadmap.isWanted())
+            showPlace(m_review.place());
         m_reviewControls->showReview(m_review.isOpen(), m_review.isPlaying());
     });
     connect(m_reviewControls, &ReviewControls::holdRequested, this, &PictureDesk::showHold);
-    connect(m_reviewControls, &ReviewControls::reviewRequested, this, [this] {
-        if (!m_review.open())
-            note(false, tr("there is nothing to review yet"));
-    });
+    connect(m_reviewControls, &ReviewControls::reviewRequested, this, &PictureDesk::showReview);
     connect(m_reviewControls, &ReviewControls::oldestRequested, &m_review, &CineReview::toOldest);
     connect(m_reviewControls, &ReviewControls::stepRequested, &m_review, &CineReview::step);
     connect(m_reviewControls, &ReviewControls::playRequested, &m_review, &CineReview::setPlaying);
     connect(m_reviewControls, &ReviewControls::saveRequested, this, &PictureDesk::saveReference);
+}
+
+void PictureDesk::connectRoadmap()
+{
+    auto& roadmap = m_models.roadmap;
+    connect(m_reviewControls, &ReviewControls::roadmapRequested, this, &PictureDesk::beginRoadmap);
+    connect(m_reviewControls, &ReviewControls::opacityChanged, this, [this](double opacity) {
+        for (auto* view : {m_reference, m_copy.data()})
+            if (view)
+                view->setOpacity(opacity);
+    });
+    connect(&m_pipeline, &FramePipeline::pictureReady, this, &PictureDesk::mapPicture);
+    connect(&m_models.xray, &XraySystemState::statusChanged, this, [this] {
+        const auto& status = m_models.xray.status();
+        m_models.roadmap.noteTable(status.value.geometry.table, *status.received);
+    });
+    connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
+    connect(&roadmap, &RoadmapState::changed, this, [this] {
+        if (!m_models.roadmap.reason().isEmpty())
+            note(true, tr("roadmap removed: %1").arg(m_models.roadmap.reason()));
+        showVessels();
+    });
 }
 
 void PictureDesk::connectSaving()
@@ -120,11 +144,74 @@ void PictureDesk::connectSaving()
     connect(&m_saver, &PictureSaver::failed, this, [this](const QString& reason) { note(true, reason); });
 }
 
+void PictureDesk::showReview()
+{
+    if (!m_review.open())
+        return note(false, tr("there is nothing to review yet"));
+    endRoadmap();
+}
+
+/// Asked for again, it is made anew: from the present run, when that has contrast in it.
+void PictureDesk::beginRoadmap()
+{
+    const auto made = m_maker.make();
+    if (!made)
+        return note(false, tr("no roadmap: no run has shown contrast yet; give contrast while the pedal is down"));
+    m_review.close();
+    m_vessels = vesselLayer(*made);
+    m_maker.watch(made);
+    m_models.roadmap.begin({made->about, made->lastNs});
+    note(false, tr("roadmap made of %1 pictures of run %2").arg(made->pictures).arg(made->about.acquisition));
+    if (m_live->picture())
+        mapPicture(*m_live->picture());
+    m_reviewControls->showRoadmap(true);
+}
+
+void PictureDesk::endRoadmap()
+{
+    m_models.roadmap.end();
+    m_maker.watch(nullptr);
+    m_vessels = {};
+    m_reviewControls->showRoadmap(false);
+}
+
+/// The live picture once more, in the reference pane: the vessels never lie over the live one.
+void PictureDesk::mapPicture(const DisplayPicture& live)
+{
+    auto& roadmap = m_models.roadmap;
+    if (!roadmap.isWanted())
+        return;
+    roadmap.checkPicture(live.about);
+    const auto displacement = m_maker.displacement();
+    if (displacement && displacement->frame != m_displacementSeen) {
+        m_displacementSeen = displacement->frame;
+        roadmap.checkDisplacement(std::hypot(displacement->pixels.x(), displacement->pixels.y()) / std::max(1, live.about.columns));
+    }
+    DisplayPicture picture = live;
+    picture.role = PictureRole::Roadmap;
+    showReference(picture);
+}
+
+void PictureDesk::showVessels()
+{
+    const auto& roadmap = m_models.roadmap;
+    const auto condition = m_models.picture.reading(std::chrono::steady_clock::now()).condition;
+    for (auto* view : {m_reference, m_copy.data()}) {
+        if (!view)
+            continue;
+        view->setVessels(roadmap.isValid() ? m_vessels : QImage());
+        view->setCondition(condition);
+    }
+    showPlace(roadmap.isWanted() ? roadmap.line() : m_review.place());
+}
+
 void PictureDesk::showHold()
 {
     m_review.close();
-    if (m_held)
-        showReference(*m_held);
+    if (!m_held)
+        return;
+    endRoadmap();
+    showReference(*m_held);
 }
 
 void PictureDesk::showReference(const DisplayPicture& picture)
@@ -147,7 +234,7 @@ ReferenceImageView* PictureDesk::makeReferenceCopy()
     m_copy->setDisplay(&m_display);
     if (m_reference->picture())
         m_copy->showPicture(*m_reference->picture());
-    showPlace(m_review.place());
+    showVessels();
     return m_copy;
 }
 
@@ -160,7 +247,7 @@ void PictureDesk::saveLive()
 void PictureDesk::saveReference()
 {
     if (m_reference->picture())
-        m_saver.save(*m_reference->picture(), m_reference->grab().toImage());
+        m_saver.save(m_reference->pictureWithVessels(), m_reference->grab().toImage());
 }
 
 void PictureDesk::note(bool trouble, const QString& text)

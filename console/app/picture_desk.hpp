@@ -7,6 +7,7 @@
 #include "imaging/frame_pipeline.hpp"
 #include "imaging/image_hold.hpp"
 #include "imaging/picture_saver.hpp"
+#include "imaging/roadmap_maker.hpp"
 #include "model/console_models.hpp"
 #include "model/display_state.hpp"
 
@@ -46,8 +47,14 @@ public:
 private:
     void connectLive();
     void connectReference();
+    void connectRoadmap();
     void connectSaving();
     void showHold();
+    void showReview();
+    void beginRoadmap();
+    void endRoadmap();
+    void mapPicture(const DisplayPicture& live);
+    void showVessels();
     void showReference(const DisplayPicture& picture);
     void showPlace(const QString& place);
     void saveLive();
@@ -57,12 +64,15 @@ private:
     const QString m_displayFile;
     ConsoleModels& m_models;
     CineRing m_ring;
+    RoadmapMaker m_maker;
     FramePipeline m_pipeline;
     CineReview m_review;
     ImageHold m_hold;
     PictureSaver m_saver;
     DisplayState m_display;
     std::optional<DisplayPicture> m_held;
+    QImage m_vessels;                           ///< of the roadmap that is wanted
+    quint32 m_displacementSeen = 0;             ///< frame
     LiveImageView* m_live = nullptr;            ///< the window's
     ReferenceImageView* m_reference = nullptr;  ///< the window's
     QPointer<ReferenceImageView> m_copy;        ///< of the reference pane, when there is one

@@ -44,6 +44,23 @@ void PictureCanvas::paintShown(QPainter& painter) const
         painter.drawImage(QRectF(target), picture->image, view.part());
 }
 
+void PictureCanvas::paintOver(QPainter& painter, const QImage& layer, double opacity) const
+{
+    const DisplayPicture* picture = shown();
+    if (layer.isNull() || !picture || picture->image.isNull())
+        return;
+    const PictureViewport view = viewport();
+    const QRectF part = view.isWhole() ? QRectF(picture->image.rect()) : view.part();
+    const double across = static_cast<double>(layer.width()) / picture->image.width();
+    const double down = static_cast<double>(layer.height()) / picture->image.height();
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setOpacity(opacity);
+    painter.drawImage(QRectF(view.target()), layer,
+                      QRectF(part.x() * across, part.y() * down, part.width() * across, part.height() * down));
+    painter.restore();
+}
+
 QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
 {
     if (m_measurement.mode() == MeasureMode::Off)

@@ -25,6 +25,9 @@ public:
 
     void setGreyScale(const GreyScale& greyScale) { m_table.setGreyScale(greyScale); }
 
+    /// The last frame's values as sent; until the next process().
+    const cv::Mat& stored() const { return m_stored; }
+
 private:
     void filter(const XrayFrame& frame, const DisplaySettings& settings, Duration room);
     bool draw(const DisplaySettings& settings, DisplayPicture& picture);

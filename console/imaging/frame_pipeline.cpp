@@ -3,6 +3,7 @@
 
 #include "imaging/cine_ring.hpp"
 #include "imaging/display_chain.hpp"
+#include "imaging/roadmap_maker.hpp"
 
 #include <functional>
 #include <string_view>
@@ -99,6 +100,12 @@ void FramePipeline::recordInto(CineRing& ring)
     m_next.ring = &ring;
 }
 
+void FramePipeline::mapInto(RoadmapMaker& maker)
+{
+    const std::lock_guard lock(m_mutex);
+    m_next.roadmap = &maker;
+}
+
 std::optional<FramePipeline::Work> FramePipeline::waitForWork()
 {
     std::unique_lock lock(m_mutex);
@@ -145,6 +152,8 @@ void FramePipeline::carryOut(Worker& worker, const Work& work)
     finish(std::move(picture), false);
     if (work.ring) // after the picture is on its way
         work.ring->add(*work.frame);
+    if (work.roadmap)
+        work.roadmap->take(worker.chain.stored(), *work.frame);
 }
 
 void FramePipeline::finish(DisplayPicture picture, bool isRedrawn)

@@ -18,6 +18,7 @@
 namespace console {
 
 class CineRing;
+class RoadmapMaker;
 
 /// Where frames went; each one is in exactly one of the last four, or on its way.
 struct FrameCounts {
@@ -52,6 +53,9 @@ public:
     /// Every frame that could be decoded is written into `ring` as well, from the decoding thread; the ring outlives the pipeline.
     void recordInto(CineRing& ring);
 
+    /// The same for what a roadmap can be made of.
+    void mapInto(RoadmapMaker& maker);
+
 Q_SIGNALS:
     void pictureReady(const console::DisplayPicture& picture);
 
@@ -70,6 +74,7 @@ private:
         Duration filterRoom{};
         std::optional<GreyScale> greyScale;
         CineRing* ring = nullptr;
+        RoadmapMaker* roadmap = nullptr;
     };
     struct Finished {
         DisplayPicture picture;

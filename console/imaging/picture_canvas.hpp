@@ -49,6 +49,9 @@ protected:
     /// The subclass tells of each picture before it paints it.
     void followPicture(const DisplayPicture& picture);
     void paintShown(QPainter& painter) const;
+
+    /// Over the picture, what fits on it whatever its resolution; `opacity` 0 to 1.
+    void paintOver(QPainter& painter, const QImage& layer, double opacity) const;
     QRegion paintMeasurement(QPainter& painter) const;
     QFont overlayFont() const;
 

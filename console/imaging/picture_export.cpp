@@ -31,6 +31,8 @@ QString roleName(PictureRole role)
         return QStringLiteral("hold");
     case PictureRole::Review:
         return QStringLiteral("review");
+    case PictureRole::Roadmap:
+        return QStringLiteral("roadmap");
     }
     return QStringLiteral("picture");
 }

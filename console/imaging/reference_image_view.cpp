@@ -7,18 +7,9 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace console {
-
-namespace {
-
-/// REVIEW, and SIMULATED or RECORDED when it is that; LIVE is never said here.
-QString headOf(const DisplayPicture& picture)
-{
-    const QString role = word(picture.role);
-    return picture.about.source == PictureSource::Live ? role : role + QStringLiteral("  ") + word(picture.about.source);
-}
-
-} // namespace
 
 ReferenceImageView::ReferenceImageView(QWidget* parent) : PictureCanvas(parent)
 {
@@ -45,6 +36,39 @@ void ReferenceImageView::setPlace(const QString& place)
     update();
 }
 
+void ReferenceImageView::setVessels(const QImage& vessels)
+{
+    m_vessels = vessels;
+    update();
+}
+
+void ReferenceImageView::setOpacity(double opacity)
+{
+    m_opacity = std::clamp(opacity, 0.0, 1.0);
+    update();
+}
+
+DisplayPicture ReferenceImageView::pictureWithVessels() const
+{
+    DisplayPicture picture = *m_picture;
+    if (picture.role == PictureRole::Roadmap && !m_vessels.isNull()) {
+        QPainter painter(&picture.image);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.setOpacity(m_opacity);
+        painter.drawImage(picture.image.rect(), m_vessels);
+    }
+    return picture;
+}
+
+void ReferenceImageView::setCondition(PictureCondition condition)
+{
+    if (m_condition == condition)
+        return;
+    m_condition = condition;
+    describe();
+    update();
+}
+
 void ReferenceImageView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -55,14 +79,18 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
     } else {
         paintShown(painter);
         const QRect area = pictureRect();
+        const bool isRoadmap = m_picture->role == PictureRole::Roadmap;
+        if (isRoadmap)
+            paintOver(painter, m_vessels, m_opacity);
+        if (isRoadmap && (m_condition == PictureCondition::Frozen || m_condition == PictureCondition::Unknown))
+            paintStaleVeil(painter, area);
         TextPlates plates(overlayFont());
         const int gap = plates.gap();
-        const QRect head =
-            plates.add(headOf(*m_picture), larger(plates.font(), 1.4), area.topLeft() + QPoint(gap, gap), Qt::AlignLeft | Qt::AlignTop);
-        const QRect taken = plates.add(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), {head.left(), head.bottom() + 1},
+        const QRect top = plates.add(head(), larger(plates.font(), 1.4), area.topLeft() + QPoint(gap, gap), Qt::AlignLeft | Qt::AlignTop);
+        const QRect taken = plates.add(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), {top.left(), top.bottom() + 1},
                                        Qt::AlignLeft | Qt::AlignTop);
         if (!m_place.isEmpty())
-            plates.add(m_place, {head.left(), taken.bottom() + 1}, Qt::AlignLeft | Qt::AlignTop);
+            plates.add(m_place, {top.left(), taken.bottom() + 1}, Qt::AlignLeft | Qt::AlignTop);
         placeSides(plates, area, *m_picture);
         const QRect bar = placeScale(plates, area, *m_picture, 1 / viewport().zoom());
         placeFacts(plates, area, bar, *m_picture, viewport().zoom());
@@ -73,6 +101,17 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
     paintDashedFrame(painter, rect());
     if (hasFocus())
         paintFocusFrame(painter, rect());
+}
+
+/// REVIEW, and SIMULATED or RECORDED when it is that; LIVE is never said here.
+QString ReferenceImageView::head() const
+{
+    QStringList words{word(m_picture->role)};
+    if (m_picture->about.source != PictureSource::Live)
+        words << word(m_picture->about.source);
+    if (m_picture->role == PictureRole::Roadmap && m_condition != PictureCondition::Live)
+        words << word(m_condition);
+    return words.join(QStringLiteral("  "));
 }
 
 void ReferenceImageView::paintNothingYet(QPainter& painter)
@@ -87,9 +126,9 @@ void ReferenceImageView::paintNothingYet(QPainter& painter)
 
 void ReferenceImageView::describe()
 {
-    setAccessibleDescription(m_picture ? tr("%1; the picture was taken at %2. It is not the live picture.")
-                                             .arg(headOf(*m_picture), clockTime(m_picture->about.captureNs))
-                                       : tr("No reference picture yet."));
+    setAccessibleDescription(
+        m_picture ? tr("%1; the picture was taken at %2. It is not the live picture.").arg(head(), clockTime(m_picture->about.captureNs))
+                  : tr("No reference picture yet."));
 }
 
 } // namespace console

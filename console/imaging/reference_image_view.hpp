@@ -1,4 +1,4 @@
-// The reference picture: last image hold or review, beside the live one and never in its place.
+// The reference picture: last image hold, review or roadmap, beside the live one and never in its place.
 #pragma once
 
 #include "imaging/picture_canvas.hpp"
@@ -17,10 +17,20 @@ public:
     /// A picture that was made to be live is not taken.
     void showPicture(const DisplayPicture& picture);
 
-    /// Where the picture stands in the review, `12 of 180, 11.2 s before the newest`; empty for a hold.
+    /// What else is to be said of it: where it stands in the review, `12 of 180, 11.2 s before the newest`, or whose vessels lie over it.
     void setPlace(const QString& place);
 
+    /// Painted over each picture of the role Roadmap, as `vesselLayer()` makes them; null: none.
+    void setVessels(const QImage& vessels);
+    void setOpacity(double opacity); ///< of the vessels, 0 to 1
+
+    /// Of the live picture, which a roadmap shows once more: where that is frozen, this is.
+    void setCondition(PictureCondition condition);
+
     const std::optional<DisplayPicture>& picture() const { return m_picture; }
+
+    /// The same with the vessels of a roadmap in it, for saving; there must be a picture.
+    DisplayPicture pictureWithVessels() const;
 
     /// Every pixel that is not the picture's own.
     QRegion overlayRegion() const { return m_overlay; }
@@ -32,11 +42,15 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    QString head() const;
     void paintNothingYet(QPainter& painter);
     void describe();
 
     std::optional<DisplayPicture> m_picture;
     QString m_place;
+    QImage m_vessels;
+    double m_opacity = 0.6;
+    PictureCondition m_condition = PictureCondition::Live;
     QRegion m_overlay;
 };
 

@@ -37,6 +37,7 @@ enum class AlarmCondition : std::uint8_t {
     HardLimit,
     CommandRoundTrip, ///< subject: the robot
     TrackerStale,
+    RoadmapRemoved,
     ContrastLow,
     ContrastEmpty,
     AirKerma,        ///< raised anew with every further gray

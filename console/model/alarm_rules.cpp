@@ -209,6 +209,9 @@ void Rules::addInstruments()
     if (m_readings.trackerOverdue)
         add(AlarmCondition::TrackerStale, whenArmed(Priority::Medium, Priority::Low), false, Text::tr("Tracker: no valid tip position"),
             Text::tr("Go by the picture alone; what is shown of the tip is old."));
+    if (m_readings.armed && !m_readings.roadmapRemoved.isEmpty())
+        add(AlarmCondition::RoadmapRemoved, Priority::Low, false, Text::tr("Roadmap removed: %1").arg(m_readings.roadmapRemoved),
+            Text::tr("Go by the live picture; make a new roadmap with contrast."));
     if (m_readings.robotFresh && m_readings.injecting && m_readings.contrastLeft <= 0)
         add(AlarmCondition::ContrastEmpty, whenArmed(Priority::Medium, Priority::Low), true, Text::tr("Contrast EMPTY during an injection"),
             Text::tr("Have the patient side refill the injector and look for air."));

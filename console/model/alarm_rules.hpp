@@ -56,6 +56,7 @@ struct AlarmReadings {
     bool drivesHealthy = true;
     bool drivesKnown = false;
     bool emergencyStop = false;
+    QString roadmapRemoved;      ///< why the roadmap that a person wants is not shown any more; empty
     bool trackerOverdue = false; ///< it reported, its link is up, and there is no valid recent report
     double contrastLeft = 0;     ///< mL, meaningful while robotFresh
     bool injecting = false;

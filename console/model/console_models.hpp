@@ -13,6 +13,7 @@
 #include "model/permit_model.hpp"
 #include "model/picture_state.hpp"
 #include "model/recorder_state.hpp"
+#include "model/roadmap_state.hpp"
 #include "model/session_model.hpp"
 #include "model/trend_book.hpp"
 #include "model/xray_state.hpp"
@@ -28,6 +29,7 @@ struct ConsoleModels {
     XraySystemState xray;
     ArmState arm;
     PictureState picture;
+    RoadmapState roadmap;
     PermitModel permit;
     HandState hand;
     AlarmList alarms;

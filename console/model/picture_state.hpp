@@ -19,12 +19,13 @@ namespace console {
 
 /// What a picture is for. Set where the picture is made, and never changed: only a live one can ever stand for the present.
 enum class PictureRole : std::uint8_t {
-    Live,   ///< the newest that came
-    Hold,   ///< last image hold, beside the live picture
-    Review, ///< from the last minute
+    Live,    ///< the newest that came
+    Hold,    ///< last image hold, beside the live picture
+    Review,  ///< from the last minute
+    Roadmap, ///< the newest that came, once more, under the vessels of a run
 };
 
-/// LIVE, LAST IMAGE HOLD, REVIEW.
+/// LIVE, LAST IMAGE HOLD, REVIEW, ROADMAP.
 QString word(PictureRole role);
 
 /// The times of one painted picture. The view hands it over when it has painted the picture, not before.

@@ -43,7 +43,7 @@ QString word(LinkState state)
 QString word(PictureRole role)
 {
     static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "LIVE"), QT_TRANSLATE_NOOP("console::Words", "LAST IMAGE HOLD"),
-                                      QT_TRANSLATE_NOOP("console::Words", "REVIEW")};
+                                      QT_TRANSLATE_NOOP("console::Words", "REVIEW"), QT_TRANSLATE_NOOP("console::Words", "ROADMAP")};
     return at(table, role);
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/small_button.hpp"
 
 #include <QHBoxLayout>
+#include <QSlider>
 
 namespace console {
 
@@ -15,7 +16,14 @@ ReviewControls::ReviewControls(QWidget* parent) : QWidget(parent)
     row->setSpacing(2);
     m_hold = addButton(tr("Hold"), tr("Last image hold"), tr("The last picture of the run"));
     m_review = addButton(tr("Review"), tr("Review"), tr("The last minute"));
+    m_roadmap = addButton(tr("Roadmap"), tr("Roadmap"), tr("The live picture under the vessels that the last run with contrast filled"));
     row->addStretch(1);
+    m_opacity = new QSlider(Qt::Horizontal, this);
+    m_opacity->setAccessibleName(tr("Strength of the roadmap's vessels"));
+    m_opacity->setToolTip(m_opacity->accessibleName());
+    m_opacity->setRange(0, 100);
+    m_opacity->setValue(60);
+    row->addWidget(m_opacity, 4);
     m_oldest = addButton(QStringLiteral("|\u25C0"), tr("Oldest picture"), tr("To the oldest picture"));
     m_back = addButton(QStringLiteral("\u25C0"), tr("One picture back"), tr("One picture back"));
     m_play = addButton(tr("Play"), tr("Play"), tr("As a film, in the time in which it was taken"));
@@ -24,6 +32,8 @@ ReviewControls::ReviewControls(QWidget* parent) : QWidget(parent)
     SmallButton* save = addButton(tr("Save"), tr("Save reference picture"), tr("As PNG and as DICOM Secondary Capture"));
     connect(m_hold, &SmallButton::clicked, this, &ReviewControls::holdRequested);
     connect(m_review, &SmallButton::clicked, this, &ReviewControls::reviewRequested);
+    connect(m_roadmap, &SmallButton::clicked, this, &ReviewControls::roadmapRequested);
+    connect(m_opacity, &QSlider::valueChanged, this, [this](int percent) { Q_EMIT opacityChanged(percent / 100.0); });
     connect(m_oldest, &SmallButton::clicked, this, &ReviewControls::oldestRequested);
     connect(m_back, &SmallButton::clicked, this, [this] { Q_EMIT stepRequested(-1); });
     connect(m_on, &SmallButton::clicked, this, [this] { Q_EMIT stepRequested(1); });
@@ -41,11 +51,28 @@ SmallButton* ReviewControls::addButton(const QString& text, const QString& name,
 
 void ReviewControls::showReview(bool open, bool playing)
 {
+    m_reviewing = open;
     m_playing = playing;
-    m_hold->setInForce(!open);
-    m_review->setInForce(open);
-    for (SmallButton* button : {m_oldest, m_back, m_play, m_on})
-        button->setEnabled(open);
+    updateButtons();
+}
+
+void ReviewControls::showRoadmap(bool wanted)
+{
+    m_mapping = wanted;
+    updateButtons();
+}
+
+void ReviewControls::updateButtons()
+{
+    m_hold->setInForce(!m_reviewing && !m_mapping);
+    m_review->setInForce(m_reviewing);
+    m_roadmap->setInForce(m_mapping);
+    m_opacity->setVisible(m_mapping);
+    for (SmallButton* button : {m_oldest, m_back, m_play, m_on}) {
+        button->setEnabled(m_reviewing);
+        button->setVisible(!m_mapping);
+    }
+    const bool playing = m_playing;
     m_play->setText(playing ? tr("Stop") : tr("Play"));
     m_play->setAccessibleName(playing ? tr("Stop the film") : tr("Play"));
 }

@@ -1,7 +1,9 @@
-// The controls under the reference picture: last image hold, and review of the last minute.
+// The controls under the reference picture: last image hold, review of the last minute, roadmap.
 #pragma once
 
 #include <QWidget>
+
+class QSlider;
 
 namespace console {
 
@@ -16,6 +18,9 @@ public:
     /// Stepping and playing are possible in a review only.
     void showReview(bool open, bool playing);
 
+    /// The strength of the vessels takes the place of stepping and playing.
+    void showRoadmap(bool wanted);
+
 Q_SIGNALS:
     void holdRequested();
     void reviewRequested();
@@ -23,17 +28,25 @@ Q_SIGNALS:
     void stepRequested(int frames);
     void playRequested(bool play);
     void saveRequested();
+    void roadmapRequested();
+    void opacityChanged(double opacity); ///< of the vessels, 0 to 1
 
 private:
     SmallButton* addButton(const QString& text, const QString& name, const QString& tip);
 
     SmallButton* m_hold;
     SmallButton* m_review;
+    SmallButton* m_roadmap;
+    QSlider* m_opacity;
     SmallButton* m_oldest;
     SmallButton* m_back;
     SmallButton* m_play;
     SmallButton* m_on;
+    void updateButtons();
+
+    bool m_reviewing = false;
     bool m_playing = false;
+    bool m_mapping = false;
 };
 
 } // namespace console

@@ -48,6 +48,8 @@ private Q_SLOTS:
     void livePictureIsNotShownAsReference();
     void hasDashedFrameAndItsWord();
     void neverSaysLive();
+    void vesselsLieOverRoadmapsOnly();
+    void roadmapIsAsFrozenAsTheLivePicture();
     void holdsLastPictureOfRun();
     void reviewsRing();
     void playsToTheEndAndStops();
@@ -59,6 +61,7 @@ void TestReferenceImage::reviewNeverCountsAsLive_data()
     QTest::addColumn<int>("role");
     QTest::newRow("hold") << static_cast<int>(PictureRole::Hold);
     QTest::newRow("review") << static_cast<int>(PictureRole::Review);
+    QTest::newRow("roadmap") << static_cast<int>(PictureRole::Roadmap);
 }
 
 void TestReferenceImage::reviewNeverCountsAsLive()
@@ -130,7 +133,7 @@ void TestReferenceImage::hasDashedFrameAndItsWord()
 void TestReferenceImage::neverSaysLive()
 {
     ReferenceImageView view;
-    for (const PictureRole role : {PictureRole::Hold, PictureRole::Review})
+    for (const PictureRole role : {PictureRole::Hold, PictureRole::Review, PictureRole::Roadmap})
         for (const PictureSource source : {PictureSource::Live, PictureSource::Simulated, PictureSource::Recorded}) {
             DisplayPicture picture = pictureWith(role, 1);
             picture.about.source = source;
@@ -139,6 +142,51 @@ void TestReferenceImage::neverSaysLive()
             if (source != PictureSource::Live)
                 QVERIFY(view.accessibleDescription().contains(word(source)));
         }
+}
+
+void TestReferenceImage::vesselsLieOverRoadmapsOnly()
+{
+    QImage vessels(size / 2, QImage::Format_ARGB32_Premultiplied); // coarser than the picture
+    vessels.fill(Qt::transparent);
+    for (int row = 0; row < vessels.height(); ++row)
+        for (int column = vessels.width() / 2; column < vessels.width(); ++column)
+            vessels.setPixelColor(column, row, pane_colours::roadmap);
+    ReferenceImageView view;
+    view.resize(420, 400);
+    view.showPicture(pictureWith(PictureRole::Roadmap, 1));
+    view.setVessels(vessels);
+    view.setOpacity(1);
+    const auto colourAt = [&view](double share) {
+        const QRect area = view.pictureRect();
+        return view.grab().toImage().pixelColor(area.left() + static_cast<int>(share * area.width()), area.center().y());
+    };
+    QCOMPARE(colourAt(0.7), pane_colours::roadmap);
+    QCOMPARE(colourAt(0.3), QColor(100, 100, 100));
+    view.setOpacity(0.5);
+    QVERIFY(std::abs(colourAt(0.7).blue() - (100 + pane_colours::roadmap.blue()) / 2) <= 2);
+    const DisplayPicture saved = view.pictureWithVessels();
+    QVERIFY(saved.image.pixelColor(size.width() * 3 / 4, size.height() / 2) != QColor(100, 100, 100));
+    QCOMPARE(view.picture()->image.pixelColor(size.width() * 3 / 4, size.height() / 2), QColor(100, 100, 100));
+    for (const PictureRole role : {PictureRole::Hold, PictureRole::Review}) {
+        view.showPicture(pictureWith(role, 1));
+        QCOMPARE(colourAt(0.7), QColor(100, 100, 100));
+    }
+}
+
+void TestReferenceImage::roadmapIsAsFrozenAsTheLivePicture()
+{
+    ReferenceImageView view;
+    view.resize(420, 400);
+    view.showPicture(pictureWith(PictureRole::Roadmap, 1));
+    const QPoint place(view.pictureRect().center().x(), view.pictureRect().center().y());
+    const QColor live = view.grab().toImage().pixelColor(place);
+    for (const PictureCondition condition : {PictureCondition::Frozen, PictureCondition::Unknown}) {
+        view.setCondition(condition);
+        QVERIFY(view.accessibleDescription().contains(word(condition)));
+        QVERIFY(view.grab().toImage().pixelColor(place) != live);
+    }
+    view.setCondition(PictureCondition::Live);
+    QCOMPARE(view.grab().toImage().pixelColor(place), live);
 }
 
 void TestReferenceImage::holdsLastPictureOfRun()

@@ -1,6 +1,7 @@
 // A robot and an X-ray system that do what a test says.
 #include "puppet_devices.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
@@ -17,6 +18,7 @@ constexpr std::uint64_t silence = 50;   ///< turns without a command; longer tha
 constexpr double commandLength = 0.002; ///< s
 constexpr milliseconds pedalLease{400};
 constexpr std::uint16_t edge = 64;
+constexpr int vesselRows = 3;
 
 void orThrow(const Result<void>& result)
 {
@@ -214,7 +216,9 @@ void PuppetXray::sendPicture(DistributedSystem& system)
         if (m_pictures != Pictures::Repeated || m_pixels.empty()) {
             m_pixels.resize(std::size_t{edge} * edge);
             for (auto& pixel : m_pixels)
-                pixel = static_cast<std::byte>(m_random() & 0xFFU);
+                pixel = static_cast<std::byte>(96 + (m_random() & 63U));
+            if (m_pictures == Pictures::Filled)
+                std::fill_n(m_pixels.begin() + std::ptrdiff_t{edge / 2} * edge, vesselRows * edge, std::byte{20});
         }
         const auto age = m_pictures == Pictures::Old ? milliseconds(1000) : milliseconds(5);
         frame.set("frame", ++m_frame).set("acquisition", m_press);

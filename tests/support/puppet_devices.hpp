@@ -79,7 +79,8 @@ public:
         None,     ///< beam on, and nothing comes
         Repeated, ///< new numbers and times, the same bytes
         Recorded,
-        Old, ///< taken a second before they are sent
+        Old,    ///< taken a second before they are sent
+        Filled, ///< good, with contrast in a vessel across the middle
     };
 
     explicit PuppetXray(Settings settings);

@@ -79,6 +79,21 @@ const std::vector<Cause>& causes()
          truth},
         {"11 the tracker loses the tip", C::TrackerStale, AlarmPriority::Medium,
          [](Stage& s) { s.robot.alterTip([](Message& m) { m.set("valid", false); }); }, truth},
+        {"12 the table moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
+         [](Stage& s) {
+             s.xray.show(PuppetXray::Pictures::Filled);
+             const auto isMade = [&s] {
+                 s.theatre.click(QStringLiteral("Roadmap"));
+                 return s.theatre.models().roadmap.isValid();
+             };
+             (void)QTest::qWaitFor(isMade, patience); // a run of eight pictures is the least
+             s.xray.alterStatus([](Message& m) { m.set("table_position", std::vector<double>{0, 5, 0}); });
+         },
+         [](Stage& s) {
+             s.xray.show(PuppetXray::Pictures::Good);
+             truth(s);
+             s.theatre.click(QStringLiteral("Review"));
+         }},
         {"13 contrast runs low", C::ContrastLow, AlarmPriority::Low,
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
         {"15 soft limit", C::SoftLimit, AlarmPriority::Low, [](Stage& s) { robotSays(s, [](Message& m) { m.set("limit_switches", 2U); }); },

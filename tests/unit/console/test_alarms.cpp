@@ -75,6 +75,7 @@ const std::vector<Case>& cases()
         {"round trip, caution", [](auto& r) { r.links[0].commandRoundTrip = 151ms; }, C::CommandRoundTrip, Low, std::nullopt, false},
         {"round trip above the limit", [](auto& r) { r.links[0].commandRoundTrip = 251ms; }, C::CommandRoundTrip, Medium, Low, false},
         {"tracker", [](auto& r) { r.trackerOverdue = true; }, C::TrackerStale, Medium, Low, false},
+        {"roadmap", [](auto& r) { r.roadmapRemoved = QStringLiteral("the table moved"); }, C::RoadmapRemoved, Low, std::nullopt, false},
         {"contrast low", [](auto& r) { r.contrastLeft = 4.9; }, C::ContrastLow, Low, Low, false},
         {"contrast empty",
          [](auto& r) {

@@ -181,7 +181,7 @@ private Q_SLOTS:
         PictureState state;
         state.setLinkUp(true);
         state.expect(15, start);
-        for (const PictureRole role : {PictureRole::Hold, PictureRole::Review}) {
+        for (const PictureRole role : {PictureRole::Hold, PictureRole::Review, PictureRole::Roadmap}) {
             auto old = stamp(1, start + 10ms, 1ms);
             old.role = role;
             state.notePainted(old);

@@ -1,0 +1,158 @@
+// From a run's pictures to its vessels.
+#include "imaging/opacification.hpp"
+
+#include "imaging/pane_colours.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace console {
+
+namespace {
+
+constexpr int vesselEdge = 512;     ///< pixels, at most
+constexpr int backgroundEdge = 256; ///< pixels, at most
+constexpr double newest = 0.5;      ///< share of the newest picture in the mean over time
+constexpr double noiseShown = 3;    ///< of its spread; below that a pixel is no vessel
+constexpr double noiseSeen = 8;     ///< of its spread; below that the darkest pixels are none
+constexpr double darkestShare = 0.002;
+constexpr double leastSpread = 1e-4;
+constexpr double leastLikeness = 0.1; ///< response of the correlation below which its peak is one of noise
+
+/// As small as `edge` by whole steps, so that each pixel is the mean of the same number of others.
+cv::Size coarser(cv::Size size, int edge)
+{
+    const int step = std::max(1, (std::max(size.width, size.height) + edge - 1) / edge);
+    return {std::max(1, size.width / step), std::max(1, size.height / step)};
+}
+
+bool darkerIsLess(const XrayFrame& frame) { return frame.photometric == Photometric::Monochrome2; }
+
+/// What grows with what the beam has passed: the logarithm of its intensity, unless the values are one already.
+cv::Mat attenuation(const cv::Mat& values, const XrayFrame& frame)
+{
+    cv::Mat result;
+    if (frame.intensity != IntensityRelationship::Linear || !darkerIsLess(frame)) {
+        const double sign = darkerIsLess(frame) ? -1 : 1;
+        values.convertTo(result, CV_32F, sign * std::ldexp(1.0, -frame.bitsStored));
+        return result;
+    }
+    cv::log(cv::max(values, 1.0F), result);
+    return -result;
+}
+
+/// The value that `share` of all are not above.
+float quantile(std::vector<float>& values, double share)
+{
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[static_cast<std::size_t>(place)];
+}
+
+bool sameProjection(const XrayGeometry& a, const XrayGeometry& b)
+{
+    return a.primaryAngle == b.primaryAngle && a.secondaryAngle == b.secondaryAngle &&
+           a.sourceDetectorDistance == b.sourceDetectorDistance && a.sourceObjectDistance == b.sourceObjectDistance;
+}
+
+} // namespace
+
+QImage vesselLayer(const Roadmap& roadmap)
+{
+    QImage layer(roadmap.vessels.cols, roadmap.vessels.rows, QImage::Format_ARGB32_Premultiplied);
+    const QColor& ink = pane_colours::roadmap;
+    for (int row = 0; row < layer.height(); ++row) {
+        const auto* vessel = roadmap.vessels.ptr<std::uint8_t>(row);
+        auto* pixel = reinterpret_cast<QRgb*>(layer.scanLine(row));
+        for (int column = 0; column < layer.width(); ++column)
+            pixel[column] = qPremultiply(qRgba(ink.red(), ink.green(), ink.blue(), vessel[column]));
+    }
+    return layer;
+}
+
+bool Opacification::endsWith(const XrayFrame& frame) const
+{
+    return m_count > 0 &&
+           (m_first.acquisition != frame.acquisition || m_first.rows != frame.rows || m_first.columns != frame.columns ||
+            m_first.bitsStored != frame.bitsStored || m_first.photometric != frame.photometric || m_first.intensity != frame.intensity ||
+            m_first.imagerPixelSpacing != frame.imagerPixelSpacing || !sameProjection(m_first.geometry, frame.geometry));
+}
+
+void Opacification::begin(const XrayFrame& frame)
+{
+    m_first = frame;
+    m_first.owner.reset();
+    m_first.pixels = {};
+    m_count = 0;
+}
+
+void Opacification::take(const cv::Mat& stored, const XrayFrame& frame)
+{
+    if (m_count == 0 || endsWith(frame))
+        begin(frame);
+    cv::Mat small;
+    cv::resize(stored, small, coarser(stored.size(), vesselEdge), 0, 0, cv::INTER_AREA);
+    small.convertTo(m_coarse, CV_32F);
+    m_lastNs = frame.captureNs;
+    ++m_count;
+    if (m_count <= maskPictures) {
+        if (m_count == 1)
+            m_mask = cv::Mat::zeros(m_coarse.size(), CV_32F);
+        m_mask += m_coarse;
+        m_smooth = m_mask / m_count;
+        m_smooth.copyTo(m_darkest);
+        return;
+    }
+    cv::addWeighted(m_coarse, newest, m_smooth, 1 - newest, 0, m_smooth);
+    if (darkerIsLess(m_first))
+        cv::min(m_darkest, m_smooth, m_darkest);
+    else
+        cv::max(m_darkest, m_smooth, m_darkest);
+}
+
+std::optional<Roadmap> Opacification::roadmap() const
+{
+    if (m_count < leastPictures)
+        return std::nullopt;
+    const cv::Mat before = attenuation(m_mask / maskPictures, m_first);
+    cv::Mat darkened = attenuation(m_darkest, m_first) - before;
+    cv::GaussianBlur(darkened, darkened, {5, 5}, 1.0, 1.0, cv::BORDER_REPLICATE);
+
+    std::vector<float> values(darkened.begin<float>(), darkened.end<float>());
+    const float usual = quantile(values, 0.5);
+    const float most = quantile(values, 1 - darkestShare);
+    std::transform(values.begin(), values.end(), values.begin(), [usual](float value) { return std::abs(value - usual); });
+    const double spread = std::max(1.4826 * quantile(values, 0.5), leastSpread); // of a normal distribution with that median deviation
+    if (most - usual < noiseSeen * spread)
+        return std::nullopt;
+
+    Roadmap roadmap;
+    const double least = usual + noiseShown * spread;
+    const double scale = 255 / (most - least);
+    darkened.convertTo(roadmap.vessels, CV_8U, scale, -least * scale);
+    cv::resize(before, roadmap.background, coarser(before.size(), backgroundEdge), 0, 0, cv::INTER_AREA);
+    roadmap.about = m_first;
+    roadmap.lastNs = m_lastNs;
+    roadmap.pictures = m_count;
+    return roadmap;
+}
+
+std::optional<QPointF> Opacification::displacement(const Roadmap& roadmap) const
+{
+    if (m_count == 0 || m_first.rows != roadmap.about.rows || m_first.columns != roadmap.about.columns)
+        return std::nullopt;
+    cv::Mat now;
+    cv::resize(attenuation(m_coarse, m_first), now, roadmap.background.size(), 0, 0, cv::INTER_AREA);
+    cv::Mat window;
+    cv::createHanningWindow(window, now.size(), CV_32F);
+    double likeness = 0;
+    const cv::Point2d shift = cv::phaseCorrelate(roadmap.background, now, window, &likeness);
+    if (!(likeness >= leastLikeness))
+        return std::nullopt;
+    return QPointF(shift.x * m_first.columns / now.cols, shift.y * m_first.rows / now.rows);
+}
+
+} // namespace console

@@ -1,0 +1,222 @@
+// Tests of the vessels that a run filled: what is found, what is not, and whether the patient moved.
+#include "imaging/opacification.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/roadmap_maker.hpp"
+#include "noisy_picture.hpp"
+
+#include <QtTest>
+
+#include <opencv2/imgproc.hpp>
+
+using namespace console;
+
+namespace {
+
+constexpr int edge = 256;
+constexpr double absorbed = 0.12; ///< of the logarithm
+
+struct Scene {
+    double contrast = 0; ///< 0 to 1, in the vessel
+    cv::Point2d patient; ///< pixels
+    Photometric photometric = Photometric::Monochrome2;
+    IntensityRelationship intensity = IntensityRelationship::Linear;
+};
+
+bool inVessel(int y) { return y >= 120 && y < 128; }
+
+/// Half of it twice as bright as the other, with bones; a vessel across both.
+cv::Mat picture(unsigned seed, const Scene& scene)
+{
+    const auto light = [&scene](int x, int y) {
+        const double px = x - scene.patient.x;
+        const double py = y - scene.patient.y;
+        const double bones = 0.2 * std::sin(px * 0.31 + 2 * std::sin(py * 0.11)) * std::cos(py * 0.23 + std::sin(px * 0.07));
+        const double back = (px < edge / 2.0 ? 1200 : 2400) * (1 + bones);
+        return inVessel(y) ? back * std::exp(-absorbed * scene.contrast) : back;
+    };
+    cv::Mat stored;
+    cv::Mat linear = samples::noisyPicture(edge, seed, light, [](double value) { return value / 4; });
+    if (scene.intensity == IntensityRelationship::Logarithmic) {
+        cv::log(linear, linear);
+        linear *= 4095 / std::log(4095.0);
+    }
+    if (scene.photometric == Photometric::Monochrome1)
+        linear = 4095 - linear;
+    linear.convertTo(stored, CV_16U);
+    return stored;
+}
+
+XrayFrame frame(quint32 number, const Scene& scene, quint32 run = 1)
+{
+    XrayFrame frame;
+    frame.frame = number;
+    frame.acquisition = run;
+    frame.rows = frame.columns = edge;
+    frame.bitsStored = 12;
+    frame.photometric = scene.photometric;
+    frame.intensity = scene.intensity;
+    frame.captureNs = 1'000'000'000ULL + number * 66'000'000ULL;
+    return frame;
+}
+
+/// Contrast comes after the sixth picture, passes, and is gone again.
+template <typename Taker>
+void takeRun(Taker& taker, Scene scene, double contrast, quint32 run = 1, quint32 pictures = 20)
+{
+    for (quint32 number = 1; number <= pictures; ++number) {
+        scene.contrast = number > 6 && number < 16 ? contrast : 0;
+        taker.take(picture(run * 1000 + number, scene), frame(run * 100 + number, scene, run));
+    }
+}
+
+double meanOf(const cv::Mat& vessels, const cv::Rect& part) { return cv::mean(vessels(part))[0]; }
+
+} // namespace
+
+class TestRoadmap : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void findsWhatContrastFilled_data();
+    void findsWhatContrastFilled();
+    void noiseIsNoVessel();
+    void aRunThatIsTooShortIsNone();
+    void anotherProjectionBeginsAnew();
+    void thePatientsMovementIsMeasured();
+    void noiseHasNotMoved();
+    void theLastRunWithContrastCounts();
+    void comparesOnlyWhatIsWatched();
+    void paintsInItsOwnColour();
+};
+
+void TestRoadmap::findsWhatContrastFilled_data()
+{
+    QTest::addColumn<int>("photometric");
+    QTest::addColumn<int>("intensity");
+    QTest::newRow("linear") << int(Photometric::Monochrome2) << int(IntensityRelationship::Linear);
+    QTest::newRow("logarithmic") << int(Photometric::Monochrome2) << int(IntensityRelationship::Logarithmic);
+    QTest::newRow("logarithmic, low is white") << int(Photometric::Monochrome1) << int(IntensityRelationship::Logarithmic);
+}
+
+void TestRoadmap::findsWhatContrastFilled()
+{
+    QFETCH(int, photometric);
+    QFETCH(int, intensity);
+    Scene scene;
+    scene.photometric = static_cast<Photometric>(photometric);
+    scene.intensity = static_cast<IntensityRelationship>(intensity);
+    Opacification run;
+    takeRun(run, scene, 1);
+    const auto roadmap = run.roadmap();
+    QVERIFY(roadmap);
+    QCOMPARE(roadmap->pictures, 20);
+    QCOMPARE(roadmap->vessels.size(), cv::Size(edge, edge));
+    const double dark = meanOf(roadmap->vessels, {8, 122, edge / 2 - 16, 4});
+    const double bright = meanOf(roadmap->vessels, {edge / 2 + 8, 122, edge / 2 - 16, 4});
+    QVERIFY2(dark > 150 && bright > 150, qPrintable(QStringLiteral("%1 %2").arg(dark).arg(bright)));
+    QVERIFY2(std::abs(dark - bright) < 0.25 * dark, qPrintable(QStringLiteral("%1 %2").arg(dark).arg(bright))); // whatever lies behind
+    const cv::Mat outside = roadmap->vessels.rowRange(0, 110);
+    QVERIFY(cv::countNonZero(outside > 60) < outside.rows * outside.cols / 200);
+}
+
+void TestRoadmap::noiseIsNoVessel()
+{
+    Opacification run;
+    takeRun(run, {}, 0, 1, 100);
+    QVERIFY(!run.roadmap());
+}
+
+void TestRoadmap::aRunThatIsTooShortIsNone()
+{
+    Opacification run;
+    QVERIFY(!run.roadmap());
+    takeRun(run, {}, 1, 1, Opacification::leastPictures - 1);
+    QVERIFY(!run.roadmap());
+}
+
+void TestRoadmap::anotherProjectionBeginsAnew()
+{
+    Opacification run;
+    takeRun(run, {}, 1);
+    auto turned = frame(200, {});
+    turned.geometry.primaryAngle = 30;
+    QVERIFY(run.endsWith(turned));
+    run.take(picture(5, {}), turned);
+    QVERIFY(!run.roadmap());
+}
+
+void TestRoadmap::thePatientsMovementIsMeasured()
+{
+    Opacification before;
+    takeRun(before, {}, 1);
+    const auto roadmap = before.roadmap();
+    QVERIFY(roadmap);
+    for (const cv::Point2d by : {cv::Point2d(0, 0), cv::Point2d(7, -4)}) {
+        Opacification now;
+        Scene scene;
+        scene.patient = by;
+        now.take(picture(77, scene), frame(500, scene, 2));
+        const auto displacement = now.displacement(*roadmap);
+        QVERIFY(displacement);
+        QVERIFY2(std::hypot(displacement->x() - by.x, displacement->y() - by.y) < 1,
+                 qPrintable(QStringLiteral("%1 %2").arg(displacement->x()).arg(displacement->y())));
+    }
+}
+
+void TestRoadmap::noiseHasNotMoved()
+{
+    Opacification before;
+    takeRun(before, {}, 1);
+    const cv::Mat noise = samples::noisyPicture(
+        edge, 9, [](int, int) { return 2000; }, [](double) { return 10000; });
+    cv::Mat stored;
+    noise.convertTo(stored, CV_16U);
+    Opacification now;
+    now.take(stored, frame(500, {}, 2));
+    QVERIFY(!now.displacement(before.roadmap().value()));
+}
+
+void TestRoadmap::theLastRunWithContrastCounts()
+{
+    RoadmapMaker maker;
+    QVERIFY(!maker.make());
+    takeRun(maker, {}, 1, 1);
+    QVERIFY(maker.make());
+    takeRun(maker, {}, 0, 2);
+    const auto made = maker.make();
+    QVERIFY(made);
+    QCOMPARE(made->about.acquisition, 1U);
+    takeRun(maker, {}, 1, 3);
+    QCOMPARE(maker.make()->about.acquisition, 3U);
+}
+
+void TestRoadmap::comparesOnlyWhatIsWatched()
+{
+    RoadmapMaker maker;
+    takeRun(maker, {}, 1, 1);
+    takeRun(maker, {}, 0, 2);
+    QVERIFY(!maker.displacement());
+    maker.watch(maker.make());
+    QVERIFY(!maker.displacement());
+    Scene moved;
+    moved.patient = {6, 0};
+    takeRun(maker, moved, 0, 3);
+    QVERIFY(maker.displacement());
+    QVERIFY(std::abs(maker.displacement()->pixels.x() - 6) < 1);
+    QVERIFY(maker.displacement()->frame > 300);
+    maker.watch(nullptr);
+    QVERIFY(!maker.displacement());
+}
+
+void TestRoadmap::paintsInItsOwnColour()
+{
+    Roadmap roadmap;
+    roadmap.vessels = cv::Mat::zeros(4, 6, CV_8UC1);
+    roadmap.vessels.at<std::uint8_t>(2, 3) = 255;
+    const QImage layer = vesselLayer(roadmap);
+    QCOMPARE(layer.size(), QSize(6, 4));
+    QCOMPARE(layer.pixelColor(3, 2), pane_colours::roadmap);
+    QCOMPARE(qAlpha(layer.pixel(0, 0)), 0);
+}
+
+QTEST_APPLESS_MAIN(TestRoadmap)
+#include "test_roadmap.moc"
