@@ -19,9 +19,11 @@ constexpr auto usualUnrest = 500us;          // of a long path, before more of i
 constexpr auto mostUnrest = 8ms;             // that is taken for one: what is longer is a queue
 constexpr auto unrestHalves = 10s;           // what was seen of it, when it is not seen again
 constexpr double clearlyBelow = 0.75;        // what passed without a queue a moment ago
+constexpr double provenLeft = 0.97;          // of that, a second later
 constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
 constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
+constexpr double allThatIsSent = 0.95;       // nearly
 constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
 constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
@@ -77,8 +79,11 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
-        m_proven *= 0.8;
         m_unrestSeen = now;
+    }
+    if (now - m_provenFaded > 1s) {
+        m_proven *= provenLeft;
+        m_provenFaded = now;
     }
     m_departures.note(facts.bytesSent, now, facts.leastRoundTrip);
     if (m_share)
@@ -223,6 +228,8 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, In
 {
     if (isUnrest(facts, delivered, now))
         return;
+    if (delivered < m_rate * allThatIsSent)
+        m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
     m_ceiling = std::clamp(delivered, least, most);

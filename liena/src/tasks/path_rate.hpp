@@ -153,7 +153,8 @@ private:
     Departures m_departures;
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
-    double m_proven = first;      ///< bytes per second that passed without a queue, of late
+    double m_proven = 0; ///< bytes per second that passed without a queue, of late
+    Instant m_provenFaded{};
     std::optional<Burst> m_burst; ///< nothing was decided since it began
 };
 

@@ -176,7 +176,7 @@ private slots:
     /// The same lanes without a share: what the last one finds is what it keeps.
     void lanesThatDoNotKnowOfEachOtherKeepWhatTheyFound()
     {
-        Bottleneck bottleneck(gigabit, 20ms, 3, nullptr);
+        Bottleneck bottleneck(gigabit, 9ms, 3, nullptr);
         const double index = fairnessOf(bottleneck);
         QVERIFY2(index < 0.85, qPrintable(QString::number(index)));
     }

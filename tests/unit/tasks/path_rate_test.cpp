@@ -252,6 +252,68 @@ private slots:
         QVERIFY2(longestWait < 12ms, millisecondsOf(longestWait, "ms").constData());
     }
 
+    void learnsFromFramesWhatALongAndSlowPathCarries_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("roundTripMs");
+        for (const double megabits : {20.0, 40.0, 60.0, 90.0})
+            for (const int roundTrip : {12, 20, 40})
+                QTest::addRow("%.0f Mbit/s, %d ms", megabits, roundTrip) << megabits * 125'000 << roundTrip;
+    }
+
+    /// Slower than a lane begins with, and quiet: what waits there is a queue of ours, however short.
+    void learnsFromFramesWhatALongAndSlowPathCarries()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, roundTripMs);
+        Path path(capacity, std::chrono::milliseconds(roundTripMs));
+        const double bytes = capacity / 15 * 0.4;
+        const auto frame = [&] {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < bytes && taken < 66'000us; taken += 1000us)
+                path.run(1ms);
+            path.run(std::max(66'000us - taken, 0us), false);
+        };
+        for (int i = 0; i < 150; ++i)
+            frame();
+        Nanoseconds longestWait{};
+        for (int i = 0; i < 150; ++i) {
+            frame();
+            longestWait = std::max(longestWait, path.longestWait);
+        }
+        const auto figures = millisecondsOf(longestWait, "ms, ") + QByteArray::number(path.rate.rate() / path.capacity) + " of the path";
+        QVERIFY2(path.rate.rate() < 1.25 * path.capacity && path.rate.rate() > 0.7 * path.capacity, figures.constData());
+        QVERIFY2(longestWait < 4ms, figures.constData());
+    }
+
+    void yieldsOnALongPathThatNarrowsStepByStep_data()
+    {
+        QTest::addColumn<int>("roundTripMs");
+        QTest::addColumn<int>("eachMs");
+        for (const int roundTrip : {12, 24, 40})
+            for (const int each : {300, 1000, 2000, 5000})
+                QTest::addRow("%d ms, a step each %d ms", roundTrip, each) << roundTrip << each;
+    }
+
+    /// In steps that each look like a little unrest.
+    void yieldsOnALongPathThatNarrowsStepByStep()
+    {
+        QFETCH(int, roundTripMs);
+        QFETCH(int, eachMs);
+        Path path(gigabit / 10, std::chrono::milliseconds(roundTripMs));
+        path.run(10s);
+        for (const double share : {0.8, 0.68, 0.55, 0.45}) {
+            path.capacity = gigabit / 10 * share;
+            path.run(std::chrono::milliseconds(eachMs));
+        }
+        path.forget();
+        path.tooLong = 4ms;
+        path.run(10s);
+        const auto figures = millisecondsOf(path.late, "ms of 10 s, ") + millisecondsOf(path.longestWait, "ms at the longest");
+        QVERIFY2(path.late < 500ms, figures.constData());
+    }
+
     /// Each round trip carries twice as much as the one before, and what is under way is more than what the last one delivered.
     void takesNoSlowStartOnALongPathForAQueue()
     {
