@@ -39,13 +39,12 @@ void DatagramPath::end()
     m_window = {};
 }
 
-void DatagramPath::outgoingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now)
+void DatagramPath::outgoingUp(std::uint64_t token, const Key& key, const boost::asio::ip::address& host, session::Instant now)
 {
     begin(token);
     m_to.reset();
     m_next.reset();
     if (m_sealed) {
-        const auto key = lane.datagramKey(token);
         if (!key)
             return m_sending.reset(); // the session works without this path
         // A packet is faster than the Attach before it, and would look forged. The peer opens with the old key for long enough.
@@ -56,10 +55,10 @@ void DatagramPath::outgoingUp(std::uint64_t token, const transport::TcpChannel& 
             m_sending.emplace(key.value());
         }
     }
-    m_to.emplace(lane.remote().address(), m_port);
+    m_to.emplace(host, m_port);
 }
 
-void DatagramPath::incomingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now)
+void DatagramPath::incomingUp(std::uint64_t token, const Key& key, session::Instant now)
 {
     begin(token);
     m_hears = true;
@@ -71,7 +70,7 @@ void DatagramPath::incomingUp(std::uint64_t token, const transport::TcpChannel& 
         m_before.push_back({std::move(*m_receiving), now + 1s});
     }
     m_receiving.reset();
-    if (const auto key = lane.datagramKey(token))
+    if (key)
         m_receiving.emplace(key.value());
 }
 

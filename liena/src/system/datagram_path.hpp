@@ -6,7 +6,6 @@
 #include "security/datagram_seal.hpp"
 #include "session/instant.hpp"
 #include "session/packet_window.hpp"
-#include "transport/tcp_channel.hpp"
 #include "transport/udp_socket.hpp"
 
 #include <array>
@@ -24,11 +23,13 @@ public:
     /// The peer listens on `port`, on the host that its lane 0 has reached.
     DatagramPath(transport::UdpSocket& socket, std::uint16_t port, bool sealed);
 
-    /// Our lane 0 of the session with that token stands: its key seals; from now on, or soon when another one did until now.
-    void outgoingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
+    using Key = Result<security::DatagramKey>; ///< of a lane 0; an error where it has none, as in mode `none`
+
+    /// Our lane 0 of the session with that token stands, to that host: its key seals; from now on, or soon when another one did until now.
+    void outgoingUp(std::uint64_t token, const Key& key, const boost::asio::ip::address& host, session::Instant now);
 
     /// The peer's lane 0 stands: its key opens from now on, and those before for another second each.
-    void incomingUp(std::uint64_t token, const transport::TcpChannel& lane, session::Instant now);
+    void incomingUp(std::uint64_t token, const Key& key, session::Instant now);
 
     /// The session is over; its keys are forgotten.
     void end();

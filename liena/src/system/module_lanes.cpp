@@ -28,7 +28,9 @@ void DistributedModule::connectLaneZero()
 
 void DistributedModule::laneZeroUp()
 {
-    m_datagrams.outgoingUp(m_machine.token(), *m_laneZero.channel(), m_host.now().mono);
+    const auto& lane = *m_laneZero.channel();
+    const auto token = m_machine.token();
+    m_datagrams.outgoingUp(token, lane.datagramKey(token), lane.remote().address(), m_host.now().mono);
     handle(session::OutgoingUp{});
 }
 
@@ -72,7 +74,7 @@ void DistributedModule::adopt(session::ConnectionNumber number)
         return;
     m_incoming = fresh->second->release();
     m_incoming->setSink(*this);
-    m_datagrams.incomingUp(m_machine.token(), m_incoming->channel(), m_host.now().mono);
+    m_datagrams.incomingUp(m_machine.token(), m_incoming->channel().datagramKey(m_machine.token()), m_host.now().mono);
     bury(std::move(fresh->second));
     m_fresh.erase(fresh);
     boost::asio::post(m_host.io(), [this, task = m_incoming.get()] {
@@ -125,7 +127,7 @@ void DistributedModule::attached(transport::AttachedConnection connection)
     m_incoming = std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(),
                                                         std::uint8_t{0}, *this);
     auto* task = m_incoming.get();
-    m_datagrams.incomingUp(m_machine.token(), task->channel(), m_host.now().mono);
+    m_datagrams.incomingUp(m_machine.token(), task->channel().datagramKey(m_machine.token()), m_host.now().mono);
     handle(session::IncomingUp{});
     if (m_incoming.get() == task)
         task->start();

@@ -1,9 +1,8 @@
 // Resolve, connect, TLS, identity: each with one deadline over all.
 #include "transport/tcp_client.hpp"
 
+#include "transport/close_on_exec.hpp"
 #include "transport/timer.hpp"
-
-#include <boost/asio/connect.hpp>
 
 #include <fmt/format.h>
 
@@ -47,17 +46,37 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
     void connect(std::vector<tcp::endpoint> endpoints)
     {
         candidates = std::move(endpoints);
-        asio::async_connect(socket, candidates, [self = shared_from_this()](const boost::system::error_code& error, const tcp::endpoint&) {
+        tryNext(0, asio::error::host_not_found);
+    }
+
+    /// One after the other, and `last` is why the one before failed.
+    void tryNext(std::size_t candidate, const boost::system::error_code& last)
+    {
+        boost::system::error_code error = last;
+        socket.close(error);
+        if (candidate == candidates.size())
+            return finish(explainConnect(last, place));
+        socket.open(candidates[candidate].protocol(), error);
+        if (error)
+            return tryNext(candidate + 1, error);
+        closeOnExec(socket.native_handle());
+        socket.async_connect(candidates[candidate], [self = shared_from_this(), candidate](const boost::system::error_code& refused) {
             if (self->ended)
                 return;
-            if (error)
-                return self->finish(explainConnect(error, self->place));
-            self->connected = true;
-            self->channel = std::make_shared<TcpChannel>(std::move(self->socket));
-            if (!self->identity)
-                return self->finish(std::exchange(self->channel, nullptr));
-            self->channel->secure(self->identity->clientContext(), false, [self](const Result<void>& result) { self->secured(result); });
+            if (refused)
+                return self->tryNext(candidate + 1, refused);
+            self->begin();
         });
+    }
+
+    void begin()
+    {
+        connected = true;
+        channel = std::make_shared<TcpChannel>(std::move(socket));
+        if (!identity)
+            return finish(std::exchange(channel, nullptr));
+        channel->secure(identity->clientContext(), false,
+                        [self = shared_from_this()](const Result<void>& result) { self->secured(result); });
     }
 
     void secured(const Result<void>& result)
