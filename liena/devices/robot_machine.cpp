@@ -226,10 +226,11 @@ void RobotMachine::on(const SessionOpened& event, SteadyTime)
 void RobotMachine::on(const SessionLost& event, SteadyTime now)
 {
     m_cockpits.erase(event.peer);
-    if (event.over && isCockpit(event.peer))
-        endClearance(); // the next at that cockpit may be another person
-    if (permitsMotion() && m_owner == event.peer)
+    const bool armed = permitsMotion();
+    if (armed && m_owner == event.peer)
         enterHold("the armed cockpit's session is not open", now);
+    if (event.over && isCockpit(event.peer) && !permitsMotion())
+        endClearance(); // the next at that cockpit may be another person; one that is armed elsewhere was meant, too
 }
 
 void RobotMachine::on(const StandByBegan&, SteadyTime now)
