@@ -144,7 +144,7 @@ void AlarmJournal::run()
     std::unique_lock lock(m_mutex);
     bool ending = false;
     while (!ending) {
-        if (m_unwritten.empty())
+        if (m_unwritten.empty() && !m_unsynced)
             m_wake.wait(lock, [this] { return m_stopping || !m_waiting.empty(); });
         else
             m_wake.wait_for(lock, retryPeriod, [this] { return m_stopping; });
@@ -158,7 +158,8 @@ void AlarmJournal::run()
         auto failure = writeAll();
         if (lost > 0)
             failure = tr("%1 entries were lost, the disk is too slow").arg(lost);
-        if (m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0 && failure.isEmpty())
+        m_unsynced = m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0;
+        if (m_unsynced && failure.isEmpty())
             failure = because(tr("%1 is not kept: %2"), m_file);
         report(failure.isEmpty() ? checkRoom() : failure, failure.isEmpty());
         lock.lock();
@@ -188,12 +189,15 @@ QString AlarmJournal::write(const AlarmLogEntry& entry)
     }
     if (m_descriptor < 0 && !openNewest())
         return because(tr("%1 cannot be opened: %2"), m_file);
+    if (m_torn && ::ftruncate(m_descriptor, m_goodBytes) != 0)
+        return because(tr("%1 cannot be put right: %2"), m_file);
+    m_torn = false;
     const auto line = alarmLine(entry, m_chain);
     const auto written = ::write(m_descriptor, line.bytes.constData(), static_cast<std::size_t>(line.bytes.size()));
     if (written != line.bytes.size()) {
         const auto wrong = because(tr("%1 cannot be written: %2"), m_file);
-        // Half a line would be taken for one that was torn.
-        return ::ftruncate(m_descriptor, m_goodBytes) == 0 ? wrong : wrong + tr(", nor put right");
+        m_torn = ::ftruncate(m_descriptor, m_goodBytes) != 0; // half a line would be taken for one that was torn
+        return wrong;
     }
     m_chain = line.chain;
     m_goodBytes += written;

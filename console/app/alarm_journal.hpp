@@ -74,6 +74,8 @@ private:
     qint64 m_goodBytes = 0; ///< of the newest file: where its last whole line ends
     QByteArray m_chain;
     std::deque<AlarmLogEntry> m_unwritten; ///< taken over, and not on the disk yet
+    bool m_unsynced = false;               ///< written, and not known to be on the disk
+    bool m_torn = false;                   ///< half a line stands at the end of the newest file
     QString m_reported;
     bool m_reportedKeeps = true;
 
