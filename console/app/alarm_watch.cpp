@@ -123,9 +123,7 @@ void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
     all.roadmapRemoved = m_models.roadmap.reason();
     all.trackerOverdue = linked && instrument.tip().known() && !instrument.tipFresh(now);
     all.contrastLeft = instrument.robot().value.contrastRemaining;
-    const auto& injections = instrument.injections();
-    all.injecting = !injections.empty() &&
-                    (injections.back().progress == InjectionProgress::Accepted || injections.back().progress == InjectionProgress::Running);
+    all.injecting = instrument.injecting();
     // What has been given stays given, however old the report.
     if (const auto& xray = m_models.xray.status(); xray.known()) {
         all.airKerma = xray.value.airKerma;

@@ -171,6 +171,7 @@ void CockpitApplication::connectHand()
     auto* control = m_control.get();
     connect(window, &CockpitWindow::armHoldChanged, control, &CockpitControl::setArmHeld);
     connect(window, &CockpitWindow::pedalChanged, control, &CockpitControl::setPedal);
+    connect(window, &CockpitWindow::injectHoldChanged, control, &CockpitControl::setInjectHeld);
     connect(window, &CockpitWindow::panicHoldRequested, control, &CockpitControl::panicHold);
     connect(window, &CockpitWindow::forceAccepted, control, [this](double newtons) { m_control->acceptForce(newtons, m_options.user); });
     connect(window, &CockpitWindow::handFocusChanged, control, &CockpitControl::setHandHasKeys);

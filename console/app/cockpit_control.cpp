@@ -6,6 +6,7 @@
 #include <QDateTime>
 
 #include <algorithm>
+#include <utility>
 
 namespace console {
 
@@ -20,7 +21,8 @@ Instant presentTime() { return std::chrono::steady_clock::now(); }
 
 } // namespace
 
-// A press has a number that this console did not use before it was started: a system that remembers the last one would refuse it.
+// A press, and an injection, has a number that this console did not use before it was started: a system that remembers those of before
+// would refuse it, or take it for done.
 CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk& hand, QObject* parent)
     : QObject(parent),
       m_models(models),
@@ -28,7 +30,8 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
       m_hand(hand),
       m_alarms(models, link.robot()),
       m_interruptions(models, [&link] { return link.framesReceived(); }),
-      m_press(static_cast<quint32>(QDateTime::currentSecsSinceEpoch()))
+      m_press(static_cast<quint32>(QDateTime::currentSecsSinceEpoch())),
+      m_injectionNumber(m_press)
 {
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(period);
@@ -43,6 +46,7 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
     connect(&models.incidents, &IncidentModel::incidentRaised, this, &CockpitControl::tellSession);
     connect(&models.incidents, &IncidentModel::incidentEnded, this, &CockpitControl::tellSession);
     connect(&models.instrument, &InstrumentState::robotChanged, this, &CockpitControl::tellRobot);
+    connect(&models.instrument, &InstrumentState::injectionChanged, this, &CockpitControl::hearInjection);
     connect(&models.permit, &PermitModel::phaseChanged, this, &CockpitControl::notePhase);
     connect(&link.sessionEvents(), &SessionIntake::stalled, this, [this] { apply(PermitEventKind::Stalled); });
     connect(&link.sessionEvents(), &SessionIntake::deadlineMissed, this,
@@ -62,6 +66,7 @@ void CockpitControl::connectHand()
             [this](bool pressed) { apply(pressed ? PermitEventKind::DeadManPressed : PermitEventKind::DeadManReleased); });
     connect(hand, &HandDesk::armHeldChanged, this, &CockpitControl::setArmHeld);
     connect(hand, &HandDesk::pedalChanged, this, &CockpitControl::setPedal);
+    connect(hand, &HandDesk::injectHeldChanged, this, &CockpitControl::setInjectHeld);
     connect(hand, &HandDesk::holdRequested, this, &CockpitControl::panicHold);
 }
 
@@ -91,6 +96,7 @@ void CockpitControl::run()
     else
         checkGuards(now);
     apply(PermitEventKind::Tick);
+    driveInjection(now);
     if (m_runs % guardRuns == 0)
         publishStatus(now);
     if (m_runs % alarmRuns == 0) {
@@ -137,7 +143,7 @@ void CockpitControl::carryOut(const PermitActions& actions, Instant now)
 void CockpitControl::tellSession()
 {
     if (!m_link.robot() || !carriesMessages(m_models.sessions.state(*m_link.robot())))
-        m_models.instrument.dropForce(); // nobody saw what it did meanwhile
+        m_models.instrument.endWatch(); // nobody sees what it does meanwhile
     if (m_models.sessions.inStandBy() || !m_models.incidents.empty())
         return apply(PermitEventKind::SystemStandsBy);
     const auto state = m_link.robot() ? m_models.sessions.state(*m_link.robot()) : LinkState::Closed;
@@ -218,6 +224,52 @@ void CockpitControl::setPedal(bool down)
         ++m_press;
     m_models.xray.setPedal(down);
     expectPictures(presentTime());
+}
+
+void CockpitControl::setInjectHeld(bool held)
+{
+    m_injectHeld = held;
+    driveInjection(presentTime());
+}
+
+void CockpitControl::driveInjection(Instant now)
+{
+    const auto phase = m_models.permit.phase();
+    const auto& instrument = m_models.instrument;
+    InjectionReadings readings;
+    readings.held = m_injectHeld;
+    readings.armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
+    readings.robotFresh = instrument.robotFresh(now);
+    readings.running = instrument.injecting();
+    readings.contrastLeft = instrument.robot().value.contrastRemaining;
+    auto& order = m_models.injection;
+    if (order.advance(readings, now)) {
+        ++m_injectionNumber;
+        m_unansweredTold = false;
+        order.note(m_injectionNumber, now);
+        m_link.inject(m_models.permit.state().permit, m_injectionNumber);
+    }
+    if (order.unanswered(now) && !std::exchange(m_unansweredTold, true))
+        m_models.log.append(LogKind::Trouble,
+                            tr("injection %1: the robot has not answered; look at the contrast left").arg(m_injectionNumber),
+                            QDateTime::currentMSecsSinceEpoch());
+}
+
+void CockpitControl::hearInjection(quint32 number)
+{
+    const auto& injections = m_models.instrument.injections();
+    const auto told = std::find_if(injections.begin(), injections.end(), [number](const auto& one) { return one.injection == number; });
+    if (told == injections.end())
+        return;
+    const auto status = *told;
+    m_models.injection.hear(status);
+    if (status.progress == InjectionProgress::Accepted || status.progress == InjectionProgress::Running)
+        return;
+    auto line = tr("injection %1: %2, %3 mL").arg(status.injection).arg(word(status.progress)).arg(status.delivered, 0, 'f', 1);
+    if (!status.reason.isEmpty())
+        line += tr(": %1").arg(status.reason);
+    const bool good = status.progress == InjectionProgress::Done;
+    m_models.log.append(good ? LogKind::Note : LogKind::Trouble, line, QDateTime::currentMSecsSinceEpoch());
 }
 
 void CockpitControl::panicHold() { apply(PermitEventKind::PanicHold); }

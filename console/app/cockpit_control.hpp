@@ -32,6 +32,7 @@ public:
     // What the window and the hand ask for.
     void setArmHeld(bool held);
     void setPedal(bool down);
+    void setInjectHeld(bool held);
     void panicHold();
 
     /// `newtons` as it was shown; `who` for the log, may be empty.
@@ -51,6 +52,8 @@ private:
     void tellSession();
     void tellRobot();
     void expectPictures(Instant now);
+    void driveInjection(Instant now);
+    void hearInjection(quint32 number);
     void publishMotion(Instant now);
     void publishStatus(Instant now);
     GuardReadings readGuards(Instant now) const;
@@ -66,6 +69,9 @@ private:
     std::optional<Instant> m_lastRun;
     quint64 m_runs = 0;
     quint32 m_press;
+    quint32 m_injectionNumber;
+    bool m_injectHeld = false;
+    bool m_unansweredTold = false;
     std::optional<bool> m_confirmed; ///< what was last told of holding
 };
 

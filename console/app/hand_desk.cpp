@@ -41,6 +41,7 @@ void HandDesk::connectRack()
     connect(&m_rack, &MasterRack::inUseChanged, this, &HandDesk::inUseChanged);
     connect(&m_rack, &MasterRack::armHeldChanged, this, &HandDesk::armHeldChanged);
     connect(&m_rack, &MasterRack::pedalChanged, this, &HandDesk::pedalChanged);
+    connect(&m_rack, &MasterRack::injectHeldChanged, this, &HandDesk::injectHeldChanged);
     connect(&m_rack, &MasterRack::scaleStepRequested, this, &HandDesk::stepScale);
     connect(&m_rack, &MasterRack::holdRequested, this, &HandDesk::holdRequested);
 }

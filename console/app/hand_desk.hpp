@@ -47,6 +47,7 @@ Q_SIGNALS:
     void deadManChanged(bool pressed);
     void armHeldChanged(bool held);
     void pedalChanged(bool down);
+    void injectHeldChanged(bool held);
     void holdRequested();
 
 private:

@@ -136,8 +136,9 @@ void FramePipeline::carryOut(Worker& worker, const Work& work)
             finish(std::move(picture), true);
         return;
     }
-    // Two pulses never give the same bytes, noise alone sees to that: what comes twice was taken once, whatever its number and time say.
-    if (m_role == PictureRole::Live) {
+    // Two pulses never give the same bytes, noise alone sees to that: what comes twice was taken once, whatever its number and time say. A
+    // recording may hold a picture twice; only rehearsals go by one.
+    if (m_role == PictureRole::Live && work.frame->source != PictureSource::Recorded) {
         const auto print = fingerprint(*work.frame);
         if (std::exchange(worker.newest, print) == print) {
             refuse(work.frame->frame, tr("it is the same as the one before it, though it says that it is new"));

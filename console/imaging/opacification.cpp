@@ -2,6 +2,7 @@
 #include "imaging/opacification.hpp"
 
 #include "imaging/pane_colours.hpp"
+#include "model/roadmap_state.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -20,7 +21,9 @@ constexpr double noiseShown = 3;    ///< of its spread; below that a pixel is no
 constexpr double noiseSeen = 8;     ///< of its spread; below that the darkest pixels are none
 constexpr double darkestShare = 0.002;
 constexpr double leastSpread = 1e-4;
-constexpr double leastLikeness = 0.1; ///< response of the correlation below which its peak is one of noise
+constexpr double shadingSigma = 6;     ///< pixels
+constexpr double noiseSigma = 2;       ///< pixels
+constexpr double leastLikeness = 0.15; ///< response of the correlation below which its peak is one of noise; that of noise is 0.08
 
 /// As small as `edge` by whole steps, so that each pixel is the mean of the same number of others.
 cv::Size coarser(cv::Size size, int edge)
@@ -44,6 +47,18 @@ cv::Mat attenuation(const cv::Mat& values, const XrayFrame& frame)
     return -result;
 }
 
+/// Without its shading, which stays where the detector is, and without the finest, which is noise.
+cv::Mat detail(const cv::Mat& values, cv::Size size)
+{
+    cv::Mat small;
+    cv::resize(values, small, size, 0, 0, cv::INTER_AREA);
+    cv::Mat shading;
+    cv::GaussianBlur(small, shading, {0, 0}, shadingSigma);
+    small -= shading;
+    cv::GaussianBlur(small, small, {0, 0}, noiseSigma);
+    return small;
+}
+
 /// The value that `share` of all are not above.
 float quantile(std::vector<float>& values, double share)
 {
@@ -52,10 +67,14 @@ float quantile(std::vector<float>& values, double share)
     return values[static_cast<std::size_t>(place)];
 }
 
+/// As it is reported: a C-arm at rest trembles in its last digits.
 bool sameProjection(const XrayGeometry& a, const XrayGeometry& b)
 {
-    return a.primaryAngle == b.primaryAngle && a.secondaryAngle == b.secondaryAngle &&
-           a.sourceDetectorDistance == b.sourceDetectorDistance && a.sourceObjectDistance == b.sourceObjectDistance;
+    const auto near = [](double one, double other, double tolerance) { return std::abs(one - other) <= tolerance; };
+    return near(a.primaryAngle, b.primaryAngle, RoadmapState::angleTolerance) &&
+           near(a.secondaryAngle, b.secondaryAngle, RoadmapState::angleTolerance) &&
+           near(a.sourceDetectorDistance, b.sourceDetectorDistance, RoadmapState::distanceTolerance) &&
+           near(a.sourceObjectDistance, b.sourceObjectDistance, RoadmapState::distanceTolerance);
 }
 
 } // namespace
@@ -79,6 +98,14 @@ bool Opacification::endsWith(const XrayFrame& frame) const
            (m_first.acquisition != frame.acquisition || m_first.rows != frame.rows || m_first.columns != frame.columns ||
             m_first.bitsStored != frame.bitsStored || m_first.photometric != frame.photometric || m_first.intensity != frame.intensity ||
             m_first.imagerPixelSpacing != frame.imagerPixelSpacing || !sameProjection(m_first.geometry, frame.geometry));
+}
+
+Opacification Opacification::copy() const
+{
+    Opacification other(*this);
+    for (cv::Mat* picture : {&other.m_coarse, &other.m_mask, &other.m_smooth, &other.m_darkest})
+        *picture = picture->clone();
+    return other;
 }
 
 void Opacification::begin(const XrayFrame& frame)
@@ -133,7 +160,7 @@ std::optional<Roadmap> Opacification::roadmap() const
     const double least = usual + noiseShown * spread;
     const double scale = 255 / (most - least);
     darkened.convertTo(roadmap.vessels, CV_8U, scale, -least * scale);
-    cv::resize(before, roadmap.background, coarser(before.size(), backgroundEdge), 0, 0, cv::INTER_AREA);
+    roadmap.background = detail(before, coarser(before.size(), backgroundEdge));
     roadmap.about = m_first;
     roadmap.lastNs = m_lastNs;
     roadmap.pictures = m_count;
@@ -144,8 +171,7 @@ std::optional<QPointF> Opacification::displacement(const Roadmap& roadmap) const
 {
     if (m_count == 0 || m_first.rows != roadmap.about.rows || m_first.columns != roadmap.about.columns)
         return std::nullopt;
-    cv::Mat now;
-    cv::resize(attenuation(m_coarse, m_first), now, roadmap.background.size(), 0, 0, cv::INTER_AREA);
+    const cv::Mat now = detail(attenuation(m_coarse, m_first), roadmap.background.size());
     cv::Mat window;
     cv::createHanningWindow(window, now.size(), CV_32F);
     double likeness = 0;

@@ -15,7 +15,7 @@ namespace console {
 /// The vessels of one run. A value; immutable once made, any thread.
 struct Roadmap {
     cv::Mat vessels;    ///< CV_8UC1, coarser than the picture: 0 … 255, how much of the beam contrast took away there
-    cv::Mat background; ///< CV_32FC1, the logarithm of the picture before contrast, coarser still: where the patient lay
+    cv::Mat background; ///< CV_32FC1, detail of the picture before contrast, coarser still: where the patient lay
     XrayFrame about;    ///< the run's first picture, without its pixels
     quint64 lastNs = 0; ///< its last picture's pulse
     int pictures = 0;   ///< that it is made of
@@ -34,6 +34,8 @@ public:
 
     /// The next picture of a run, as it was stored; another run, projection or size begins anew.
     void take(const cv::Mat& stored, const XrayFrame& frame);
+
+    Opacification copy() const; ///< with memory of its own
 
     /// True where `frame` cannot go on with what was taken so far.
     bool endsWith(const XrayFrame& frame) const;

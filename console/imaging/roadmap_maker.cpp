@@ -1,6 +1,8 @@
 // The present run, the last one with contrast in it, and the comparison.
 #include "imaging/roadmap_maker.hpp"
 
+#include <utility>
+
 namespace console {
 
 namespace {
@@ -14,26 +16,52 @@ std::shared_ptr<const Roadmap> shared(std::optional<Roadmap> roadmap)
 
 } // namespace
 
+// Only this thread changes `m_run`: it may read it without the lock, and make() with it.
 void RoadmapMaker::take(const cv::Mat& stored, const XrayFrame& frame)
 {
-    const std::lock_guard lock(m_mutex);
+    std::shared_ptr<const Roadmap> ended;
     if (m_run.endsWith(frame))
-        if (auto ended = shared(m_run.roadmap()))
+        ended = shared(m_run.roadmap());
+    std::shared_ptr<const Roadmap> watched;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (std::exchange(m_forgetRun, false))
+            m_run = {};
+        else if (ended)
             m_last = std::move(ended);
-    m_run.take(stored, frame);
-    const bool isTime = frame.captureNs < m_comparedNs || frame.captureNs - m_comparedNs >= comparePeriodNs;
-    if (!m_watched || !isTime)
+        m_run.take(stored, frame);
+        const bool isTime = frame.captureNs < m_comparedNs || frame.captureNs - m_comparedNs >= comparePeriodNs;
+        if (isTime)
+            watched = m_watched;
+    }
+    if (!watched)
         return;
+    const auto pixels = m_run.displacement(*watched);
+    const std::lock_guard lock(m_mutex);
     m_comparedNs = frame.captureNs;
-    if (const auto pixels = m_run.displacement(*m_watched))
+    if (pixels && m_watched == watched)
         m_displacement = Displacement{frame.frame, *pixels};
 }
 
 std::shared_ptr<const Roadmap> RoadmapMaker::make() const
 {
+    Opacification run;
+    std::shared_ptr<const Roadmap> last;
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_forgetRun)
+            run = m_run.copy();
+        last = m_last;
+    }
+    auto present = shared(run.roadmap());
+    return present ? present : last;
+}
+
+void RoadmapMaker::forget()
+{
     const std::lock_guard lock(m_mutex);
-    auto present = shared(m_run.roadmap());
-    return present ? present : m_last;
+    m_forgetRun = true;
+    m_last.reset();
 }
 
 void RoadmapMaker::watch(std::shared_ptr<const Roadmap> roadmap)

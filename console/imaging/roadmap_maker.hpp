@@ -19,6 +19,9 @@ public:
     /// Of the present run, or else of the last one in which contrast was seen; null when there was none.
     std::shared_ptr<const Roadmap> make() const;
 
+    /// What was taken until now serves no more, since something moved.
+    void forget();
+
     /// Compares pictures with it from now on, two a second; null: with none.
     void watch(std::shared_ptr<const Roadmap> roadmap);
 
@@ -32,6 +35,7 @@ public:
 private:
     mutable std::mutex m_mutex;
     Opacification m_run;
+    bool m_forgetRun = false;
     std::shared_ptr<const Roadmap> m_last; ///< of runs before the present one
     std::shared_ptr<const Roadmap> m_watched;
     std::optional<Displacement> m_displacement;

@@ -12,9 +12,10 @@ constexpr int deadManKey = Qt::Key_D;
 constexpr int pedalKey = Qt::Key_F;
 constexpr int clutchKey = Qt::Key_C;
 constexpr int armKey = Qt::Key_R;
+constexpr int injectKey = Qt::Key_G;
 
-constexpr std::array<int, 12> handKeys{deadManKey,   pedalKey,      clutchKey, armKey,    Qt::Key_Up, Qt::Key_Down,
-                                       Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J,  Qt::Key_L};
+constexpr std::array<int, 13> handKeys{deadManKey,   injectKey,     pedalKey,  clutchKey, armKey,    Qt::Key_Up, Qt::Key_Down,
+                                       Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J, Qt::Key_L};
 
 bool isHandKey(int key) { return std::find(handKeys.begin(), handKeys.end(), key) != handKeys.end(); }
 
@@ -48,6 +49,8 @@ void KeyboardMaster::tell(int key, bool pressed)
         Q_EMIT armHeldChanged(pressed);
     else if (key == pedalKey)
         Q_EMIT pedalChanged(pressed);
+    else if (key == injectKey)
+        Q_EMIT injectHeldChanged(pressed);
 }
 
 bool KeyboardMaster::press(int key, bool autoRepeat)
@@ -105,7 +108,7 @@ MasterReading KeyboardMaster::read(Instant)
 void KeyboardMaster::rezero(Instant)
 {
     // A motion key that was down before the dead-man must be pressed again, or the robot would move at once.
-    m_down &= QSet<int>{deadManKey, pedalKey, clutchKey, armKey};
+    m_down &= QSet<int>{deadManKey, pedalKey, clutchKey, armKey, injectKey};
 }
 
 QList<QPair<QString, QString>> KeyboardMaster::bindings()
@@ -113,6 +116,7 @@ QList<QPair<QString, QString>> KeyboardMaster::bindings()
     return {{tr("D, held"), tr("dead-man: motion only while it is down")},
             {tr("F, held"), tr("X-ray pedal")},
             {tr("R, held 1.5 s"), tr("arm")},
+            {tr("G, held 1 s"), tr("inject contrast, while armed")},
             {tr("Up / Down"), tr("advance / retract the guidewire")},
             {tr("Right / Left"), tr("turn the guidewire clockwise / counter-clockwise")},
             {tr("I / K"), tr("advance / retract the catheter")},
@@ -123,7 +127,7 @@ QList<QPair<QString, QString>> KeyboardMaster::bindings()
 
 QString KeyboardMaster::legend() const
 {
-    return tr("D dead-man · F X-ray · R arm · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale");
+    return tr("D dead-man · F X-ray · R arm · G inject · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale");
 }
 
 } // namespace console

@@ -8,6 +8,7 @@ namespace console {
 MasterRack::MasterRack(KeyboardMaster& keyboard, QObject* parent) : QObject(parent), m_keyboard(keyboard), m_use(&keyboard)
 {
     connect(&keyboard, &KeyboardMaster::pedalChanged, this, &MasterRack::pedalChanged);
+    connect(&keyboard, &KeyboardMaster::injectHeldChanged, this, &MasterRack::injectHeldChanged);
     add(keyboard);
 }
 

@@ -49,6 +49,7 @@ Q_SIGNALS:
     void deadManChanged(bool pressed);
     void armHeldChanged(bool held);
     void pedalChanged(bool down);
+    void injectHeldChanged(bool held);
     void scaleStepRequested(int steps);
     void holdRequested();
 

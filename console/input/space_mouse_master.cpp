@@ -47,7 +47,7 @@ SpaceMouseMaster::SpaceMouseMaster(QObject* parent) : ConnectedMaster(parent)
 
 QString SpaceMouseMaster::legend() const
 {
-    return tr("left button dead-man · push, twist guidewire · lift, tilt catheter · right button clutch · F X-ray · R arm · "
+    return tr("left button dead-man · push, twist guidewire · lift, tilt catheter · right button clutch · F X-ray · R arm · G inject · "
               "Page Up/Down scale");
 }
 

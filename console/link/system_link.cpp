@@ -269,6 +269,26 @@ void SystemLink::requestArm(quint32 permit) { sendPermit(permit, "arm"); }
 
 void SystemLink::releasePermit(quint32 permit) { sendPermit(permit, "release"); }
 
+void SystemLink::inject(quint32 permit, quint32 number)
+{
+    if (!m_robot)
+        return;
+    const liena::DeviceId robot(*m_robot);
+    auto message = m_system->command(robot, "ContrastInjection");
+    auto sent = message ? liena::Result<void>(liena::ok()) : liena::Result<void>(liena::fail(message.error().code, message.error().what));
+    if (message) {
+        message.value().set("permit", permit).set("injection", number).set("volume", plannedInjection).set("rate", plannedInjectionRate);
+        sent = m_system->send(robot, std::move(message).value());
+    }
+    if (sent)
+        note(LogKind::Operator, tr("injection %1: %2 mL at %3 mL/s asked for")
+                                    .arg(number)
+                                    .arg(plannedInjection, 0, 'f', 1)
+                                    .arg(plannedInjectionRate, 0, 'f', 1));
+    else
+        m_models.instrument.receiveInjection({number, 0, InjectionProgress::Refused, tr("not sent: %1").arg(text(sent.error().what))});
+}
+
 void SystemLink::emergencyStop(const QString& reason)
 {
     note(LogKind::Operator, tr("EMERGENCY STOP: %1").arg(tr(reason.toUtf8().constData())));

@@ -79,6 +79,9 @@ public:
     void requestArm(quint32 permit);
     void releasePermit(quint32 permit);
 
+    /// The planned injection, once, under a number that was never used; what cannot be sent is refused here, and nothing is on its way.
+    void inject(quint32 permit, quint32 number);
+
     /// To the robot, repeated until it reports the stop or its session ends.
     void emergencyStop(const QString& reason);
 

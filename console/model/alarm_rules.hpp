@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/alarm_list.hpp"
+#include "model/injection_order.hpp"
 #include "model/link_state.hpp"
 #include "model/motion_permit.hpp"
 #include "model/picture_state.hpp"
@@ -28,9 +29,6 @@ struct AlarmLinkReading {
     bool systemDiffers = false;
     std::optional<Duration> commandRoundTrip; ///< the robot's link only: there and back, as heartbeats measure it
 };
-
-/// Contrast left in the injector, in mL.
-inline constexpr double plannedInjection = 5; ///< the default of the robot's message set
 
 /// What of a picture stream arrived and what of it was painted, over the same seconds.
 struct PaintingReading {

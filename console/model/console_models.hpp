@@ -8,6 +8,7 @@
 #include "model/event_log.hpp"
 #include "model/hand_state.hpp"
 #include "model/incident_model.hpp"
+#include "model/injection_order.hpp"
 #include "model/instrument_state.hpp"
 #include "model/interruption.hpp"
 #include "model/permit_model.hpp"
@@ -26,6 +27,7 @@ struct ConsoleModels {
     IncidentModel incidents;
     InterruptionAccount interruption;
     InstrumentState instrument;
+    InjectionOrder injection;
     XraySystemState xray;
     ArmState arm;
     PictureState picture;

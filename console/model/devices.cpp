@@ -90,6 +90,23 @@ void InstrumentState::receiveTip(const TipPose& pose, Instant at)
     Q_EMIT tipChanged();
 }
 
+void InstrumentState::endWatch()
+{
+    dropForce();
+    if (!injecting())
+        return;
+    auto last = m_injections.back();
+    last.progress = InjectionProgress::Stopped;
+    last.reason = tr("the robot was not heard any more; look at the contrast left");
+    receiveInjection(last);
+}
+
+bool InstrumentState::injecting() const
+{
+    return !m_injections.empty() &&
+           (m_injections.back().progress == InjectionProgress::Accepted || m_injections.back().progress == InjectionProgress::Running);
+}
+
 void InstrumentState::receiveInjection(const InjectionStatus& status)
 {
     const auto place = std::find_if(m_injections.begin(), m_injections.end(),

@@ -33,6 +33,7 @@ public:
     const Aged<DriveStatus>& drives() const { return m_drives; }
     const Aged<TipPose>& tip() const { return m_tip; }
     const std::deque<InjectionStatus>& injections() const { return m_injections; } ///< the last 16, oldest first
+    bool injecting() const; ///< the last one has not ended, as far as the robot has told
     const std::deque<ForceSample>& forceHistory() const { return m_forces; }
     const RobotLimits& limits() const { return m_limits; }
 
@@ -60,6 +61,10 @@ public:
     bool acceptForce(double shown, Instant now);
     void dropForce() { m_acceptedForce.reset(); }
     bool forceAccepted(Instant now) const;
+
+    /// The robot is not heard any more: an accepted force is dropped, and an injection that ran counts as stopped, which it is at the
+    /// robot.
+    void endWatch();
 
     // For the link room.
     void noteStopAsked(Instant at);

@@ -86,7 +86,8 @@ GuardLine forceLine(const GuardReadings& r)
 /// The robot refuses what is older than its message set says, and a command is as old as the way there and back.
 bool carried(const GuardReadings& r) { return r.usualRoundTrip && r.carried && *r.usualRoundTrip <= *r.carried; }
 
-QString roundTripMissing(const GuardReadings& r)
+/// `most` in `bound`, where the set carries more than that.
+QString roundTripMissing(const GuardReadings& r, Duration most, const QString& bound)
 {
     if (!r.roundTrip || !r.usualRoundTrip)
         return Text::tr("Round trip not yet measured");
@@ -95,14 +96,14 @@ QString roundTripMissing(const GuardReadings& r)
     if (!carried(r))
         return Text::tr("Commands take %1 ms there and back, the robot takes them up to %2 ms")
             .arg(number(milliseconds(*r.usualRoundTrip), 0), number(milliseconds(*r.carried), 0));
-    return Text::tr("Commands take %1 ms there and back, at most %2 ms to arm")
-        .arg(number(milliseconds(*r.roundTrip), 0), number(milliseconds(r.pictureLimit), 0));
+    return Text::tr("Commands take %1 ms there and back, %2")
+        .arg(number(milliseconds(*r.roundTrip), 0), bound.arg(number(milliseconds(most), 0)));
 }
 
 GuardLine roundTripLine(const GuardReadings& r)
 {
     return line(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= r.pictureLimit && carried(r), Text::tr("Commands are quick"),
-                roundTripMissing(r));
+                roundTripMissing(r, r.pictureLimit, Text::tr("at most %1 ms to arm")));
 }
 
 GuardLine clearanceLine(const GuardReadings& r)
@@ -179,7 +180,9 @@ QStringList brokenGuards(const GuardReadings& readings, const GuardLimits& limit
     QStringList broken;
     for (const auto& entry : checkGuards(readings, limits))
         if (!kept.test(static_cast<std::size_t>(entry.guard)))
-            broken << entry.text;
+            broken << (entry.guard == Guard::CommandsQuick
+                           ? roundTripMissing(readings, roundTripHold, Text::tr("at most %1 ms while armed"))
+                           : entry.text);
     return broken;
 }
 

@@ -59,7 +59,8 @@ void PictureState::noteRate(double before, Instant now)
         return;
     const bool again = m_rose && now - *m_rose < rateWindow;
     m_rateBefore = again ? std::min(m_rateBefore, before) : before;
-    m_rose = now;
+    if (!again) // else a rate that goes up and down would never be asked for
+        m_rose = now;
 }
 
 void PictureState::setLinkUp(bool up) { m_linkUp = up; }

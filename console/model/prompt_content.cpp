@@ -290,7 +290,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
 
 QString promptReport(const IncidentRecord& incident, const PromptContent& content)
 {
-    QStringList lines{content.headline, content.since, content.flaps, content.directions, content.patient};
+    QStringList lines{content.headline, content.since, content.flaps, content.directions, content.patient, content.call};
     for (const auto& hold : content.rollCall) {
         const auto after = hold.afterMs ? Text::tr("holds, %1 ms after the loss").arg(*hold.afterMs, 0, 'f', 0) : Text::tr("holds");
         lines << Text::tr("%1: %2").arg(hold.title, hold.holding ? after : Text::tr("NOT CONFIRMED"));

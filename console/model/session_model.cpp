@@ -35,6 +35,8 @@ void noteRoundTrip(LinkNode& link)
 {
     if (!link.figures.roundTrip)
         return link.roundTrips.clear();
+    if (!link.roundTrips.empty() && link.roundTrips.back() == *link.figures.roundTrip)
+        return; // figures come more often than heartbeats: to the nanosecond the same is the same measurement
     link.roundTrips.push_back(*link.figures.roundTrip);
     if (link.roundTrips.size() > usualOf)
         link.roundTrips.pop_front();

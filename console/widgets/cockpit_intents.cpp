@@ -48,6 +48,7 @@ void CockpitWindow::connectIntents()
     connect(m_motion, &MotionBar::emergencyStopResetRequested, this, &CockpitWindow::emergencyStopResetRequested);
     connect(m_motion, &MotionBar::armHoldChanged, this, &CockpitWindow::armHoldChanged);
     connect(m_motion, &MotionBar::pedalChanged, this, &CockpitWindow::pedalChanged);
+    connect(m_motion, &MotionBar::injectHoldChanged, this, &CockpitWindow::injectHoldChanged);
     connect(m_motion, &MotionBar::masterChosen, this, &CockpitWindow::masterChosen);
     connect(m_motion, &MotionBar::forceAccepted, this, [this](double newtons) {
         Q_EMIT forceAccepted(newtons);

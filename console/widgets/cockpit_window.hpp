@@ -86,6 +86,7 @@ Q_SIGNALS:
     void emergencyStopResetRequested();
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
+    void injectHoldChanged(bool held);
     void masterChosen(console::MasterKind kind);
     void forceAccepted(double newtons);
     void acknowledgeRequested(quint64 alarm);

@@ -30,6 +30,7 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
       m_hand(new HandBlock(this)),
       m_arm(new HoldButton(this)),
       m_reset(new HoldButton(this)),
+      m_inject(new HoldButton(this)),
       m_pedal(new HoldButton(this)),
       m_stop(new StopButton(this)),
       m_masters(new MasterRow(this)),
@@ -42,6 +43,8 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     m_reset->setAccessibleName(tr("Reset the emergency stop: hold for one and a half seconds"));
     m_reset->setTexts(tr("RESET STOP"), tr("hold 1.5 s"));
     m_reset->setAccent(colour::text);
+    m_inject->setAccessibleName(tr("Inject contrast: hold for one second while armed"));
+    m_inject->setAccent(colour::text);
     m_pedal->setAccessibleName(tr("X-ray pedal: fluoroscopy while held"));
     m_pedal->setAccent(colour::xray);
     m_acceptForce->setTight(true);
@@ -60,9 +63,10 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     row->addWidget(m_guards, 12);
     row->addWidget(m_hand);
     row->addWidget(swap, 3);
+    row->addWidget(m_inject, 3);
     row->addWidget(m_pedal, 3);
     row->addWidget(m_stop, 3);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_pedal, m_stop})
+    for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_inject, m_pedal, m_stop})
         part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     column->addLayout(row, 1);
     auto* below = new QHBoxLayout;
@@ -77,9 +81,15 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
 void MotionBar::connectButtons()
 {
     connect(m_arm, &HoldButton::holdChanged, this, &MotionBar::armHoldChanged);
+    connect(m_inject, &HoldButton::holdChanged, this, &MotionBar::injectHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
-    connect(m_acceptForce, &QPushButton::clicked, this, [this] { Q_EMIT forceAccepted(m_forceShown); });
+    connect(m_acceptForce, &QPushButton::pressed, this,
+            [this] { m_forceRead = m_forceSince && std::chrono::steady_clock::now() - *m_forceSince >= forceIsRead; });
+    connect(m_acceptForce, &QPushButton::clicked, this, [this] {
+        if (m_forceRead)
+            Q_EMIT forceAccepted(m_forceShown);
+    });
     connect(m_stop, &QAbstractButton::pressed, this, [this] {
         Q_EMIT emergencyStopRequested(QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Button on the console's screen")));
     });
@@ -134,12 +144,43 @@ void MotionBar::refreshReset(Instant now)
     }
 }
 
+/// What stands in the way, what is under way, or what became of the last one.
+QString MotionBar::injectText(Instant now) const
+{
+    const auto& injections = m_models.instrument.injections();
+    if (m_models.injection.unanswered(now))
+        return tr("no answer");
+    switch (m_models.injection.bar()) {
+    case InjectionBar::Running:
+        return tr("running");
+    case InjectionBar::NotEnough:
+        return tr("too little left");
+    case InjectionBar::RobotUnheard:
+        return tr("robot unheard");
+    case InjectionBar::NotArmed:
+    case InjectionBar::None:
+        break;
+    }
+    const bool failed = !injections.empty() && (injections.back().progress == InjectionProgress::Refused ||
+                                                injections.back().progress == InjectionProgress::Stopped);
+    if (failed)
+        return word(injections.back().progress);
+    return m_models.injection.bar() == InjectionBar::None ? tr("%1 mL, hold 1 s").arg(plannedInjection, 0, 'f', 0) : tr("not armed");
+}
+
+void MotionBar::refreshInject(Instant now)
+{
+    m_inject->setTexts(tr("INJECT"), injectText(now));
+    m_inject->setProgress(m_models.instrument.injecting() ? 1.0 : m_models.injection.progress(now));
+    m_inject->setEnabled(m_models.injection.bar() == InjectionBar::None || m_inject->isHeld());
+}
+
 void MotionBar::refreshForce(Instant now)
 {
     const InstrumentState& instrument = m_models.instrument;
     const auto phase = m_models.permit.phase();
     const bool armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
-    const bool stands = m_forceSince && now - *m_forceSince < forceStands;
+    const bool stands = m_forceSince && (m_acceptForce->isDown() || now - *m_forceSince < forceStands);
     const bool warns = std::abs(instrument.robot().value.guidewireForce) >= instrument.limits().forceWarn;
     if (armed || warns || instrument.forceAccepted(now) || !instrument.robotFresh(now)) {
         m_forceSince.reset();
@@ -164,6 +205,7 @@ void MotionBar::refresh(Instant now)
     setPedalShown(m_models.xray.pedalDown());
     refreshArm(now);
     refreshReset(now);
+    refreshInject(now);
     refreshForce(now);
 }
 

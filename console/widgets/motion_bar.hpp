@@ -36,6 +36,7 @@ Q_SIGNALS:
     void emergencyStopResetRequested();
     void armHoldChanged(bool held);
     void pedalChanged(bool held);
+    void injectHoldChanged(bool held);
     void masterChosen(console::MasterKind kind);
     void forceAccepted(double newtons); ///< as it was shown
 
@@ -43,10 +44,13 @@ private:
     void connectButtons();
     void refreshArm(Instant now);
     void refreshReset(Instant now);
+    void refreshInject(Instant now);
+    QString injectText(Instant now) const;
     void refreshForce(Instant now);
 
     static constexpr std::chrono::milliseconds resetHold{1500};
-    static constexpr std::chrono::seconds forceStands{1}; ///< long enough to be read and pressed, however the force trembles
+    static constexpr std::chrono::seconds forceStands{1};        ///< long enough to be read and pressed, however the force trembles
+    static constexpr std::chrono::milliseconds forceIsRead{300}; ///< a press sooner than that was meant for what stood there before
 
     const ConsoleModels& m_models;
     PermitBlock* m_permit;
@@ -54,6 +58,7 @@ private:
     HandBlock* m_hand;
     HoldButton* m_arm;
     HoldButton* m_reset;
+    HoldButton* m_inject;
     HoldButton* m_pedal;
     StopButton* m_stop;
     MasterRow* m_masters;
@@ -63,6 +68,7 @@ private:
     std::optional<Instant> m_resetSince;
     std::optional<Instant> m_forceSince; ///< when the force on its button was written there; nothing while there is none
     double m_forceShown = 0;             ///< N
+    bool m_forceRead = false;            ///< it stood there long enough before it was pressed
     bool m_resetAsked = false;
 };
 

@@ -21,6 +21,7 @@ ReviewControls::ReviewControls(QWidget* parent) : QWidget(parent)
     m_opacity = new QSlider(Qt::Horizontal, this);
     m_opacity->setAccessibleName(tr("Strength of the roadmap's vessels"));
     m_opacity->setToolTip(m_opacity->accessibleName());
+    m_opacity->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the hand
     m_opacity->setRange(0, 100);
     m_opacity->setValue(60);
     row->addWidget(m_opacity, 4);

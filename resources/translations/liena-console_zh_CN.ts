@@ -185,8 +185,8 @@
         <translation>无法写入 %1：%2</translation>
     </message>
     <message>
-        <source>, nor put right</source>
-        <translation>，且无法修复</translation>
+        <source>%1 cannot be put right: %2</source>
+        <translation>无法修复 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -470,6 +470,14 @@
         <source>The session goes on by TCP, where a lost segment delays commands; have the network looked at.</source>
         <translation>会话经 TCP 继续，丢失的分段会延迟命令；请检查网络。</translation>
     </message>
+    <message>
+        <source>Roadmap removed: %1</source>
+        <translation>路图已移除：%1</translation>
+    </message>
+    <message>
+        <source>Go by the live picture; make a new roadmap with contrast.</source>
+        <translation>以实时图像为准；注射造影剂后重新制作路图。</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>
@@ -698,6 +706,14 @@
     <message>
         <source>force of %1 N not accepted: it is another by now</source>
         <translation>未接受 %1 N 的力：此时力已不同</translation>
+    </message>
+    <message>
+        <source>injection %1: the robot has not answered; look at the contrast left</source>
+        <translation>注射 %1：机器人未应答；请查看造影剂余量</translation>
+    </message>
+    <message>
+        <source>injection %1: %2, %3 mL</source>
+        <translation>注射 %1：%2，%3 mL</translation>
     </message>
 </context>
 <context>
@@ -1413,16 +1429,24 @@
         <translation>命令往返需 %1 ms，机器人最多接受 %2 ms</translation>
     </message>
     <message>
-        <source>Commands take %1 ms there and back, at most %2 ms to arm</source>
-        <translation>命令往返需 %1 ms，解锁时最多 %2 ms</translation>
-    </message>
-    <message>
         <source>Logs are kept</source>
         <translation>日志正在保存</translation>
     </message>
     <message>
         <source>Audit file is not kept</source>
         <translation>审计文件未保存</translation>
+    </message>
+    <message>
+        <source>Commands take %1 ms there and back, %2</source>
+        <translation>命令往返需 %1 ms，%2</translation>
+    </message>
+    <message>
+        <source>at most %1 ms to arm</source>
+        <translation>解锁时最多 %1 ms</translation>
+    </message>
+    <message>
+        <source>at most %1 ms while armed</source>
+        <translation>已解锁后最多 %1 ms</translation>
     </message>
 </context>
 <context>
@@ -1537,6 +1561,13 @@
     <message>
         <source>hand: %1, %2</source>
         <translation>主手：%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>console::InstrumentState</name>
+    <message>
+        <source>the robot was not heard any more; look at the contrast left</source>
+        <translation>已收不到机器人的报告；请查看造影剂余量</translation>
     </message>
 </context>
 <context>
@@ -1870,8 +1901,16 @@
         <translation>增大 / 减小运动比例；随动时绝不增大</translation>
     </message>
     <message>
-        <source>D dead-man · F X-ray · R arm · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale</source>
-        <translation>D 握持开关 · F X 射线 · R 解锁 · 方向键 导丝 · I K J L 导管 · C 离合 · Page Up/Down 运动比例</translation>
+        <source>G, held 1 s</source>
+        <translation>G，按住 1 s</translation>
+    </message>
+    <message>
+        <source>inject contrast, while armed</source>
+        <translation>注射造影剂（仅在已解锁时）</translation>
+    </message>
+    <message>
+        <source>D dead-man · F X-ray · R arm · G inject · arrows guidewire · I K J L catheter · C clutch · Page Up/Down scale</source>
+        <translation>D 握持开关 · F X 射线 · R 解锁 · G 注射 · 方向键 导丝 · I K J L 导管 · C 离合 · Page Up/Down 运动比例</translation>
     </message>
 </context>
 <context>
@@ -2434,6 +2473,38 @@
         <source>Accept %1</source>
         <translation>接受 %1</translation>
     </message>
+    <message>
+        <source>Inject contrast: hold for one second while armed</source>
+        <translation>注射造影剂：已解锁时按住一秒</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>无应答</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>too little left</source>
+        <translation>余量不足</translation>
+    </message>
+    <message>
+        <source>robot unheard</source>
+        <translation>收不到机器人</translation>
+    </message>
+    <message>
+        <source>%1 mL, hold 1 s</source>
+        <translation>%1 mL，按住 1 s</translation>
+    </message>
+    <message>
+        <source>not armed</source>
+        <translation>未解锁</translation>
+    </message>
+    <message>
+        <source>INJECT</source>
+        <translation>注射</translation>
+    </message>
 </context>
 <context>
     <name>console::MotionPermit</name>
@@ -2704,6 +2775,22 @@
     <message>
         <source>picture saved: %1</source>
         <translation>图像已保存：%1</translation>
+    </message>
+    <message>
+        <source>roadmap removed: %1</source>
+        <translation>路图已移除：%1</translation>
+    </message>
+    <message>
+        <source>no roadmap: no run has shown contrast yet; give contrast while the pedal is down</source>
+        <translation>无路图：还没有哪次曝光显示造影剂；请在踩下踏板时注射造影剂</translation>
+    </message>
+    <message>
+        <source>no roadmap: it was removed, and no contrast was given since</source>
+        <translation>无路图：已被移除，此后未再注射造影剂</translation>
+    </message>
+    <message>
+        <source>roadmap made of %1 pictures of run %2</source>
+        <translation>路图由曝光 %2 的 %1 帧图像制成</translation>
     </message>
 </context>
 <context>
@@ -3753,6 +3840,53 @@
         <source>Stop the film</source>
         <translation>停止播放</translation>
     </message>
+    <message>
+        <source>Roadmap</source>
+        <translation>路图</translation>
+    </message>
+    <message>
+        <source>The live picture under the vessels that the last run with contrast filled</source>
+        <translation>实时图像，叠加最近一次造影曝光中充盈的血管</translation>
+    </message>
+    <message>
+        <source>Strength of the roadmap&apos;s vessels</source>
+        <translation>路图血管的浓度</translation>
+    </message>
+</context>
+<context>
+    <name>console::RoadmapState</name>
+    <message>
+        <source>ROADMAP REMOVED: %1</source>
+        <translation>路图已移除：%1</translation>
+    </message>
+    <message>
+        <source>Vessels of %1, run %2</source>
+        <translation>%1 的血管，曝光 %2</translation>
+    </message>
+    <message>
+        <source>the C-arm turned</source>
+        <translation>C 臂转动了</translation>
+    </message>
+    <message>
+        <source>the distances of the C-arm changed</source>
+        <translation>C 臂的距离改变了</translation>
+    </message>
+    <message>
+        <source>the zoom changed</source>
+        <translation>缩放改变了</translation>
+    </message>
+    <message>
+        <source>the pictures come from elsewhere</source>
+        <translation>图像来自别处</translation>
+    </message>
+    <message>
+        <source>the table moved</source>
+        <translation>检查床移动了</translation>
+    </message>
+    <message>
+        <source>the patient moved</source>
+        <translation>患者移动了</translation>
+    </message>
 </context>
 <context>
     <name>console::RobotPanel</name>
@@ -4246,8 +4380,8 @@ NOT A MEDICAL DEVICE</source>
 <context>
     <name>console::SpaceMouseMaster</name>
     <message>
-        <source>left button dead-man · push, twist guidewire · lift, tilt catheter · right button clutch · F X-ray · R arm · Page Up/Down scale</source>
-        <translation>左键 握持开关 · 推、拧 导丝 · 提、倾 导管 · 右键 离合 · F X 射线 · R 解锁 · Page Up/Down 运动比例</translation>
+        <source>left button dead-man · push, twist guidewire · lift, tilt catheter · right button clutch · F X-ray · R arm · G inject · Page Up/Down scale</source>
+        <translation>左键 握持开关 · 推、拧 导丝 · 提、倾 导管 · 右键 离合 · F X 射线 · R 解锁 · G 注射 · Page Up/Down 运动比例</translation>
     </message>
 </context>
 <context>
@@ -4522,6 +4656,14 @@ NOT A MEDICAL DEVICE</source>
     <message>
         <source>pictures of %1 are not shown: this console works with %2</source>
         <translation>不显示 %1 的图像：本控制台使用 %2</translation>
+    </message>
+    <message>
+        <source>injection %1: %2 mL at %3 mL/s asked for</source>
+        <translation>注射 %1：已请求 %2 mL，%3 mL/s</translation>
+    </message>
+    <message>
+        <source>not sent: %1</source>
+        <translation>未发送：%1</translation>
     </message>
 </context>
 <context>
@@ -4939,6 +5081,10 @@ known here</source>
     <message>
         <source>trouble</source>
         <translation>异常</translation>
+    </message>
+    <message>
+        <source>ROADMAP</source>
+        <translation>路图</translation>
     </message>
 </context>
 <context>

@@ -29,7 +29,10 @@ public:
     Photographer(const QDir& folder, const QSize& size, AlarmVoice& voice) : m_folder(folder), m_theatre(wishes(size, voice)) {}
 
     /// False at the first state that is not reached.
-    bool work() { return idle() && open() && armed() && engaged() && frozen() && interrupted() && lost() && reopened() && views(); }
+    bool work()
+    {
+        return idle() && open() && armed() && engaged() && roadmap() && frozen() && interrupted() && lost() && reopened() && views();
+    }
 
     /// What was taken until now.
     bool save() const
@@ -90,6 +93,26 @@ private:
     bool armed() { return m_theatre.arm() && take("armed"); }
 
     bool engaged() { return m_theatre.armAndMove() && take("engaged"); }
+
+    /// Contrast is given, and what it filled stays when it is gone.
+    bool roadmap()
+    {
+        if (!m_theatre.arm())
+            return false;
+        m_theatre.hold(Qt::Key_G);
+        const auto& injections = m_theatre.models().instrument.injections();
+        const auto given = [&injections] { return !injections.empty() && injections.back().progress == InjectionProgress::Done; };
+        const bool done = until(given);
+        m_theatre.release(Qt::Key_G);
+        const auto mapped = [this] {
+            m_theatre.click(QStringLiteral("Roadmap"));
+            return m_theatre.models().roadmap.isValid();
+        };
+        const bool made = done && until(mapped) && m_theatre.armAndMove() && take("roadmap");
+        m_theatre.click(QStringLiteral("Hold"));
+        m_theatre.releaseAll();
+        return made;
+    }
 
     /// The link stands longer than a picture may be old.
     bool frozen()

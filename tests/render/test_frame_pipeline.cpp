@@ -15,6 +15,7 @@ private Q_SLOTS:
     void keepsOnlyTheNewestOfABurst();
     void reportsRefusalAndGoesOn();
     void pictureThatComesAgainAsANewOneIsRefused();
+    void aRecordingMayHoldAPictureTwice();
     void reviewShowsAPictureAsOftenAsItIsAsked();
     void choosesWindowWhenFrameHasNone();
     void letsGoOfTheEncodedBytes();
@@ -120,6 +121,23 @@ void TestFramePipeline::pictureThatComesAgainAsANewOneIsRefused()
     QTRY_COMPARE(pictures.size(), std::size_t(2));
     pipeline.showFrame(again(6)); // as an earlier one is nothing against it: the one before was another
     QTRY_COMPARE(pictures.size(), std::size_t(3));
+}
+
+/// Cines stand still at times; nobody may move by one.
+void TestFramePipeline::aRecordingMayHoldAPictureTwice()
+{
+    std::vector<DisplayPicture> pictures;
+    FramePipeline pipeline;
+    collect(pipeline, *this, pictures);
+    const auto first = samples::frame(1, size, 12, PixelEncoding::Raw);
+    for (quint32 number = 1; number < 4; ++number) {
+        auto copy = samples::withBytes(*first, {first->pixels.begin(), first->pixels.end()});
+        copy->frame = number;
+        copy->source = PictureSource::Recorded;
+        pipeline.showFrame(copy);
+        QTRY_COMPARE(pictures.size(), std::size_t(number));
+    }
+    QCOMPARE(pipeline.counts().refused, quint64(0));
 }
 
 void TestFramePipeline::reviewShowsAPictureAsOftenAsItIsAsked()

@@ -84,6 +84,7 @@ private Q_SLOTS:
     void thePatientsMovementIsMeasured();
     void noiseHasNotMoved();
     void theLastRunWithContrastCounts();
+    void whatIsForgottenServesNoMore();
     void comparesOnlyWhatIsWatched();
     void paintsInItsOwnColour();
 };
@@ -187,6 +188,21 @@ void TestRoadmap::theLastRunWithContrastCounts()
     QCOMPARE(made->about.acquisition, 1U);
     takeRun(maker, {}, 1, 3);
     QCOMPARE(maker.make()->about.acquisition, 3U);
+}
+
+/// Something moved: neither the run that goes on nor one of before may be used again.
+void TestRoadmap::whatIsForgottenServesNoMore()
+{
+    RoadmapMaker maker;
+    takeRun(maker, {}, 1, 1);
+    takeRun(maker, {}, 1, 2);
+    maker.forget();
+    QVERIFY(!maker.make());
+    for (quint32 number = 1; number <= 20; ++number)
+        maker.take(picture(3000 + number, {}), frame(300 + number, {}, 2)); // the same run goes on
+    QVERIFY(!maker.make());
+    takeRun(maker, {}, 1, 3);
+    QVERIFY(maker.make());
 }
 
 void TestRoadmap::comparesOnlyWhatIsWatched()

@@ -33,6 +33,7 @@ PuppetRobot::PuppetRobot(Settings settings) : m_device(std::move(settings), [thi
 void PuppetRobot::build(DistributedSystem& system)
 {
     orThrow(system.subscribe("PermitRequest", [this](const Message& message) { onPermit(message); }));
+    orThrow(system.subscribe("ContrastInjection", [this, &system](const Message& message) { onInjection(system, message); }));
     orThrow(system.subscribe("MotionCommand", [this](const Message& message) { onMotion(message); }));
     orThrow(system.subscribe("EmergencyStop", [this](const Message& message) {
         const std::lock_guard lock(m_mutex);
@@ -92,6 +93,21 @@ void PuppetRobot::onMotion(const Message& message)
         return;
     ++(velocity == 0 ? m_engagedAtRest : m_movements);
     m_position += velocity * commandLength;
+}
+
+void PuppetRobot::onInjection(DistributedSystem& system, const Message& message)
+{
+    Message report = system.report("InjectionReport").value();
+    const auto number = message.get<std::uint32_t>("injection");
+    {
+        const std::lock_guard lock(m_mutex);
+        const bool armed = m_state == State::Armed || m_state == State::Engaged;
+        const bool permitted = armed && message.get<std::uint32_t>("permit") == m_permit;
+        m_injections.insert(number);
+        report.set("injection", number).set("delivered", permitted ? message.get<double>("volume") : 0.0);
+        report.set("state", std::string_view(permitted ? "done" : "refused"));
+    }
+    system.publish(report);
 }
 
 void PuppetRobot::turn(DistributedSystem& system)
@@ -164,6 +180,12 @@ int PuppetRobot::armRequests() const
 {
     const std::lock_guard lock(m_mutex);
     return m_armRequests;
+}
+
+int PuppetRobot::injections() const
+{
+    const std::lock_guard lock(m_mutex);
+    return static_cast<int>(m_injections.size());
 }
 
 int PuppetRobot::movements() const

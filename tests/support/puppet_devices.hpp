@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <random>
+#include <set>
 
 namespace liena::test {
 
@@ -41,6 +42,7 @@ public:
 
     int armRequests() const;      ///< asked of it so far
     int movements() const;        ///< commands that moved it
+    int injections() const;       ///< asked of it so far, each number once
     int engagedAtRest() const;    ///< accepted commands with the dead-man pressed and no velocity
     std::uint64_t turns() const;  ///< reports that were due so far: its clock, ten milliseconds each
     std::uint32_t permit() const; ///< the true one
@@ -51,6 +53,7 @@ private:
     void hold();
     void onPermit(const Message& message);
     void onMotion(const Message& message);
+    void onInjection(DistributedSystem& system, const Message& message);
 
     mutable std::mutex m_mutex;
     State m_state = State::Hold;
@@ -67,6 +70,7 @@ private:
     Alter m_alterTip;
     int m_armRequests = 0;
     int m_movements = 0;
+    std::set<std::uint32_t> m_injections;
     int m_engagedAtRest = 0;
     TestDevice m_device; ///< last: its thread uses all of the above
 };

@@ -139,7 +139,7 @@ void Theatre::release(int key) { QTest::keyRelease(&window(), static_cast<Qt::Ke
 
 void Theatre::releaseAll()
 {
-    for (const int key : {Qt::Key_Up, Qt::Key_D, Qt::Key_R, Qt::Key_F})
+    for (const int key : {Qt::Key_Up, Qt::Key_D, Qt::Key_R, Qt::Key_G, Qt::Key_F})
         release(key);
 }
 

@@ -1,4 +1,5 @@
 // The whole system: the real console and the real devices as processes, operated by clicks and keys.
+#include "imaging/reference_image_view.hpp"
 #include "theatre.hpp"
 #include "unit/console/virtual_pad.hpp"
 #include "widgets/diagnosis_sheet.hpp"
@@ -9,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace console;
 using console::test::Theatre;
@@ -124,6 +126,30 @@ private Q_SLOTS:
         QTest::mouseClick(keyboard, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->kind, MasterKind::Keyboard, patience);
         QVERIFY(theatre.models().hand.reading().alive);
+    }
+
+    void contrastIsGivenOnceAndARoadmapKeepsWhatItFilled()
+    {
+        Theatre theatre(wishes());
+        QVERIFY(theatre.openAll());
+        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
+        const double before = theatre.robotStatus().contrastRemaining;
+        QVERIFY(before >= 10);
+        theatre.hold(Qt::Key_G);
+        QTRY_VERIFY2_WITH_TIMEOUT(logTells(theatre, QStringLiteral("done, 5.0 mL")), qPrintable(theatre.story()), patience);
+        theatre.release(Qt::Key_G);
+        QVERIFY(std::abs(theatre.robotStatus().contrastRemaining - (before - 5)) < 0.2);
+        const auto mapped = [&theatre] {
+            theatre.click(QStringLiteral("Roadmap"));
+            return theatre.models().roadmap.isValid();
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(mapped(), qPrintable(theatre.story()), patience);
+        const auto* pane = theatre.window().findChild<ReferenceImageView*>();
+        QTRY_VERIFY(pane->picture() && pane->picture()->role == PictureRole::Roadmap);
+        const auto shown = pane->picture()->about.frame;
+        QTRY_VERIFY2_WITH_TIMEOUT(pane->picture()->about.frame > shown + 20, qPrintable(theatre.story()), patience);
+        QVERIFY2(theatre.models().roadmap.isValid(), qPrintable(theatre.story())); // nothing moved
+        theatre.releaseAll();
     }
 
     void anEmergencyStopEndsMotionHereAtThePressAndThenAtTheRobot()

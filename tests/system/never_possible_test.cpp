@@ -65,12 +65,23 @@ struct Stage {
         QCoreApplication::sendEvent(&theatre.window(), &event);
     }
 
-    HoldButton* arm()
+    HoldButton* holdButton(const QString& name)
     {
         for (auto* button : theatre.window().findChildren<HoldButton*>())
-            if (button->isVisible() && button->accessibleName().startsWith(QStringLiteral("Arm:")))
+            if (button->isVisible() && button->accessibleName().startsWith(name))
                 return button;
         return nullptr;
+    }
+
+    HoldButton* arm() { return holdButton(QStringLiteral("Arm:")); }
+    HoldButton* inject() { return holdButton(QStringLiteral("Inject contrast:")); }
+
+    /// Waits for so many of the robot's turns; whether no further injection was asked of it.
+    bool staysDry(std::uint64_t turns)
+    {
+        const int before = robot.injections();
+        const auto begun = robot.turns();
+        return QTest::qWaitFor([&] { return robot.turns() >= begun + turns; }, patience) && robot.injections() == before;
     }
 };
 
@@ -473,6 +484,62 @@ private Q_SLOTS:
     }
 
     // Rule 1: the console itself is started anew, with the dead-man held all the time.
+
+    // Contrast: what is given cannot be taken back.
+
+    void contrastIsGivenOnlyWhileArmed()
+    {
+        Stage& stage = *m_stage;
+        QVERIFY2(stage.theatre.makeReady(), qPrintable(stage.theatre.story()));
+        stage.theatre.hold(Qt::Key_G);
+        QVERIFY(stage.staysDry(150));
+        // Held on into the arming it counts for nothing either: it must be let go of first.
+        stage.theatre.hold(Qt::Key_R);
+        QVERIFY2(stage.theatre.reaches(PermitPhase::Armed), qPrintable(stage.theatre.story()));
+        stage.theatre.release(Qt::Key_R);
+        QVERIFY(stage.staysDry(150));
+        stage.theatre.releaseAll();
+    }
+
+    void oneHoldGivesContrastOnce()
+    {
+        Stage& stage = *m_stage;
+        QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
+        const int before = stage.robot.injections();
+        stage.theatre.hold(Qt::Key_G);
+        QTRY_COMPARE_WITH_TIMEOUT(stage.robot.injections(), before + 1, patience);
+        for (int i = 0; i < 20; ++i)
+            stage.key(QEvent::KeyPress, Qt::Key_G, true);
+        QVERIFY(stage.staysDry(250));
+        stage.theatre.release(Qt::Key_G);
+        stage.theatre.hold(Qt::Key_G);
+        QTRY_COMPARE_WITH_TIMEOUT(stage.robot.injections(), before + 2, patience);
+        stage.theatre.releaseAll();
+    }
+
+    void noClickGivesContrast()
+    {
+        Stage& stage = *m_stage;
+        QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
+        auto* button = stage.inject();
+        QVERIFY(button != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(button->isEnabled(), patience);
+        const int before = stage.robot.injections();
+        QTest::mouseClick(button, Qt::LeftButton);
+        QTest::mouseDClick(button, Qt::LeftButton);
+        for (const auto key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space})
+            QTest::keyPress(button, key);
+        QVERIFY(stage.staysDry(150));
+        for (const auto key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space})
+            QTest::keyRelease(button, key);
+        // A hold of the robot's in its midst ends it.
+        QTest::mousePress(button, Qt::LeftButton);
+        QTest::keyClick(&stage.theatre.window(), Qt::Key_F12);
+        QVERIFY(stage.staysDry(150));
+        QTest::mouseRelease(button, Qt::LeftButton);
+        QCOMPARE(stage.robot.injections(), before);
+        stage.theatre.releaseAll();
+    }
 
     void aConsoleThatIsStartedAnewMovesNothing()
     {

@@ -129,8 +129,8 @@ private Q_SLOTS:
         const auto content = promptContent(incident, sessions, around(), start);
         const auto report = promptReport(incident, content);
         QVERIFY(report.endsWith(QLatin1Char('\n')) && !report.contains(QStringLiteral("\n\n")));
-        for (const auto& fact : QStringList{content.headline, content.since, content.directions, content.patient, content.picture,
-                                            content.tip, content.likelyCause, content.tryFirst} +
+        for (const auto& fact : QStringList{content.headline, content.since, content.directions, content.patient, content.call,
+                                            content.picture, content.tip, content.likelyCause, content.tryFirst} +
                                     content.evidence)
             QVERIFY2(report.contains(fact), qPrintable(fact));
         for (const auto& hold : content.rollCall)
