@@ -49,7 +49,7 @@ void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState&
 QSize GuardList::sizeHint() const { return {theme::px(this, 660), rows * QFontMetrics(font()).height()}; }
 
 // It gives way first: with less room its letters become smaller, and what is missing still comes before what is met.
-QSize GuardList::minimumSizeHint() const { return {theme::px(this, 520), sizeHint().height()}; }
+QSize GuardList::minimumSizeHint() const { return {theme::px(this, 400), sizeHint().height()}; }
 
 int GuardList::columnCount() const
 {

@@ -84,8 +84,6 @@ void MotionBar::connectButtons()
     connect(m_inject, &HoldButton::holdChanged, this, &MotionBar::injectHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
-    connect(m_acceptForce, &QPushButton::pressed, this,
-            [this] { m_forceRead = m_forceSince && std::chrono::steady_clock::now() - *m_forceSince >= forceIsRead; });
     connect(m_acceptForce, &QPushButton::clicked, this, [this] {
         if (m_forceRead)
             Q_EMIT forceAccepted(m_forceShown);
@@ -191,6 +189,8 @@ void MotionBar::refreshForce(Instant now)
     } else if (!stands) {
         m_forceSince.reset();
     }
+    if (!m_acceptForce->isDown())
+        m_forceRead = m_forceSince && now - *m_forceSince >= forceIsRead;
     m_acceptForce->setVisible(m_forceSince.has_value());
 }
 

@@ -235,6 +235,7 @@ void InventedCockpit::arm()
     GuardReadings readings = goodReadings();
     readings.robotState = RobotState::Armed;
     models.permit.check(readings, now);
+    models.injection.advance({false, true, true, false, models.instrument.robot().value.contrastRemaining}, now);
 }
 
 void InventedCockpit::engage()

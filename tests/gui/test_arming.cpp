@@ -198,8 +198,27 @@ private Q_SLOTS:
         QVERIFY2(accept->text().contains(QStringLiteral("0.43")), qPrintable(accept->text()));
         QSignalSpy accepted(&stage.window, &CockpitWindow::forceAccepted);
         QTest::mouseClick(accept, Qt::LeftButton);
+        QCOMPARE(accepted.count(), 0); // that was meant for what stood there before
+        const auto press = [&] {
+            feel(0.43, RobotState::Ready);
+            QTest::mouseClick(accept, Qt::LeftButton);
+            return !accepted.isEmpty();
+        };
+        QVERIFY(QTest::qWaitFor(press));
         QCOMPARE(accepted.count(), 1);
+        QCOMPARE(accepted.first().first().toDouble(), 0.43);
         QVERIFY(stage.window.handHasKeys()); // the hand has them again
+        // While a finger is on it, it stays what it was.
+        QTest::mousePress(accept, Qt::LeftButton);
+        const auto pressed = std::chrono::steady_clock::now();
+        const auto held = [&] {
+            feel(0.85, RobotState::Ready);
+            return std::chrono::steady_clock::now() - pressed > 1500ms;
+        };
+        QTRY_VERIFY(held());
+        QTest::mouseRelease(accept, Qt::LeftButton);
+        QCOMPARE(accepted.count(), 2);
+        QCOMPARE(accepted.last().first().toDouble(), 0.43);
         feel(1.4, RobotState::Ready);
         QVERIFY(!stage.named<QPushButton>(name)); // a force that warns is not accepted
         stage.cockpit.arm();

@@ -247,6 +247,7 @@ void PuppetXray::sendPicture(DistributedSystem& system)
         frame.set("capture_ns", Timestamp::now().ns - static_cast<std::uint64_t>(std::chrono::nanoseconds(age).count()));
         frame.set("source", std::string_view(m_pictures == Pictures::Recorded ? "recorded" : "simulated"));
         frame.set("rows", edge).set("columns", edge).set("bits_stored", 8).set("window_centre", 128.0).set("window_width", 256.0);
+        frame.set("photometric", std::string_view("MONOCHROME2"));
         frame.set("pixels", std::span<const std::byte>(m_pixels));
     }
     system.publish(frame);

@@ -136,9 +136,13 @@ private Q_SLOTS:
         const double before = theatre.robotStatus().contrastRemaining;
         QVERIFY(before >= 10);
         theatre.hold(Qt::Key_G);
-        QTRY_VERIFY2_WITH_TIMEOUT(logTells(theatre, QStringLiteral("done, 5.0 mL")), qPrintable(theatre.story()), patience);
+        const auto& injections = theatre.models().instrument.injections();
+        const auto given = [&] { return !injections.empty() && injections.back().progress == InjectionProgress::Done; };
+        QTRY_VERIFY2_WITH_TIMEOUT(given(), qPrintable(theatre.story()), patience);
         theatre.release(Qt::Key_G);
-        QVERIFY(std::abs(theatre.robotStatus().contrastRemaining - (before - 5)) < 0.2);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(theatre.robotStatus().contrastRemaining - (before - 5)) < 0.2, patience);
+        QCOMPARE(injections.size(), std::size_t(1));
+        QVERIFY(std::abs(injections.back().delivered - 5) < 0.2);
         const auto mapped = [&theatre] {
             theatre.click(QStringLiteral("Roadmap"));
             return theatre.models().roadmap.isValid();
