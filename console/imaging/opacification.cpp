@@ -20,6 +20,7 @@ constexpr double newest = 0.5;      ///< share of the newest picture in the mean
 constexpr double noiseShown = 3;    ///< of its spread; below that a pixel is no vessel
 constexpr double noiseSeen = 8;     ///< of its spread; below that the darkest pixels are none
 constexpr double darkestShare = 0.002;
+constexpr double leastSignal = 0.05; ///< of the usual one
 constexpr double leastSpread = 1e-4;
 constexpr double shadingSigma = 6;     ///< pixels
 constexpr double noiseSigma = 2;       ///< pixels
@@ -47,6 +48,23 @@ cv::Mat attenuation(const cv::Mat& values, const XrayFrame& frame)
     return -result;
 }
 
+/// The value that `share` of all are not above.
+float quantile(std::vector<float>& values, double share)
+{
+    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[static_cast<std::size_t>(place)];
+}
+
+/// Where hardly any beam comes through, behind a blade or beside the field, the logarithm is all noise.
+cv::Mat shadows(const cv::Mat& mask, const XrayFrame& frame)
+{
+    if (frame.intensity != IntensityRelationship::Linear || !darkerIsLess(frame))
+        return cv::Mat::zeros(mask.size(), CV_8U);
+    std::vector<float> values(mask.begin<float>(), mask.end<float>());
+    return mask < leastSignal * quantile(values, 0.5);
+}
+
 /// Without its shading, which stays where the detector is, and without the finest, which is noise.
 cv::Mat detail(const cv::Mat& values, cv::Size size)
 {
@@ -57,14 +75,6 @@ cv::Mat detail(const cv::Mat& values, cv::Size size)
     small -= shading;
     cv::GaussianBlur(small, small, {0, 0}, noiseSigma);
     return small;
-}
-
-/// The value that `share` of all are not above.
-float quantile(std::vector<float>& values, double share)
-{
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + place, values.end());
-    return values[static_cast<std::size_t>(place)];
 }
 
 /// As it is reported: a C-arm at rest trembles in its last digits.
@@ -146,6 +156,8 @@ std::optional<Roadmap> Opacification::roadmap() const
         return std::nullopt;
     const cv::Mat before = attenuation(m_mask / maskPictures, m_first);
     cv::Mat darkened = attenuation(m_darkest, m_first) - before;
+    const cv::Mat dark = shadows(m_mask, m_first);
+    darkened.setTo(0, dark);
     cv::GaussianBlur(darkened, darkened, {5, 5}, 1.0, 1.0, cv::BORDER_REPLICATE);
 
     std::vector<float> values(darkened.begin<float>(), darkened.end<float>());
@@ -160,6 +172,7 @@ std::optional<Roadmap> Opacification::roadmap() const
     const double least = usual + noiseShown * spread;
     const double scale = 255 / (most - least);
     darkened.convertTo(roadmap.vessels, CV_8U, scale, -least * scale);
+    roadmap.vessels.setTo(0, dark);
     roadmap.background = detail(before, coarser(before.size(), backgroundEdge));
     roadmap.about = m_first;
     roadmap.lastNs = m_lastNs;

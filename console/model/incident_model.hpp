@@ -22,6 +22,7 @@ struct PromptSurroundings {
     bool pictureLive = false;
     std::optional<qint64> frozenSinceWallMs; ///< capture time of the picture that stands
     bool pictureSeen = false;                ///< a picture was ever shown
+    bool pictureHeld = false;                ///< the pedal is up: it is the run's last, and nothing is wrong with it
     bool tipLive = false;
     bool tipKnown = false;
     QString patientSide; ///< how a person there is called; empty: not set up

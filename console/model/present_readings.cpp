@@ -98,6 +98,7 @@ PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
     around.robot = models.sessions.firstPeer(DeviceKind::Hand).value_or(0);
     const PictureReading picture = models.picture.reading(now);
     around.pictureLive = picture.condition == PictureCondition::Live;
+    around.pictureHeld = picture.condition == PictureCondition::Held;
     around.pictureSeen = picture.condition != PictureCondition::None;
     if (around.pictureSeen && !around.pictureLive)
         around.frozenSinceWallMs = qint64(picture.captureNs / 1000000U);

@@ -103,6 +103,8 @@ void addSeen(PromptContent& content, const PromptSurroundings& around)
 {
     if (around.pictureLive)
         content.picture = Text::tr("Picture: live");
+    else if (around.pictureHeld && around.frozenSinceWallMs)
+        content.picture = Text::tr("Picture: last image hold, of %1").arg(clockTime(*around.frozenSinceWallMs, true));
     else if (around.pictureSeen && around.frozenSinceWallMs)
         content.picture = Text::tr("Picture: frozen since %1").arg(clockTime(*around.frozenSinceWallMs, true));
     else

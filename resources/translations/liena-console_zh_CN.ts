@@ -3444,6 +3444,10 @@
         <translation>图像：实时</translation>
     </message>
     <message>
+        <source>Picture: last image hold, of %1</source>
+        <translation>图像：末帧保持，%1</translation>
+    </message>
+    <message>
         <source>Picture: frozen since %1</source>
         <translation>图像：自 %1 起已冻结</translation>
     </message>

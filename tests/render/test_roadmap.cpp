@@ -79,6 +79,7 @@ private Q_SLOTS:
     void findsWhatContrastFilled_data();
     void findsWhatContrastFilled();
     void noiseIsNoVessel();
+    void nothingIsSeenBehindABlade();
     void aRunThatIsTooShortIsNone();
     void anotherProjectionBeginsAnew();
     void thePatientsMovementIsMeasured();
@@ -124,6 +125,26 @@ void TestRoadmap::noiseIsNoVessel()
     Opacification run;
     takeRun(run, {}, 0, 1, 100);
     QVERIFY(!run.roadmap());
+}
+
+/// A few quanta leak through the lead: in the logarithm their noise is larger than any vessel.
+void TestRoadmap::nothingIsSeenBehindABlade()
+{
+    Opacification run;
+    std::mt19937 random(3);
+    for (quint32 number = 1; number <= 20; ++number) {
+        Scene scene;
+        scene.contrast = number > 6 && number < 16 ? 1 : 0;
+        cv::Mat stored = picture(number, scene);
+        for (int y = 0; y < 12; ++y)
+            for (int x = 0; x < edge; ++x)
+                stored.at<std::uint16_t>(y, x) = static_cast<std::uint16_t>(2 + random() % 12);
+        run.take(stored, frame(number, scene));
+    }
+    const auto roadmap = run.roadmap();
+    QVERIFY(roadmap);
+    QCOMPARE(cv::countNonZero(roadmap->vessels.rowRange(0, 12)), 0);
+    QVERIFY(meanOf(roadmap->vessels, {8, 122, edge / 2 - 16, 4}) > 150);
 }
 
 void TestRoadmap::aRunThatIsTooShortIsNone()

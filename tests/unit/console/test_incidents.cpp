@@ -160,6 +160,10 @@ private Q_SLOTS:
         seen.frozenSinceWallMs = 1'700'000'000'200;
         const auto frozen = promptContent(lost(robot), sessions, seen, start).picture;
         QVERIFY2(frozen.startsWith(QStringLiteral("Picture: frozen since ")) && frozen.endsWith(QStringLiteral(".2")), qPrintable(frozen));
+        seen.pictureHeld = true; // no fault: the pedal is up
+        const auto held = promptContent(lost(robot), sessions, seen, start).picture;
+        QVERIFY2(held.startsWith(QStringLiteral("Picture: last image hold, of ")), qPrintable(held));
+        seen.pictureHeld = false;
         seen.pictureLive = true;
         seen.tipKnown = true;
         const auto content = promptContent(lost(robot), sessions, seen, start);
