@@ -9,12 +9,6 @@
 
 namespace console {
 
-namespace {
-
-qint64 wallTime() { return QDateTime::currentMSecsSinceEpoch(); }
-
-} // namespace
-
 InterruptionWatch::InterruptionWatch(ConsoleModels& models, std::function<quint64()> picturesReceived, QObject* parent)
     : QObject(parent), m_models(models), m_picturesReceived(std::move(picturesReceived))
 {
@@ -36,7 +30,7 @@ void InterruptionWatch::begin(quint64 incident)
                                         : tr("link %1 \u2013 %2").arg(sessions.titleOf(record->a), sessions.titleOf(record->b));
     const auto known = std::chrono::steady_clock::now() - record->since + silence;
     m_models.interruption.begin(what, record->since - silence,
-                                wallTime() - std::chrono::duration_cast<std::chrono::milliseconds>(known).count());
+                                QDateTime::currentMSecsSinceEpoch() - std::chrono::duration_cast<std::chrono::milliseconds>(known).count());
 }
 
 void InterruptionWatch::look()
@@ -45,7 +39,7 @@ void InterruptionWatch::look()
     auto& account = m_models.interruption;
     const bool down = m_models.sessions.inStandBy() || !m_models.incidents.empty();
     if (down && account.stage() != InterruptionAccount::Stage::Running)
-        account.begin({}, now, wallTime());
+        account.begin({}, now, QDateTime::currentMSecsSinceEpoch());
     else if (!down)
         account.end(now);
 }
@@ -60,7 +54,7 @@ void InterruptionWatch::acknowledge(const QString& who, Instant now)
     if (m_models.interruption.acknowledge(now))
         m_models.log.append(LogKind::Operator,
                             tr("account of the interruption read by %1: %2").arg(who.isEmpty() ? tr("the operator") : who, text),
-                            wallTime());
+                            QDateTime::currentMSecsSinceEpoch());
 }
 
 } // namespace console

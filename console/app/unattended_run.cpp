@@ -19,7 +19,7 @@ namespace console {
 
 namespace {
 
-constexpr std::chrono::milliseconds period{20};
+constexpr std::chrono::milliseconds lookPeriod{20};
 constexpr std::chrono::seconds showTime{10};
 constexpr std::chrono::seconds openTime{20};
 constexpr std::chrono::seconds clickAgain{2};
@@ -32,8 +32,6 @@ constexpr int logLines = 100;
 constexpr int armKey = Qt::Key_R;
 constexpr int deadManKey = Qt::Key_D;
 constexpr int pedalKey = Qt::Key_F;
-
-Instant presentTime() { return std::chrono::steady_clock::now(); }
 
 void sendMouse(QWidget* widget, QEvent::Type type, Qt::MouseButtons buttons)
 {
@@ -48,12 +46,12 @@ UnattendedRun::UnattendedRun(CockpitWindow& window, ConsoleModels& models, Syste
                              QObject* parent)
     : QObject(parent), m_window(window), m_models(models), m_link(link), m_settings(settings)
 {
-    m_timer.setInterval(period);
+    m_timer.setInterval(lookPeriod);
     connect(&m_timer, &QTimer::timeout, this, &UnattendedRun::proceed);
     connect(&models.picture, &PictureState::painted, this, [this] {
         if (!m_measuring)
             return;
-        const auto age = m_models.picture.reading(presentTime()).age;
+        const auto age = m_models.picture.reading(std::chrono::steady_clock::now()).age;
         m_measurements.notePainted(age ? std::optional<double>(milliseconds(*age)) : std::nullopt);
     });
     connect(&models.instrument, &InstrumentState::robotChanged, this, [this] {
@@ -71,10 +69,10 @@ void UnattendedRun::start()
 void UnattendedRun::enter(Step step)
 {
     m_step = step;
-    m_entered = presentTime();
+    m_entered = std::chrono::steady_clock::now();
 }
 
-Duration UnattendedRun::inStep() const { return presentTime() - m_entered; }
+Duration UnattendedRun::inStep() const { return std::chrono::steady_clock::now() - m_entered; }
 
 void UnattendedRun::proceed()
 {
@@ -120,7 +118,7 @@ void UnattendedRun::open()
     }
     if (inStep() > openTime)
         return finish(QStringLiteral("%1 of %2 sessions opened").arg(m_models.sessions.openCount()).arg(m_models.sessions.ownLinkCount()));
-    if (presentTime() - m_lastClick > clickAgain)
+    if (std::chrono::steady_clock::now() - m_lastClick > clickAgain)
         clickOpenAll();
 }
 
@@ -159,7 +157,7 @@ void UnattendedRun::engage()
         m_measurements.engaged = true;
         m_framesBefore = m_link.framesReceived();
         m_commandsBefore = m_link.commandsSent();
-        m_measurements.begin(presentTime());
+        m_measurements.begin(std::chrono::steady_clock::now());
         m_measuring = true;
         return enter(Step::Jog);
     }
@@ -182,7 +180,7 @@ void UnattendedRun::jog()
 void UnattendedRun::gather()
 {
     m_measuring = false;
-    m_measurements.end(presentTime());
+    m_measurements.end(std::chrono::steady_clock::now());
     if (m_measurements.engaged) {
         m_measurements.framesReceived = m_link.framesReceived() - m_framesBefore;
         m_measurements.commandsSent = m_link.commandsSent() - m_commandsBefore;
@@ -233,7 +231,7 @@ QString UnattendedRun::save() const
 
 bool UnattendedRun::clickOpenAll()
 {
-    m_lastClick = presentTime();
+    m_lastClick = std::chrono::steady_clock::now();
     QAbstractButton* found = nullptr;
     for (auto* button : m_window.findChildren<QAbstractButton*>())
         if (button->isVisible() &&

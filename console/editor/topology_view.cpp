@@ -17,7 +17,7 @@ namespace colour = theme::colour;
 
 namespace {
 
-constexpr int clockMs = 200;
+constexpr int statusClockMs = 200;
 
 } // namespace
 
@@ -57,7 +57,7 @@ TopologyView::TopologyView(const SessionModel& sessions, QWidget* parent)
     connect(m_canvas, &TopologyCanvas::linkChosen, this, &TopologyView::chooseLink);
     connect(m_canvas, &TopologyCanvas::deviceChosen, this, &TopologyView::chooseDevice);
     connect(&m_sessions, &SessionModel::topologyChanged, this, &TopologyView::rebuild);
-    m_clock.setInterval(clockMs);
+    m_clock.setInterval(statusClockMs);
     connect(&m_clock, &QTimer::timeout, this, [this] { refresh(std::chrono::steady_clock::now()); });
     rebuild();
 }

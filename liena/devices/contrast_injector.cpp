@@ -7,7 +7,7 @@ namespace liena::devices {
 
 namespace {
 
-constexpr std::size_t memory = 4096;
+constexpr std::size_t mostRecords = 4096;
 
 std::string whyNot(const InjectionRequest& request, bool running, double remaining)
 {
@@ -31,7 +31,7 @@ std::optional<InjectionAnswer> ContrastInjector::known(DeviceId origin, std::uin
 InjectionAnswer ContrastInjector::refuse(const InjectionRequest& request, std::string reason)
 {
     const InjectionAnswer answer{request.number, 0, InjectionState::Refused, std::move(reason)};
-    if (m_records.size() < memory)
+    if (m_records.size() < mostRecords)
         m_records.try_emplace({request.origin, request.number}, Record{request, answer});
     return answer;
 }
@@ -40,7 +40,7 @@ InjectionAnswer ContrastInjector::request(const InjectionRequest& request, Stead
 {
     if (const auto answer = known(request.origin, request.number))
         return *answer;
-    if (m_records.size() >= memory)
+    if (m_records.size() >= mostRecords)
         return refuse(request, "the memory of injections is full; restart the robot's program");
     if (auto reason = whyNot(request, running(), m_remaining); !reason.empty())
         return refuse(request, std::move(reason));

@@ -14,7 +14,7 @@ namespace liena::tools {
 
 namespace {
 
-constexpr auto footer =
+constexpr auto auditFooter =
     "An audit file has one JSON object per line. Each ends with a hash: SHA-256 over the hash of the line before (64 zeros before the\n"
     "first) and the line's own text up to and without ,\"hash\":\"... So the first line that was changed, removed, inserted or moved is\n"
     "found and named. FILE.head beside it keeps the number of entries and the newest hash, by which entries cut off at the end are\n"
@@ -63,7 +63,7 @@ void addAuditCommand(CLI::App& app, int& exitCode)
     audit->require_subcommand(1);
     audit->footer("`liena audit verify --help` says what can be noticed, and what cannot.");
     auto* command = audit->add_subcommand("verify", "Say whether an audit file is whole, and name the first line that is wrong");
-    command->footer(footer);
+    command->footer(auditFooter);
     const auto file = std::make_shared<std::string>();
     const auto expected = std::make_shared<std::string>();
     command->add_option("FILE", *file, "The audit file; a device may be writing it")->required();

@@ -3,6 +3,7 @@
 
 #include "bench_run.hpp"
 #include "latency_plot.hpp"
+#include "refusal.hpp"
 #include "report_file.hpp"
 
 #include <liena/log.hpp>
@@ -36,11 +37,10 @@ struct BenchOptions {
     std::string svg;
 };
 
-constexpr int failed = 1;
 constexpr int caution = 3;
 constexpr int noGo = 4;
 
-constexpr auto footer =
+constexpr auto benchFooter =
     "Three ways:\n"
     "  (no flag)  takes the place of A, with A's certificate, and opens a session with the running device B. For before a procedure:\n"
     "             A's own program must not run, here or elsewhere; other devices that are linked to A may open sessions with it. All are\n"
@@ -61,12 +61,6 @@ constexpr auto footer =
     "  liena bench --topology t.xml --from cockpit --to robot --live --seconds 20 --json | jq .verdict\n"
     "  liena bench --topology topologies/cerebrovascular.xml --from cockpit --to robot --local\n\n"
     "Exit codes: 0 go, 3 caution, 4 no-go, 1 no verdict (what failed is said), 2 wrong use of the command line.";
-
-int refuse(const std::string& what)
-{
-    fmt::print(stderr, "liena bench: {}\n", what);
-    return failed;
-}
 
 /// What the user names goes before what the profile says.
 Result<LineProfile> loadFor(const BenchOptions& options)
@@ -171,26 +165,27 @@ int bench(BenchOptions& options)
 {
     const auto subjects = subjectsOf(options);
     if (!subjects)
-        return refuse(subjects.error().what);
+        return refuse("bench", subjects.error().what);
     const auto profile = loadFor(options);
     if (!profile)
-        return refuse(profile.error().what);
+        return refuse("bench", profile.error().what);
     const auto measured = measure(options, subjects.value(), profile.value());
     if (!measured)
-        return refuse(measured.error().what);
+        return refuse("bench", measured.error().what);
     const auto& measurement = measured.value();
     if (!measurement.failure.empty())
-        return refuse(fmt::format("{}{}", measurement.failure,
+        return refuse("bench",
+                      fmt::format("{}{}", measurement.failure,
                                   measurement.phases.empty() ? "" : fmt::format("; it got as far as {}", measurement.phases.back().name)));
     const auto verdict = judge(measurement, profile.value());
     const BenchSubject subject{subjects.value().topology.name(), subjects.value().from.name, subjects.value().to.name, wayOf(options)};
     const auto report = options.json ? benchJson(subject, profile.value(), verdict, measurement) + "\n"
                                      : benchText(subject, profile.value(), verdict, measurement);
     if (const auto printed = printReport(report); !printed)
-        return refuse(printed.error().what);
+        return refuse("bench", printed.error().what);
     if (!options.svg.empty())
         if (const auto drawn = writeReport(options.svg, latencyPlot(subject, profile.value(), verdict, measurement)); !drawn)
-            return refuse(drawn.error().what);
+            return refuse("bench", drawn.error().what);
     return verdict.verdict == Verdict::Go ? 0 : verdict.verdict == Verdict::Caution ? caution : noGo;
 }
 
@@ -215,7 +210,7 @@ void addBenchCommand(CLI::App& app, int& exitCode)
     const auto options = std::make_shared<BenchOptions>();
     options->settings.registry = {"resources/devices"};
     auto* command = app.add_subcommand("bench", "Measure the line between two devices, and say whether it is good enough");
-    command->footer(footer);
+    command->footer(benchFooter);
     command->add_option("--topology", options->settings.topology, "The topology file")->required();
     command->add_option("--from", options->settings.device, "Device A of this computer: its name or id in the topology")->required();
     command->add_option("--to", options->to, "Device B, to which commands and images are sent")->required();

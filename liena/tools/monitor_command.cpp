@@ -35,7 +35,7 @@ struct MonitorOptions {
     bool once = false;
 };
 
-constexpr auto footer =
+constexpr auto monitorFooter =
     "Every liena-device and console offers its status on a local socket in its user's run-time folder, readable by that user alone. The\n"
     "monitor only listens: it takes no part in the system, holds no link, sends nothing, and a device does not wait for it.\n\n"
     "LATENCY is the median of the last 200 ms, from the peer's clock to ours, with its uncertainty: half the least delay seen. A link\n"
@@ -210,7 +210,7 @@ void addMonitorCommand(CLI::App& app, int& exitCode)
     const auto options = std::make_shared<MonitorOptions>();
     auto* command =
         app.add_subcommand("monitor", "Watch the sessions of this computer's devices: states, rates, latency, drops, incidents");
-    command->footer(footer);
+    command->footer(monitorFooter);
     command->add_option("DEVICE", options->devices, "Only these, by name or id as 0x40018208");
     command->add_option("--folder", options->folder, "Where the devices' sockets are")->capture_default_str();
     command->add_flag("--json", options->json, "One JSON object per device and second, as the devices write it");

@@ -1,5 +1,6 @@
 // What a site does with certificates: init, issue, show; revoking is in revoke_command.cpp.
 #include "pki_command.hpp"
+#include "refusal.hpp"
 #include "revoke_command.hpp"
 
 #include "liena/certificates.hpp"
@@ -41,19 +42,13 @@ struct NamedDevice {
     DeviceId id;
 };
 
-int refuse(const std::string& what)
-{
-    fmt::print(stderr, "liena pki: {}\n", what);
-    return 1;
-}
-
 std::chrono::hours hoursOf(int days) { return std::chrono::hours(24) * days; }
 
 int init(const InitOptions& options)
 {
     const auto authority = CertificateAuthority::create(options.folder, options.site, hoursOf(options.days));
     if (!authority)
-        return refuse(authority.error().what);
+        return refuse("pki", authority.error().what);
     fmt::print("{0}/ca.crt  give this to every device\n{0}/ca.key  keep this where certificates are issued, and nowhere else\n",
                options.folder);
     return 0;
@@ -100,17 +95,17 @@ int issue(const IssueOptions& options)
 {
     const auto devices = devicesOf(options);
     if (!devices)
-        return refuse(devices.error().what);
+        return refuse("pki", devices.error().what);
     const auto authority = CertificateAuthority::open(options.folder);
     if (!authority)
-        return refuse(authority.error().what + remedyFor(options.folder));
+        return refuse("pki", authority.error().what + remedyFor(options.folder));
     if (const auto free = requireFree(options.folder, devices.value(), options.replace); !free)
-        return refuse(free.error().what);
+        return refuse("pki", free.error().what);
     for (const auto& device : devices.value()) {
         const auto former = options.replace ? authority.value().issuedSerial(options.folder + "/" + device.name + ".crt")
                                             : Result<std::string>(fail(Errc::FileUnreadable, ""));
         if (const auto issued = authority.value().issue(device.id, device.name, hoursOf(options.days), options.replace); !issued)
-            return refuse(issued.error().what);
+            return refuse("pki", issued.error().what);
         fmt::print("{0}/{1}.crt {0}/{1}.key  {2} {1}\n", options.folder, device.name, device.id.toString());
         if (former)
             fmt::print("  the certificate it replaces stays good until its end; if its key may be in other hands:\n"
@@ -167,7 +162,7 @@ bool show(const std::string& file)
     if (const auto list = described ? Result<RevocationListInfo>(fail(Errc::CertificateInvalid, "")) : describeRevocations(file))
         return showList(file, list.value());
     if (!described) {
-        refuse(described.error().what);
+        refuse("pki", described.error().what);
         return false;
     }
     const auto& info = described.value();

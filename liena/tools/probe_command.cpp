@@ -1,6 +1,8 @@
 // Asks for the probe's steps and prints them.
 #include "probe_command.hpp"
 
+#include "refusal.hpp"
+
 #include <liena/json_line.hpp>
 #include <liena/log.hpp>
 #include <liena/probe.hpp>
@@ -26,7 +28,7 @@ struct ProbeOptions {
     bool json = false;
 };
 
-constexpr auto footer =
+constexpr auto probeFooter =
     "Each step is a line: own-files (certificate, key, authority of this computer), name (of the host), route, port, tls, identity (is it\n"
     "the device that was meant), certificate (its end), revocation, acceptance (does it let this computer in). Steps that need a failed\n"
     "one are skipped. The probe ends before a session could begin: a device is not disturbed by it, also in the middle of a procedure.\n\n"
@@ -36,12 +38,6 @@ constexpr auto footer =
     "  liena probe robot --topology t.xml --device cockpit --pki pki          the same, by the names in the authority's folder\n"
     "  liena probe xray --topology t.xml --device cockpit --pki pki --json\n\n"
     "Exit codes: 0 every step is ok, 1 a step failed, 2 wrong use of the command line.";
-
-int refuse(const std::string& what)
-{
-    fmt::print(stderr, "liena probe: {}\n", what);
-    return 1;
-}
 
 void print(const ProbeOptions& options, const std::vector<ProbeStep>& steps)
 {
@@ -76,18 +72,18 @@ int probe(ProbeOptions& options)
 {
     const auto topology = SystemTopology::load(options.topology);
     if (!topology)
-        return refuse(topology.error().what);
+        return refuse("probe", topology.error().what);
     const auto self = topology.value().device(options.self);
     if (!self)
-        return refuse(self.error().what);
+        return refuse("probe", self.error().what);
     const auto target = topology.value().device(options.target);
     if (!target)
-        return refuse(target.error().what);
+        return refuse("probe", target.error().what);
     if (topology.value().link(self.value().id, target.value().id) == nullptr)
         return refuse(
-            fmt::format("topology {} has no link between {} and {}: they never open a session; add a link, or probe from a device "
-                        "that has one",
-                        topology.value().name(), self.value().name, target.value().name));
+            "probe", fmt::format("topology {} has no link between {} and {}: they never open a session; add a link, or probe from a device "
+                                 "that has one",
+                                 topology.value().name(), self.value().name, target.value().name));
     auto& request = options.request;
     request.target = target.value();
     request.self = self.value().id;
@@ -123,7 +119,7 @@ void addProbeCommand(CLI::App& app, int& exitCode)
     const auto options = std::make_shared<ProbeOptions>();
     const auto folder = std::make_shared<std::string>();
     auto* command = app.add_subcommand("probe", "Say what stands between this computer and a device, in plain words");
-    command->footer(footer);
+    command->footer(probeFooter);
     command->add_option("TARGET", options->target, "The device to reach: its name or id in the topology")->required();
     command->add_option("--topology", options->topology, "The topology file")->required();
     command->add_option("--device", options->self, "The device of this computer: its name or id in the topology")->required();

@@ -1,6 +1,8 @@
 // From devices, files and serial numbers to a new revocation list.
 #include "revoke_command.hpp"
 
+#include "refusal.hpp"
+
 #include "liena/certificates.hpp"
 #include "liena/log.hpp"
 
@@ -28,7 +30,7 @@ struct RevokeOptions {
     bool renew = false;
 };
 
-constexpr auto footer =
+constexpr auto revokeFooter =
     "NAME is a device whose NAME.crt is in the authority's folder; name the certificate itself with --certificate or --serial when\n"
     "it is not there any more. The list is DIR/ca.crl. Copy it to every device, beside its ca.crt: running programs read it at\n"
     "their next handshake, and no restart is needed. A session that is open stays open: close it at one of its devices.\n\n"
@@ -38,12 +40,6 @@ constexpr auto footer =
     "  liena pki revoke --dir pki xray --reason key-compromise\n"
     "  liena pki issue  --dir pki --device xray --id 0x20010208 --replace     a new key and certificate for it\n"
     "  liena pki revoke --dir pki --serial 5A0C...E1 --reason superseded";
-
-int refuse(const std::string& what)
-{
-    fmt::print(stderr, "liena pki revoke: {}\n", what);
-    return 1;
-}
 
 /// All or none: what cannot be revoked is found before the list is written.
 Result<std::vector<std::string>> serialsOf(const CertificateAuthority& authority, const RevokeOptions& options)
@@ -68,13 +64,13 @@ int revoke(const RevokeOptions& options)
 {
     const auto authority = CertificateAuthority::open(options.folder);
     if (!authority)
-        return refuse(authority.error().what);
+        return refuse("pki revoke", authority.error().what);
     const auto serials = serialsOf(authority.value(), options);
     if (!serials)
-        return refuse(serials.error().what);
+        return refuse("pki revoke", serials.error().what);
     const auto list = authority.value().revoke(serials.value(), options.reason, std::chrono::hours(24) * options.days);
     if (!list)
-        return refuse(list.error().what);
+        return refuse("pki revoke", list.error().what);
     const auto& made = list.value();
     fmt::print("{}/ca.crl  number {}, {} revoked, good until {:%Y-%m-%d %H:%M} UTC\n", options.folder, made.number, made.revoked.size(),
                fmt::gmtime(std::chrono::system_clock::to_time_t(made.ends)));
@@ -90,7 +86,7 @@ void addRevokeCommand(CLI::App& pki, int& exitCode)
 {
     const auto options = std::make_shared<RevokeOptions>();
     auto* command = pki.add_subcommand("revoke", "Take certificates back before their end, or renew the list of those");
-    command->footer(footer);
+    command->footer(revokeFooter);
     command->add_option("--dir", options->folder, "The authority's folder")->required();
     command->add_option("NAME", options->names, "Devices whose certificates are to be revoked");
     command->add_option("--certificate", options->files, "A certificate's file; may be repeated");

@@ -1,6 +1,8 @@
 // Lists, compares and accepts message sets.
 #include "sets_command.hpp"
 
+#include "refusal.hpp"
+
 #include "liena/known_sets.hpp"
 #include "liena/log.hpp"
 
@@ -21,12 +23,6 @@ struct Places {
     std::vector<std::filesystem::path> registry{"resources/devices"};
     std::filesystem::path store = defaultSetStore();
 };
-
-int refuse(const std::string& what)
-{
-    fmt::print(stderr, "liena sets: {}\n", what);
-    return 1;
-}
 
 std::string_view wordOf(SetSource source)
 {
@@ -50,7 +46,7 @@ int list(const Places& places)
 {
     const auto known = knownSets(places.registry, places.store);
     if (!known)
-        return refuse(known.error().what);
+        return refuse("sets", known.error().what);
     fmt::print("{:<12}{:<11}{:<14}{}\n", "TYPE", "SOURCE", "SHA-256", "SET");
     for (const auto& one : known.value())
         fmt::print("{:<12}{:<11}{:<14}{}\n", one.type.toString(), wordOf(one.source), one.hash.toHex().substr(0, 12), titleOf(one));
@@ -69,10 +65,10 @@ int diff(const std::string& before, const std::string& now)
 {
     const auto one = MessageSet::load(before);
     if (!one)
-        return refuse(one.error().what);
+        return refuse("sets", one.error().what);
     const auto other = MessageSet::load(now);
     if (!other)
-        return refuse(other.error().what);
+        return refuse("sets", other.error().what);
     printChanges(describeChanges(*one.value(), *other.value()));
     return 0;
 }
@@ -80,13 +76,13 @@ int diff(const std::string& before, const std::string& now)
 int accept(const Places& places, const std::string& file, bool sure)
 {
     if (places.store.empty())
-        return refuse("there is no folder for state: set HOME, or name one with --store");
+        return refuse("sets", "there is no folder for state: set HOME, or name one with --store");
     const auto set = MessageSet::load(file);
     if (!set)
-        return refuse(set.error().what);
+        return refuse("sets", set.error().what);
     const auto known = knownSets(places.registry, places.store);
     if (!known)
-        return refuse(known.error().what);
+        return refuse("sets", known.error().what);
     const auto type = set.value()->deviceType();
     const auto held =
         std::find_if(known.value().begin(), known.value().end(), [&](const KnownSet& candidate) { return candidate.type == type; });
@@ -105,7 +101,7 @@ int accept(const Places& places, const std::string& file, bool sure)
         return 1;
     }
     if (auto accepted = acceptSet(places.store, *set.value()); !accepted)
-        return refuse(accepted.error().what);
+        return refuse("sets", accepted.error().what);
     fmt::print("Accepted: devices of type {} may show {} {} and no other. Sessions that are open go on as they are.\n", type.toString(),
                set.value()->name(), set.value()->hash().toHex().substr(0, 12));
     return 0;

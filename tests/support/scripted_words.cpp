@@ -11,7 +11,7 @@ using namespace wire;
 
 namespace {
 
-constexpr std::size_t remembered = 2000;
+constexpr std::size_t rememberedPackets = 2000;
 
 } // namespace
 
@@ -98,7 +98,7 @@ Bytes ScriptedPeer::sealNext(const Bytes& datagram)
 {
     auto packet = sealed(m_sealKey, m_token, ++m_packet, datagram);
     m_sentPackets.push_back(packet);
-    if (m_sentPackets.size() > remembered)
+    if (m_sentPackets.size() > rememberedPackets)
         m_sentPackets.pop_front();
     return packet;
 }

@@ -33,7 +33,7 @@ Result<std::string> textOf(BIO* bio)
     return std::string(data, static_cast<std::size_t>(size));
 }
 
-auto invalid(const std::filesystem::path& file, std::string_view reason)
+auto invalidPem(const std::filesystem::path& file, std::string_view reason)
 {
     return fail(Errc::CertificateInvalid, fmt::format("{}: {}", file.string(), reason));
 }
@@ -50,15 +50,15 @@ Result<std::vector<CertificatePtr>> readCertificates(const std::filesystem::path
     bool asked = false;
     while (CertificatePtr certificate{PEM_read_bio_X509(bio.get(), nullptr, noPassphrase, &asked)}) {
         if (certificates.size() == mostCertificates)
-            return invalid(file, "holds more than 16 certificates; keep only those of this site");
+            return invalidPem(file, "holds more than 16 certificates; keep only those of this site");
         certificates.push_back(std::move(certificate));
     }
     const bool ended = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
     const auto reason = takeOpensslReason();
     if (certificates.empty() && ended)
-        return invalid(file, "holds no certificate; expected is PEM text with a line -----BEGIN CERTIFICATE-----");
+        return invalidPem(file, "holds no certificate; expected is PEM text with a line -----BEGIN CERTIFICATE-----");
     if (!ended)
-        return invalid(file, fmt::format("holds a damaged certificate ({}); copy or issue it again", reason));
+        return invalidPem(file, fmt::format("holds a damaged certificate ({}); copy or issue it again", reason));
     return certificates;
 }
 
@@ -73,10 +73,10 @@ Result<KeyPtr> readKey(const std::filesystem::path& file)
     OPENSSL_cleanse(text.value().data(), text.value().size());
     const auto reason = takeOpensslReason();
     if (asked)
-        return invalid(file, "the key is encrypted, and a device that starts by itself cannot be asked for a passphrase; "
-                             "use a key without one, readable by its owner only");
+        return invalidPem(file, "the key is encrypted, and a device that starts by itself cannot be asked for a passphrase; "
+                                "use a key without one, readable by its owner only");
     if (!key)
-        return invalid(file, fmt::format("holds no private key in PEM form ({}); issue it again", reason));
+        return invalidPem(file, fmt::format("holds no private key in PEM form ({}); issue it again", reason));
     return key;
 }
 

@@ -25,7 +25,7 @@ constexpr int weakestDigest = 32; // bytes: SHA-256
 
 using NumberPtr = std::unique_ptr<ASN1_INTEGER, Released<ASN1_INTEGER_free>>;
 
-auto invalid(const std::filesystem::path& file, std::string_view reason)
+auto invalidList(const std::filesystem::path& file, std::string_view reason)
 {
     return fail(Errc::CertificateInvalid, fmt::format("the revocation list {} {}", file.string(), reason));
 }
@@ -78,15 +78,16 @@ Result<void> requireSound(X509_CRL* list, const std::filesystem::path& file, con
     const auto signer =
         std::find_if(authorities.begin(), authorities.end(), [&](const CertificatePtr& one) { return isSignedBy(list, one.get()); });
     if (signer == authorities.end())
-        return invalid(file, fmt::format("is not signed by the site's authority (it says \"{}\"); copy ca.crl from where certificates are "
-                                         "issued",
-                                         printable(nameText(X509_CRL_get_issuer(list)))));
+        return invalidList(file,
+                           fmt::format("is not signed by the site's authority (it says \"{}\"); copy ca.crl from where certificates are "
+                                       "issued",
+                                       printable(nameText(X509_CRL_get_issuer(list)))));
     if (!isStrong(list))
-        return invalid(file, "is signed with a weak digest; make it again with `liena pki revoke --renew`");
+        return invalidList(file, "is signed with a weak digest; make it again with `liena pki revoke --renew`");
     if (X509_CRL_get0_nextUpdate(list) == nullptr || !numberOf(list))
-        return invalid(file, "has no number or no end; make it again with `liena pki revoke --renew`");
+        return invalidList(file, "has no number or no end; make it again with `liena pki revoke --renew`");
     if (isRestricted(list))
-        return invalid(file, "is only a part of a list, or restricted in a way that is not understood; a whole one is needed");
+        return invalidList(file, "is only a part of a list, or restricted in a way that is not understood; a whole one is needed");
     return ok();
 }
 
@@ -117,16 +118,16 @@ Result<std::vector<RevocationListPtr>> readLists(const std::string& pem, const s
     ERR_clear_error();
     while (RevocationListPtr list{PEM_read_bio_X509_CRL(bio.get(), nullptr, nullptr, nullptr)}) {
         if (lists.size() == mostLists)
-            return invalid(file, "holds more than 16 lists; keep only those of this site");
+            return invalidList(file, "holds more than 16 lists; keep only those of this site");
         lists.push_back(std::move(list));
     }
     const bool ended = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
     const auto reason = takeOpensslReason();
     if (!ended)
-        return invalid(file, fmt::format("is damaged ({}); copy it again from where certificates are issued", reason));
+        return invalidList(file, fmt::format("is damaged ({}); copy it again from where certificates are issued", reason));
     if (lists.empty())
-        return invalid(file, "holds no list; expected is PEM text with a line -----BEGIN X509 CRL-----. Copy ca.crl again from where "
-                             "certificates are issued");
+        return invalidList(file, "holds no list; expected is PEM text with a line -----BEGIN X509 CRL-----. Copy ca.crl again from where "
+                                 "certificates are issued");
     return lists;
 }
 
@@ -163,7 +164,7 @@ Result<RevocationList> RevocationList::parse(const std::string& pem, const std::
             return sound.as_failure();
         const auto twice = [&](const RevocationListPtr& other) { return sameIssuer(list.get(), other.get()); };
         if (std::any_of(all.m_lists.begin(), all.m_lists.end(), twice))
-            return invalid(file, "holds two lists of the same authority; keep the newer one");
+            return invalidList(file, "holds two lists of the same authority; keep the newer one");
         all.m_lists.push_back(std::move(list));
     }
     return all;
@@ -183,14 +184,14 @@ Result<void> RevocationList::requireCurrent(Time now) const
     for (const auto& list : m_lists) {
         const auto ends = timeOf(X509_CRL_get0_nextUpdate(list.get()));
         if (now >= ends)
-            return invalid(m_file,
-                           fmt::format("ended on {}; run `liena pki revoke --dir PKI --renew` where certificates are issued, and copy "
-                                       "ca.crl to every device",
-                                       dateText(ends)));
+            return invalidList(m_file,
+                               fmt::format("ended on {}; run `liena pki revoke --dir PKI --renew` where certificates are issued, and copy "
+                                           "ca.crl to every device",
+                                           dateText(ends)));
         const auto begins = timeOf(X509_CRL_get0_lastUpdate(list.get()));
         if (now + clockTolerance < begins)
-            return invalid(m_file,
-                           fmt::format("begins on {}, and this computer's clock says {}; set the clock", dateText(begins), dateText(now)));
+            return invalidList(
+                m_file, fmt::format("begins on {}, and this computer's clock says {}; set the clock", dateText(begins), dateText(now)));
     }
     return ok();
 }

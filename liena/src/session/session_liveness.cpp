@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto rejectedWait = 200ms; ///< a side that loses lane 0 in a dialogue waits that long for a Rejected (ruling A5)
-constexpr auto rejectedGrace = 100ms;
+constexpr auto partingGrace = 100ms; ///< between telling of the stand-by and closing
 
 } // namespace
 
@@ -285,7 +285,7 @@ void SessionMachine::enterStandBy(LossCause cause, const std::string& detail)
     m_guard.raiseEpoch(m_now.mono);
     m_incident = m_token;
     emit(DiscardAll{});
-    closeLanes(rejectedGrace);
+    closeLanes(partingGrace);
     enter(SessionState::StandBy);
     emit(SessionLost{m_incident, diagnosis});
 }

@@ -23,17 +23,17 @@ constexpr std::uint32_t largestImageInUse = 2U << 20U; // copied in a third of a
 /// Repeated beyond what a VPN's compressor looks back, since this is the network thread and megabytes of it would take milliseconds.
 std::vector<std::byte> noise(std::size_t size)
 {
-    constexpr std::size_t period = 65537;
+    constexpr std::size_t repeated = 65537;
     std::vector<std::byte> bytes(size);
     std::uint64_t state = 0x9E3779B97F4A7C15ULL; // xorshift64 (Marsaglia 2003)
-    for (std::size_t at = 0; at < std::min(size, period); ++at) {
+    for (std::size_t at = 0; at < std::min(size, repeated); ++at) {
         state ^= state << 13U;
         state ^= state >> 7U;
         state ^= state << 17U;
         bytes[at] = static_cast<std::byte>(state >> 32U);
     }
-    for (std::size_t at = period; at < size; at += period)
-        std::memcpy(bytes.data() + at, bytes.data(), std::min(period, size - at));
+    for (std::size_t at = repeated; at < size; at += repeated)
+        std::memcpy(bytes.data() + at, bytes.data(), std::min(repeated, size - at));
     return bytes;
 }
 

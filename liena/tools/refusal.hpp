@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace liena::tools {
+
+/// Says on stderr why `command` ("pki revoke") did not do what it was asked for, and gives the status that the program ends with: 1.
+inline int refuse(std::string_view command, std::string_view what)
+{
+    fmt::print(stderr, "liena {}: {}\n", command, what);
+    return 1;
+}
+
+} // namespace liena::tools
