@@ -1,8 +1,9 @@
+// How a command says that it cannot.
 #pragma once
 
-#include <string_view>
-
 #include <fmt/format.h>
+
+#include <string_view>
 
 namespace liena::tools {
 

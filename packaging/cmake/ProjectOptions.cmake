@@ -12,7 +12,7 @@ if(LIENA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${LIENA_CCACHE}")
 endif()
 
-# Several files at a time take half as long as one by one. What a file changes is then compiled with its neighbours; so a folder in which
+# Several files at a time are compiled sooner than one by one. What a file changes is then compiled with its neighbours; so a folder in which
 # somebody works is better without.
 option(LIENA_UNITY_BUILD "Compile several source files at a time" OFF)
 set(CMAKE_UNITY_BUILD ${LIENA_UNITY_BUILD})
