@@ -25,6 +25,7 @@ constexpr double used = 0.7;                 // of the rate: less delivered prov
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
 constexpr double allThatIsSent = 0.95;       // nearly
 constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
+constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
 constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
@@ -156,7 +157,7 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
     if (!hasWaited(facts))
         return false;
     const double underWay = static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged); // that counts the SYN
-    return underWay > mayBeUnderWay(facts, now) + 1.25 * static_cast<double>(smallestSegment);
+    return underWay > mayBeUnderWay(facts, now) + 1.25 * static_cast<double>(segment());
 }
 
 /// Without a queue: what a round trip carries. On a long path that was delivered a round trip ago, and a connection that has just begun
@@ -232,11 +233,12 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, In
         m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
+    m_doubted = !again && delivered < m_rate * doubtful && facts.leastRoundTrip < longWay;
     m_ceiling = std::clamp(delivered, least, most);
     m_rate = std::clamp(std::min(m_rate, delivered) * margin, least, most);
     m_draining = true;
     m_step = gentle;
-    m_nextStep = now + pauseBetweenSteps();
+    m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     m_confirmed =
         again && pauseBetweenSteps() > gentlePause ? std::optional(now + std::max<Nanoseconds>(passed - climb, 0s)) : std::nullopt;
@@ -255,6 +257,8 @@ void PathRate::shift(double bytesPerSecond)
 void PathRate::grow(Instant now)
 {
     m_proven = std::max(m_proven, m_rate);
+    if (m_doubted)
+        return growInDoubt(now);
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
         m_rate = std::min(m_rate * quickest, m_ceiling ? *m_ceiling * margin : most);
         return;
@@ -270,6 +274,20 @@ void PathRate::grow(Instant now)
     if (m_rate > *m_ceiling && !m_confirmed)
         m_step = std::min(1 + (m_step - 1) * bolder, boldest);
     m_nextStep = m_step < boldest || pause > gentlePause ? now + pause : now;
+}
+
+/// A processor that stands still for some milliseconds looks like a path that carries a tenth. One that does shows its queue again within a
+/// step or two.
+void PathRate::growInDoubt(Instant now)
+{
+    if (now < m_nextStep)
+        return;
+    m_rate = std::min(m_rate * quickest, most);
+    m_nextStep = now + std::max<Nanoseconds>(shortestWindow, timeToNotice());
+    if (m_rate > *m_ceiling * refuted) {
+        m_ceiling.reset();
+        m_doubted = false;
+    }
 }
 
 PathRate::Nanoseconds PathRate::timeToNotice() const

@@ -136,12 +136,14 @@ private:
     void meetQueue(const transport::PathFacts& facts, double delivered, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
     void grow(Instant now);
+    void growInDoubt(Instant now);
 
     std::shared_ptr<FairShare> m_share;
     Nanoseconds m_waiting{};
     double m_rate = first;
     std::optional<double> m_limit;
     std::optional<double> m_ceiling; ///< delivered when a queue was met last
+    bool m_doubted = false;          ///< the rate fell so deep at once that the ceiling is to be met again, soon
     double m_delivered = 0;          ///< bytes per second, of late
     bool m_draining = false;
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now

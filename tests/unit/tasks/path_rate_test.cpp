@@ -422,15 +422,43 @@ private slots:
         QVERIFY2(path.rate.rate() > 30e3 / 0.066, qPrintable(QString::number(path.rate.rate())));
     }
 
+    void isBackSoonAfterAMomentWithoutAnyDelivery_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("stalled");
+        QTest::addColumn<int>("after");
+        for (const auto& [stalled, after] : std::initializer_list<std::pair<int, int>>{{3, 100}, {5, 100}, {10, 500}, {20, 500}}) {
+            QTest::addRow("1 Gbit/s, %d ms", stalled) << gigabit << stalled << after;
+            QTest::addRow("400 Mbit/s, %d ms", stalled) << 0.4 * gigabit << stalled << after;
+        }
+    }
+
+    /// A processor that stands still looks like a path that carries nothing. Frames thirty times a second must not suffer for long.
     void isBackSoonAfterAMomentWithoutAnyDelivery()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, stalled);
+        QFETCH(int, after);
+        Path path(capacity, 200us);
+        path.run(4s);
+        path.stalled = true;
+        path.run(std::chrono::milliseconds(stalled));
+        path.stalled = false;
+        path.run(std::chrono::milliseconds(after));
+        QVERIFY2(path.rate.rate() > 0.85 * capacity, qPrintable(QString::number(path.rate.rate() / capacity)));
+    }
+
+    void looksOnceMoreWhetherAPathHasReallyFallen()
     {
         Path path(gigabit, 200us);
         path.run(4s);
-        path.stalled = true;
-        path.run(20ms);
-        path.stalled = false;
-        path.run(500ms);
-        QVERIFY2(path.rate.rate() > 0.85 * gigabit, qPrintable(QString::number(path.rate.rate() / gigabit)));
+        path.capacity = 0.1 * gigabit;
+        path.run(200ms); // what the fall itself left is gone
+        path.forget();
+        path.run(10s);
+        QVERIFY2(path.longestWait < 3ms, millisecondsOf(path.longestWait, "ms").constData());
+        QVERIFY2(path.late < 100ms, millisecondsOf(path.late, "ms late").constData());
+        QVERIFY2(path.rate.rate() > 0.08 * gigabit, qPrintable(QString::number(path.rate.rate() / gigabit)));
     }
 
     void doesNotGrowWhenTheReceiverIsTheLimit()
