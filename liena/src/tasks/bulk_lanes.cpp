@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto connectLimit = 1s;
 constexpr auto retryDelay = 50ms;
-constexpr std::size_t segment = 16384;
+constexpr std::size_t segment = 16384 - protocol::headerSize; // and its header: one TLS record
 constexpr std::size_t batch = 65536;
 
 } // namespace

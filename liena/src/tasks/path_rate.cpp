@@ -39,7 +39,7 @@ constexpr double noticing = 12;              // such pieces, until the smoothed 
 constexpr double usual = 0.0002;             // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 constexpr std::size_t smallestSegment = 4096;
-constexpr std::size_t largestSegment = 16384;
+constexpr std::size_t largestSegment = 16364; // and its header: one TLS record
 
 double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
 

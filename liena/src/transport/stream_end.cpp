@@ -266,7 +266,7 @@ void StreamEnd::limitBursts(std::size_t bytes)
         return;
     m_burst = bytes;
     if (m_tls != nullptr && bytes != 0)
-        SSL_set_max_send_fragment(m_tls.get(), static_cast<long>(bytes));
+        SSL_set_max_send_fragment(m_tls.get(), static_cast<long>(std::min<std::size_t>(bytes, SSL3_RT_MAX_PLAIN_LENGTH)));
     m_wire.burst = m_tls != nullptr && bytes != 0 ? bytes + recordOverhead : bytes;
 }
 
