@@ -32,7 +32,7 @@ int measureAll(const ScaleOptions& options, const std::string& json)
         std::cerr << scaleTable({rows.back()}, options) << std::flush; // a long run shows where it is
     }
     std::cout << scaleTable(rows, options);
-    if (!json.empty() && !(std::ofstream(json) << scaleJson(rows, options) << '\n')) {
+    if (!json.empty() && !(std::ofstream(json) << scaleJson(rows, options) << '\n' << std::flush)) {
         std::cerr << "scale_bench: cannot write " << json << '\n';
         return 1;
     }

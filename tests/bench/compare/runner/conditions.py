@@ -2,7 +2,8 @@
 from dataclasses import dataclass
 
 MIB = 1 << 20
-SEGMENT_BYTES = 16384  # of LiENa: what a command waits for at worst when it came while a frame leaves
+SEGMENT_BYTES = (4096, 16384)  # of LiENa, least and most: what a command waits for at worst when it came while a frame leaves
+SEGMENT_S = 0.0005  # of the path, in whole steps of the least: PathRate::segment()
 QUEUE_BYTES = 512 * 1024  # before the bottleneck, as in a small switch
 
 
@@ -13,8 +14,12 @@ class Link:
     delay_ms: int = 0  # each way
     frame_bytes: int = 2 * MIB
 
+    def segment_bytes(self):
+        least, most = SEGMENT_BYTES
+        return min(max(int(self.megabits * 125000 * SEGMENT_S) // least * least, least), most)
+
     def segment_us(self):
-        return SEGMENT_BYTES * 8 / self.megabits if self.megabits else 0.0
+        return self.segment_bytes() * 8 / self.megabits if self.megabits else 0.0
 
 
 @dataclass(frozen=True)

@@ -2,8 +2,9 @@
 from .conditions import COMMAND_RATE, FRAME_RATES, LINKS
 
 STALL_US = 500  # what a command may be later than on the idle link, beside the time of one segment
+LONG_STALL_US = 1500  # and one in a thousand
 FRAME_RATIO = 1.15
-HEAD = ("| | p50 | p99 | p99.9 | max | arrived / sent / due | limit of p99 | met | frame p50, ms | ÷ raw | frames arrived / sent |\n"
+HEAD = ("| | p50 | p99 | p99.9 | max | arrived / sent / due | limits of p99, p99.9 | met | frame p50, ms | ÷ raw | frames arrived / sent |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|")
 
 
@@ -15,10 +16,15 @@ def verdict(met):
     return "–" if met is None else ("yes" if met else "**no**")
 
 
-def limit_of(medians, link, idle_key, transport_key):
-    """Of p99 beside frames, in µs."""
+def limits_of(medians, link, idle_key, transport_key):
+    """Of p99 and p99.9 beside frames, in µs; both are reckoned from the idle link's p99."""
     idle = medians.of(idle_key, transport_key, "command_p99")
-    return None if idle is None else idle + link.segment_us() + STALL_US
+    return (None, None) if idle is None else tuple(idle + link.segment_us() + stall for stall in (STALL_US, LONG_STALL_US))
+
+
+def within(found, limits):
+    """Whether p99 and p99.9 are; None when something is not known."""
+    return None if None in (*found, *limits) else all(value <= limit for value, limit in zip(found, limits))
 
 
 def command_cells(of, due):
@@ -26,9 +32,9 @@ def command_cells(of, due):
     return [*(number(of("command_" + part)) for part in ("p50", "p99", "p999", "max")), counts]
 
 
-def frame_cells(of, limit, raw):
-    p99, frame = of("command_p99"), of("frame_p50")
-    return [number(limit), verdict(None if None in (p99, limit) else p99 <= limit), number(frame, 1000, 1),
+def frame_cells(of, limits, raw):
+    frame = of("frame_p50")
+    return [", ".join(map(number, limits)), verdict(within((of("command_p99"), of("command_p999")), limits)), number(frame, 1000, 1),
             number(frame / raw, 1, 2) if frame and raw else "–", f"{number(of('frame_count'))} / {number(of('frames_sent'))}"]
 
 
@@ -40,7 +46,7 @@ def row(medians, link_name, rate, transport, seconds):
 
     cells = command_cells(of, COMMAND_RATE * seconds)
     if rate:
-        cells += frame_cells(of, limit_of(medians, LINKS[link_name], idle_key, transport.key), medians.of(key, "raw", "frame_p50"))
+        cells += frame_cells(of, limits_of(medians, LINKS[link_name], idle_key, transport.key), medians.of(key, "raw", "frame_p50"))
     else:
         cells += ["–"] * 5
     return "| " + " | ".join([transport.title, *cells]) + " |"
@@ -53,15 +59,18 @@ def rows(medians, link_name, transports, seconds):
             kib = LINKS[link_name].frame_bytes // 1024
             yield (f"| *{rate} frames/s of {kib} KiB* |" if rate else "| *no frames* |") + " |" * 10
         for transport in transports:
-            if measured.get(transport.key):
+            if any(measured.get(transport.key, [])):
                 yield row(medians, link_name, rate, transport, seconds)
+            elif measured.get(transport.key):
+                yield f"| {transport.title} | did not come through |" + " |" * 9
 
 
 def explanation(medians, link_name):
     spread = medians.spread(f"load/{link_name}/0", "raw", "command_p99")
-    return (f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due. Limit: the same transport's p99 without "
-            f"frames, the time of a 16 KiB segment ({LINKS[link_name].segment_us():.0f} µs) and {STALL_US} µs. Frames: p50 in ms, and "
-            f"beside raw TCP's (target {FRAME_RATIO}). Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %.")
+    link = LINKS[link_name]
+    return (f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due. Limits: the same transport's p99 without "
+            f"frames, the time of a {link.segment_bytes() // 1024} KiB segment ({link.segment_us():.0f} µs), and {STALL_US} µs for p99, "
+            f"{LONG_STALL_US} µs for p99.9. Frames: p50 in ms, and beside raw TCP's (target {FRAME_RATIO}). Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %.")
 
 
 def sections(medians, transports, seconds):

@@ -27,7 +27,35 @@ class ReportTest(unittest.TestCase):
 
     def test_limit_adds_a_segment_and_the_stall(self):
         medians = report.Medians({"load/100m/0": {"liena": [{"command_p99": 100}]}})
-        self.assertAlmostEqual(load_table.limit_of(medians, conditions.LINKS["100m"], "load/100m/0", "liena"), 100 + 1310.72 + 500)
+        limits = load_table.limits_of(medians, conditions.LINKS["100m"], "load/100m/0", "liena")
+        self.assertAlmostEqual(limits[0], 100 + 327.68 + 500)
+        self.assertAlmostEqual(limits[1], 100 + 327.68 + 1500)
+
+    def test_segment_is_half_a_millisecond_of_the_link_within_bounds(self):
+        found = [conditions.Link("", megabits).segment_bytes() for megabits in (10, 100, 200, 400, 1000)]
+        self.assertEqual(found, [4096, 4096, 12288, 16384, 16384])
+
+    @staticmethod
+    def beside_frames(**liena):
+        own = {"command_p99": 900, "command_p999": 1500, "frame_p50": 20, "frame_count": 75, "frames_sent": 75} | liena
+        others = {"raw": [{"command_p99": 18000, "frame_p50": 18}], "cyclone": [{"command_p99": 1000, "frame_p50": 18}]}
+        return report.Medians({"load/1g/0": {"liena": [{"command_p99": 400}]}, "load/1g/15": {"liena": [own], **others}})
+
+    def test_load_is_judged_by_tail_peers_age_and_arrival(self):
+        def answers(medians):
+            return [line.split("|")[4].strip() for line in targets.load_lines(medians)]
+
+        self.assertEqual(answers(self.beside_frames()), ["yes"] * 4)
+        self.assertEqual(answers(self.beside_frames(command_p999=2100))[0], "**no**")
+        self.assertEqual(answers(self.beside_frames(command_p99=1010))[:2], ["yes", "**no**"])
+        self.assertEqual(answers(self.beside_frames(frame_p50=21))[2], "**no**")
+        self.assertEqual(answers(self.beside_frames(frame_count=70))[3], "**no**")
+
+    def test_a_failure_is_counted_as_not_met(self):
+        medians = self.beside_frames()
+        medians.results["load/1g/15"]["liena"] = [{}]
+        self.assertEqual([line.split("|")[3].strip() for line in targets.load_lines(medians)], ["0"] * 4)
+        self.assertIn("did not come through", "\n".join(load_table.rows(medians, "1g", transports.TRANSPORTS, 5)))
 
     def test_target_is_met_at_its_bound(self):
         at, above = (report.Medians({"roundtrip": {"liena": round_trips(value), "asio-tls": round_trips(100)}}) for value in (115, 116))
