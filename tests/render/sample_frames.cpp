@@ -106,7 +106,9 @@ std::shared_ptr<XrayFrame> frame(quint32 number, QSize size, int bits, PixelEnco
     made.ageAtArrival = std::chrono::milliseconds(20);
     auto values = storedValues(size, bits);
     const unsigned largest = (1U << static_cast<unsigned>(bits)) - 1U;
-    values.back() = static_cast<std::uint16_t>(values.back() ^ ((number - 1) & 7U & largest)); // no two pulses give the same picture
+    // No two pulses give the same picture; by little, since some tests hold one against another.
+    for (std::size_t place = 1, rest = number - 1; rest != 0; ++place, rest >>= 3U)
+        values.at(values.size() - place) = static_cast<std::uint16_t>(values.at(values.size() - place) ^ (rest & 7U & largest));
     return withBytes(made, encode(values, size, bits, encoding, quality));
 }
 

@@ -1,53 +1,16 @@
 // Tests of the live picture, pixel by pixel: what was sent is what is shown, and what is not live cannot look live.
-#include "imaging/frame_pipeline.hpp"
-#include "imaging/live_image_view.hpp"
-#include "imaging/pane_colours.hpp"
 #include "imaging/picture_overlay.hpp"
-#include "sample_frames.hpp"
+#include "live_pane.hpp"
 
 #include <turbojpeg.h>
 
-#include <QPainter>
 #include <QSignalSpy>
-#include <QtTest>
 
 using namespace console;
+using samples::frameSize;
+using samples::LivePane;
 
 namespace {
-
-constexpr QSize frameSize(640, 520);
-
-// A view under a clock that only the test moves, showing pictures that went through the whole pipeline.
-struct Pane {
-    Pane()
-    {
-        view.setClock([this] { return now; });
-        state.setLinkUp(true);
-        state.expect(15, now);
-        view.resize(frameSize + QSize(2 * hatchWidth, 2 * hatchWidth));
-        QObject::connect(&pipeline, &FramePipeline::pictureReady, &view, &LiveImageView::showPicture);
-        QObject::connect(&pipeline, &FramePipeline::pictureRefused, &view, &LiveImageView::showRefusal);
-        view.show();
-    }
-
-    // Sends a frame that arrives now, and waits until it is delivered.
-    bool send(const std::shared_ptr<XrayFrame>& frame)
-    {
-        frame->arrival = now;
-        const quint64 before = pipeline.counts().shown;
-        pipeline.showFrame(frame);
-        return QTest::qWaitFor([&] { return pipeline.counts().shown > before; });
-    }
-
-    bool send(quint32 number) { return send(samples::frame(number, frameSize, 12, PixelEncoding::Raw)); }
-
-    QImage grab() { return view.grab().toImage().convertToFormat(QImage::Format_RGB32); }
-
-    Instant now = std::chrono::steady_clock::now();
-    PictureState state;
-    LiveImageView view{state};
-    FramePipeline pipeline;
-};
 
 std::vector<std::uint16_t> decodedJpeg(const XrayFrame& frame)
 {
@@ -62,7 +25,7 @@ std::vector<std::uint16_t> decodedJpeg(const XrayFrame& frame)
 
 // Calls `check` with each pixel of the picture that no mark covers; returns how many there are.
 template <typename Check>
-int forEachPicturePixel(const Pane& pane, Check check)
+int forEachPicturePixel(const LivePane& pane, Check check)
 {
     const QRect area = pane.view.pictureRect();
     const QRegion picture = QRegion(area) - pane.view.overlayRegion();
@@ -81,35 +44,6 @@ int differingPixels(const QImage& a, const QImage& b, const QRect& area)
         for (int x = area.left(); x <= area.right(); ++x)
             differing += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
     return differing;
-}
-
-// A frame that the X-ray system has reduced; colours occur in the picture only where the reduction is told.
-std::shared_ptr<XrayFrame> reducedFrame(quint32 number, double rate, PixelEncoding encoding, int quality)
-{
-    auto frame = samples::frame(number, frameSize, 8, encoding, quality);
-    frame->rung = 5;
-    frame->rate = rate;
-    frame->askedRate = 15;
-    return frame;
-}
-
-// The pixels in the colour of caution, softened edges of letters among them.
-QRegion cautionPixels(const QImage& image)
-{
-    QRegion region;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            if (qBlue(image.pixel(x, y)) - qRed(image.pixel(x, y)) > 60)
-                region += QRect(x, y, 1, 1);
-    return region;
-}
-
-int pixelCount(const QRegion& region)
-{
-    int count = 0;
-    for (const QRect& part : region)
-        count += part.width() * part.height();
-    return count;
 }
 
 } // namespace
@@ -131,18 +65,8 @@ private Q_SLOTS:
     void showsNoScaleAndNoSidesWithoutGeometry();
     void showsHonestTextWithoutPicture();
     void showsRefusalUntilNextPicture();
-    void saysHowPictureIsReduced();
-    void saysReductionWithoutAlarmsColourWhereNothingIsLost();
-    void neverClipsNorCoversReduction_data();
-    void neverClipsNorCoversReduction();
-    void writesAgeLine_data();
-    void writesAgeLine();
-    void roundsUncertaintyUp();
     void tellsDelayOfFilterAsProcessing();
     void saysLiveOnlyOfWhatIsLive();
-    void saysHowItWasTreated();
-    void coversNoMarkWithAnother_data();
-    void coversNoMarkWithAnother();
 };
 
 void TestLiveImage::showsExactlyWhatWasSent_data()
@@ -175,7 +99,7 @@ void TestLiveImage::showsExactlyWhatWasSent()
     QFETCH(int, centre);
     QFETCH(int, width);
     QFETCH(bool, inverted);
-    Pane pane;
+    LivePane pane;
     const auto frame = samples::frame(1, frameSize, bits, static_cast<PixelEncoding>(encoding), quality);
     frame->windowCentre = centre;
     frame->windowWidth = width;
@@ -196,7 +120,7 @@ void TestLiveImage::showsExactlyWhatWasSent()
 
 void TestLiveImage::keepsTheShapeOfThePicture()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     pane.view.resize(900, 500);
     const QRect area = pane.view.pictureRect();
@@ -209,7 +133,7 @@ void TestLiveImage::keepsTheShapeOfThePicture()
 
 void TestLiveImage::tellsPaintedFrameAndAgeOnce()
 {
-    Pane pane;
+    LivePane pane;
     std::vector<std::optional<double>> ages;
     QObject::connect(&pane.view, &LiveImageView::picturePainted, &pane.view,
                      [&ages](quint32, std::optional<double> age) { ages.push_back(age); });
@@ -225,7 +149,7 @@ void TestLiveImage::tellsPaintedFrameAndAgeOnce()
 
 void TestLiveImage::movesLivenessMarkOnlyForNewFrame()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     const QImage first = pane.grab();
     const QRect mark = pane.view.livenessRect();
@@ -244,7 +168,7 @@ void TestLiveImage::movesLivenessMarkOnlyForNewFrame()
 
 void TestLiveImage::looksFrozenWhenPicturesStop()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     const QImage live = pane.grab();
     const QRegion liveMarks = pane.view.overlayRegion();
@@ -286,7 +210,7 @@ void TestLiveImage::looksFrozenWhenPicturesStop()
 
 void TestLiveImage::becomesFrozenWithoutAnyEvent()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     pane.grab();
     QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("live")));
@@ -296,7 +220,7 @@ void TestLiveImage::becomesFrozenWithoutAnyEvent()
 
 void TestLiveImage::countsFrozenSeconds()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     pane.grab();
     pane.now += std::chrono::seconds(1);
@@ -312,7 +236,7 @@ void TestLiveImage::countsFrozenSeconds()
 
 void TestLiveImage::tellsLastImageHoldFromFrozen()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     const QImage live = pane.grab();
     pane.now += std::chrono::seconds(1);
@@ -330,7 +254,7 @@ void TestLiveImage::tellsLastImageHoldFromFrozen()
 
 void TestLiveImage::saysWhenAgeIsUnknown()
 {
-    Pane pane;
+    LivePane pane;
     const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
     frame->ageAtArrival.reset();
     std::vector<std::optional<double>> ages;
@@ -344,7 +268,7 @@ void TestLiveImage::saysWhenAgeIsUnknown()
 
 void TestLiveImage::showsSourceOfEveryPicture()
 {
-    Pane pane;
+    LivePane pane;
     std::vector<QImage> shown;
     quint32 number = 1;
     for (const PictureSource source : {PictureSource::Live, PictureSource::Simulated, PictureSource::Recorded}) {
@@ -360,7 +284,7 @@ void TestLiveImage::showsSourceOfEveryPicture()
 
 void TestLiveImage::showsNoScaleAndNoSidesWithoutGeometry()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     const QImage known = pane.grab();
     const auto frame = samples::frame(2, frameSize, 12, PixelEncoding::Raw);
@@ -379,7 +303,7 @@ void TestLiveImage::showsNoScaleAndNoSidesWithoutGeometry()
 
 void TestLiveImage::showsHonestTextWithoutPicture()
 {
-    Pane pane;
+    LivePane pane;
     const QImage empty = pane.grab();
     QCOMPARE(pane.view.accessibleName(), QStringLiteral("Live X-ray image"));
     QCOMPARE(pane.view.accessibleDescription(), QStringLiteral("No picture yet."));
@@ -393,7 +317,7 @@ void TestLiveImage::showsHonestTextWithoutPicture()
 
 void TestLiveImage::showsRefusalUntilNextPicture()
 {
-    Pane pane;
+    LivePane pane;
     QVERIFY(pane.send(1));
     const QImage good = pane.grab();
     QSignalSpy refusals(&pane.pipeline, &FramePipeline::pictureRefused);
@@ -408,120 +332,9 @@ void TestLiveImage::showsRefusalUntilNextPicture()
     QVERIFY(!(marks - pane.view.overlayRegion()).isEmpty());
 }
 
-void TestLiveImage::saysHowPictureIsReduced()
-{
-    Pane pane;
-    QVERIFY(pane.send(1));
-    QVERIFY(cautionPixels(pane.grab()).isEmpty());
-    QVERIFY(pane.send(reducedFrame(2, 7.5, PixelEncoding::Jpeg, 75)));
-    const QRegion words = cautionPixels(pane.grab());
-    QVERIFY(pixelCount(words) > 200);
-    QVERIFY((words - pane.view.overlayRegion()).isEmpty());
-    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("REDUCED 7.5 of 15 /s, lossy 75")));
-    pane.state.expect(0, pane.now); // last image hold: what the picture is, without the colour of an alarm that is not there
-    QVERIFY(cautionPixels(pane.grab()).isEmpty());
-    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("REDUCED")));
-    pane.state.expect(15, pane.now);
-    QVERIFY(pane.send(3));
-    QVERIFY(cautionPixels(pane.grab()).isEmpty());
-    QVERIFY(!pane.view.accessibleDescription().contains(QStringLiteral("REDUCED")));
-}
-
-void TestLiveImage::saysReductionWithoutAlarmsColourWhereNothingIsLost()
-{
-    Pane pane;
-    QVERIFY(pane.send(1));
-    pane.grab();
-    const QRegion marks = pane.view.overlayRegion();
-    QVERIFY(pane.send(reducedFrame(2, 15, PixelEncoding::JpegLs, 0)));
-    QVERIFY(cautionPixels(pane.grab()).isEmpty());
-    QVERIFY(!(pane.view.overlayRegion() - marks).isEmpty());
-    QVERIFY(pane.view.accessibleDescription().contains(QStringLiteral("RE-ENCODED 15 of 15 /s, lossless")));
-}
-
-void TestLiveImage::neverClipsNorCoversReduction_data()
-{
-    QTest::addColumn<QSize>("area");
-    QTest::addColumn<int>("pixelSize");
-    QTest::newRow("large") << QSize(1136, 1136) << 20;
-    QTest::newRow("half a screen") << QSize(562, 562) << 10;
-    QTest::newRow("least pane") << QSize(216, 216) << 10;
-    QTest::newRow("wide") << QSize(900, 300) << 12;
-    QTest::newRow("narrow") << QSize(110, 216) << 10;
-    QTest::newRow("large letters in little room") << QSize(216, 400) << 32;
-}
-
-void TestLiveImage::neverClipsNorCoversReduction()
-{
-    QFETCH(QSize, area);
-    QFETCH(int, pixelSize);
-    DisplayPicture picture;
-    picture.about = *reducedFrame(1, 7.5, PixelEncoding::Jpeg, 75);
-    QFont font;
-    font.setPixelSize(pixelSize);
-    PictureReading reading;
-    std::vector<QRegion> words;
-    for (const PictureCondition condition : {PictureCondition::Live, PictureCondition::Frozen, PictureCondition::Unknown}) {
-        reading.condition = condition;
-        const QRect where(QPoint(200, 200), area);
-        QImage image(where.adjusted(-200, -200, 200, 200).size(), QImage::Format_RGB32);
-        image.fill(Qt::black);
-        QPainter painter(&image);
-        PictureOverlay(where, picture, reading, 1, {}, font).paint(painter);
-        painter.end();
-        words.push_back(cautionPixels(image));
-        QVERIFY(pixelCount(words.back()) > 50);
-        QVERIFY(where.contains(words.back().boundingRect()));
-    }
-    QCOMPARE(words[1], words[0]); // FROZEN stands below it
-    QCOMPARE(words[2], words[0]);
-}
-
-void TestLiveImage::writesAgeLine_data()
-{
-    QTest::addColumn<int>("age");
-    QTest::addColumn<int>("network");
-    QTest::addColumn<int>("processing");
-    QTest::addColumn<QString>("line");
-    QTest::newRow("usual") << 98 << 31 << 67 << QStringLiteral("AGE 98 ms  NET 31  PROC 67  15 of 30 fps");
-    QTest::newRow("unknown") << -1 << -1 << 67 << QStringLiteral("AGE unknown  NET unknown  PROC 67  15 of 30 fps");
-    QTest::newRow("old") << 12340 << 31 << 67 << QStringLiteral("AGE 12.3 s  NET 31  PROC 67  15 of 30 fps");
-}
-
-void TestLiveImage::writesAgeLine()
-{
-    QFETCH(int, age);
-    QFETCH(int, network);
-    QFETCH(int, processing);
-    QFETCH(QString, line);
-    PictureReading reading;
-    if (age >= 0)
-        reading.age = std::chrono::milliseconds(age);
-    if (network >= 0)
-        reading.network = std::chrono::milliseconds(network);
-    reading.processing = std::chrono::milliseconds(processing);
-    reading.shownPerSecond = 15;
-    reading.expectedPerSecond = 30;
-    QCOMPARE(ageLine(reading), line);
-    reading.expectedPerSecond = 0; // nothing is expected
-    QVERIFY(ageLine(reading).endsWith(QStringLiteral("  15 fps")));
-}
-
-void TestLiveImage::roundsUncertaintyUp()
-{
-    PictureReading reading;
-    reading.age = std::chrono::milliseconds(98);
-    reading.network = std::chrono::milliseconds(31);
-    reading.processing = std::chrono::milliseconds(67);
-    reading.uncertainty = std::chrono::microseconds(2100);
-    QCOMPARE(ageLine(reading), QStringLiteral("AGE 98 \u00B13 ms  NET 31  PROC 67  0 fps"));
-    reading.age.reset();
-    QVERIFY(!ageLine(reading).contains(QStringLiteral("\u00B1")));
-}
-
 void TestLiveImage::tellsDelayOfFilterAsProcessing()
 {
-    Pane pane;
+    LivePane pane;
     DisplaySettings settings;
     settings.noiseReduction = 100;
     pane.pipeline.setSettings(settings);
@@ -539,7 +352,7 @@ void TestLiveImage::tellsDelayOfFilterAsProcessing()
 
 void TestLiveImage::saysLiveOnlyOfWhatIsLive()
 {
-    Pane pane;
+    LivePane pane;
     const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
     frame->source = PictureSource::Live;
     QVERIFY(pane.send(frame));
@@ -553,66 +366,6 @@ void TestLiveImage::saysLiveOnlyOfWhatIsLive()
     const QImage frozen = pane.grab().copy(corner);
     QVERIFY(frozen != held);
     QVERIFY(frozen != live);
-}
-
-void TestLiveImage::saysHowItWasTreated()
-{
-    DisplayPicture picture;
-    picture.window = {2048, 4096};
-    QCOMPARE(windowLine(picture), QStringLiteral("C 2048  W 4096"));
-    QCOMPARE(treatmentLine(picture), QStringLiteral("display not calibrated"));
-    picture.isCalibrated = true;
-    picture.windowIsAutomatic = true;
-    picture.settings.function = VoiFunction::Sigmoid;
-    picture.settings.inverted = true;
-    picture.settings.noiseReduction = 60;
-    picture.treatment.k = 0.55;
-    picture.settings.edge = 30;
-    picture.settings.shutter = ShutterShape::Circle;
-    QCOMPARE(windowLine(picture), QStringLiteral("C 2048  W 4096  SIGMOID  AUTO"));
-    QCOMPARE(treatmentLine(picture), QStringLiteral("INVERTED  noise 60 %  edge 30 %  SHUTTER  display calibrated"));
-    picture.treatment.k = 0.7;
-    QVERIFY(treatmentLine(picture).contains(QStringLiteral("noise 40 of 60 %  ")));
-    picture.treatment.filterIsBounded = true;
-    QVERIFY(treatmentLine(picture).contains(QStringLiteral("noise 40 of 60 %, for latency")));
-}
-
-void TestLiveImage::coversNoMarkWithAnother_data()
-{
-    QTest::addColumn<QSize>("area");
-    QTest::addColumn<int>("pixelSize");
-    QTest::newRow("large") << QSize(1068, 1068) << 20;
-    QTest::newRow("reference") << QSize(500, 500) << 10;
-    QTest::newRow("small reference") << QSize(247, 247) << 10;
-}
-
-void TestLiveImage::coversNoMarkWithAnother()
-{
-    QFETCH(QSize, area);
-    QFETCH(int, pixelSize);
-    DisplayPicture picture;
-    picture.about = *samples::frame(123456, frameSize, 12, PixelEncoding::Raw);
-    picture.window = {32768, 65536};
-    picture.windowIsAutomatic = true;
-    QFont font;
-    font.setPixelSize(pixelSize);
-    TextPlates plates(font);
-    const QRect where(QPoint(0, 0), area);
-    placeSides(plates, where, picture);
-    const QRect bar = placeScale(plates, where, picture, 1);
-    const QRegion before = plates.region() + bar;
-    placeFacts(plates, where, bar, picture, 2);
-    TextPlates facts(font);
-    placeFacts(facts, where, {}, picture, 2);
-    int covered = 0; // what the facts take is added to what was there, and nothing is lost
-    for (const QRect& part : plates.region() + bar)
-        covered += part.width() * part.height();
-    int separate = 0;
-    for (const QRegion& region : {before, facts.region()})
-        for (const QRect& part : region)
-            separate += part.width() * part.height();
-    QCOMPARE(covered, separate);
-    QVERIFY(plates.region().boundingRect().top() >= 0);
 }
 
 QTEST_MAIN(TestLiveImage)
