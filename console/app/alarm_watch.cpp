@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::chrono::seconds overdueMemory{5};
 constexpr std::chrono::seconds paintingSpan{2};
-constexpr quint64 fewPictures = 10; ///< in that time; below it one late picture would be a large part
+constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
+constexpr quint64 fewPictures = 10;                ///< in that time; below it one late picture would be a large part
 
 bool isArmed(PermitPhase phase) { return phase == PermitPhase::Armed || phase == PermitPhase::Engaged; }
 
@@ -26,12 +27,17 @@ AlarmWatch::AlarmWatch(ConsoleModels& models, std::optional<quint32> robot, QObj
 
 void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
 {
-    const bool stopped = isArmed(from) && (to == PermitPhase::Hold || to == PermitPhase::Incident || to == PermitPhase::Off);
-    if (stopped) {
-        m_stopAt = std::chrono::steady_clock::now();
+    const auto now = std::chrono::steady_clock::now();
+    const bool stopped = to == PermitPhase::Hold || to == PermitPhase::Incident || to == PermitPhase::Off;
+    // Who is asked to arm may have done so; and after a loss the robot must hold, whatever it did before.
+    if (stopped && (isArmed(from) || from == PermitPhase::Arming || (to == PermitPhase::Incident && from != PermitPhase::Off)))
+        m_stopAt = now;
+    if (stopped && isArmed(from)) {
         m_troubleWhileArmed = true;
         m_troubleWhileEngaged = from == PermitPhase::Engaged;
     }
+    if (isArmed(to) && !isArmed(from))
+        m_armedAt = now;
     if (to == PermitPhase::Ready || isArmed(to)) {
         m_troubleWhileArmed = false;
         m_troubleWhileEngaged = false;
@@ -105,8 +111,13 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.limits = m_models.instrument.limits();
     all.limitSwitches = robot.value.limitSwitches;
     all.faultCode = robot.value.faultCode;
-    all.drivesKnown = m_models.instrument.drives().known();
+    const auto& drives = m_models.instrument.drives();
+    // After a re-opening the old report stands for a moment: that is no fault.
+    all.drivesKnown = drives.known() && (all.armed || drives.freshness(now, InstrumentState::driveLimit) == Freshness::Fresh);
     all.drivesHealthy = m_models.instrument.drivesHealthy(now);
+    all.driveOff = isArmed(phase) && drives.known() && *drives.received > m_armedAt + enabling && !drives.value.allEnabled();
+    all.armFault = m_models.arm.fresh(now) && m_models.arm.status().value.phase == ArmPhase::Fault;
+    all.arm = m_models.sessions.firstPeer(DeviceKind::Arm).value_or(0);
     all.emergencyStop = robot.known() && robot.value.emergencyStopToken != 0;
     readInstruments(all, now);
     all.painting = painting();

@@ -51,6 +51,7 @@ private:
 
     ConsoleModels& m_models;
     std::optional<quint32> m_robot;
+    Instant m_armedAt;
     std::optional<Instant> m_stopAt; ///< motion ended and the robot has not yet said that it holds
     bool m_troubleWhileArmed = false;
     bool m_troubleWhileEngaged = false; ///< motion has ended by the time that its cause is looked at

@@ -72,6 +72,7 @@ void CockpitApplication::buildAlarms()
 
 void CockpitApplication::buildWindow()
 {
+    m_models.role = m_options.role;
     m_window = std::make_unique<CockpitWindow>(m_models);
     m_scene = new SceneView;
     m_pictures.build(*m_window);
@@ -84,6 +85,7 @@ void CockpitApplication::buildWindow()
     if (!m_options.vessels.isEmpty())
         m_scene->loadVessels(m_options.vessels);
     m_window->setOperator(m_options.user);
+    m_window->setPatient(m_options.patient, m_options.patientId);
     m_window->setRehearsal(m_options.rehearsal);
     connectIntents();
     connectAlarms();

@@ -39,6 +39,8 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
     connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer, LinkState, LinkState to) {
         if (m_link.robot() == peer)
             tellSession();
+        else if (to == LinkState::Reconnecting)
+            apply(PermitEventKind::SessionInterrupted); // whichever device it is: nobody sees what it does meanwhile
         if (to == LinkState::Reconnecting || to == LinkState::StandBy)
             m_alarms.update(presentTime(), m_link.framesReceived()); // not kept for the next turn
     });
@@ -218,8 +220,9 @@ void CockpitControl::publishStatus(Instant now)
 
 void CockpitControl::setArmHeld(bool held) { apply(held ? PermitEventKind::ArmPressed : PermitEventKind::ArmReleased); }
 
-void CockpitControl::setPedal(bool down)
+void CockpitControl::setPedal(bool wanted)
 {
+    const bool down = wanted && m_models.role == OperatorRole::Operator;
     if (down && !pedalDown())
         ++m_press;
     m_models.xray.setPedal(down);

@@ -58,6 +58,14 @@ struct Declared {
         QStringLiteral("NAME"), QStringLiteral("neuro")};
     QCommandLineOption user{QStringLiteral("operator"), QStringLiteral("Name of the person, for the screen and the log."),
                             QStringLiteral("NAME")};
+    QCommandLineOption role{QStringLiteral("role"),
+                            QStringLiteral("operator (default), or observer: sees everything, opens links and stops the robot, but arms "
+                                           "nothing, gives no beam and resets no stop."),
+                            QStringLiteral("NAME"), QStringLiteral("operator")};
+    QCommandLineOption patient{QStringLiteral("patient"), QStringLiteral("The patient's name, for the screen; needs --patient-id."),
+                               QStringLiteral("NAME")};
+    QCommandLineOption patientId{QStringLiteral("patient-id"), QStringLiteral("The patient's number, for the screen; needs --patient."),
+                                 QStringLiteral("ID")};
     QCommandLineOption master{
         QStringLiteral("master"),
         QStringLiteral("What the hand moves by at the start: keyboard (default), spacemouse, gamepad, haptic-simulated, or recorded, "
@@ -117,7 +125,7 @@ struct Declared {
         parser.addOptions({topology, device,     certificate, key,      authority,        registry,   store,     profile, user,
                            master,   recording,  vessels,     alarmLog, pictures,         display,    rehearsal, size,    unattended,
                            report,   screenshot, help,        version,  measureOnRequest, preferences});
-        parser.addOption(language);
+        parser.addOptions({language, role, patient, patientId});
     }
 };
 
@@ -175,6 +183,23 @@ QString readUnattended(const Declared& declared, Options& options)
     return {};
 }
 
+QString readPeople(const Declared& declared, Options& options)
+{
+    const auto& parser = declared.parser;
+    options.user = parser.value(declared.user);
+    const auto role = parser.value(declared.role);
+    if (role != QLatin1String("operator") && role != QLatin1String("observer"))
+        return QStringLiteral("--role '%1': choose operator or observer").arg(role);
+    options.role = role == QLatin1String("operator") ? OperatorRole::Operator : OperatorRole::Observer;
+    if (options.role == OperatorRole::Observer && parser.isSet(declared.unattended))
+        return QStringLiteral("--role observer: an unattended run arms; leave one of the two out");
+    options.patient = parser.value(declared.patient);
+    options.patientId = parser.value(declared.patientId);
+    if (options.patient.isEmpty() != options.patientId.isEmpty())
+        return QStringLiteral("--patient and --patient-id belong together: a patient is named by two identifiers");
+    return {};
+}
+
 /// The first thing that is wrong, or nothing.
 QString readOptions(const Declared& declared, Options& options)
 {
@@ -197,7 +222,6 @@ QString readOptions(const Declared& declared, Options& options)
     options.pictures = parser.value(declared.pictures);
     options.display = parser.value(declared.display);
     options.preferences = parser.isSet(declared.preferences) ? parser.value(declared.preferences) : preferenceFile();
-    options.user = parser.value(declared.user);
     options.rehearsal = parser.isSet(declared.rehearsal);
     options.measureOnRequest = parser.isSet(declared.measureOnRequest);
     const auto profile = parser.value(declared.profile);
@@ -214,6 +238,8 @@ QString readOptions(const Declared& declared, Options& options)
         if (!options.size)
             return QStringLiteral("--size '%1': write WIDTHxHEIGHT, at least 800x450").arg(parser.value(declared.size));
     }
+    if (const auto wrong = readPeople(declared, options); !wrong.isEmpty())
+        return wrong;
     if (const auto wrong = readMaster(declared, options); !wrong.isEmpty())
         return wrong;
     return readUnattended(declared, options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/master_status.hpp"
+#include "model/operator_role.hpp"
 #include "model/picture_state.hpp"
 
 #include <QSize>
@@ -32,6 +33,9 @@ struct Options {
     QString pictures; ///< folder for saved pictures; empty: the person's own
     QString display;  ///< measurement of the display; empty: not calibrated
     QString user;
+    OperatorRole role = OperatorRole::Operator;
+    QString patient; ///< and patientId: both or neither
+    QString patientId;
     QString alarmLog;    ///< folder; empty: alarms are not kept on the disk
     QString preferences; ///< file; empty: the defaults, and nothing is kept
     QString language;    ///< one of languages(); empty: the system's

@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 
+#include <algorithm>
 #include <utility>
 
 namespace console {
@@ -15,6 +16,13 @@ InterruptionWatch::InterruptionWatch(ConsoleModels& models, std::function<quint6
     connect(&models.incidents, &IncidentModel::incidentRaised, this, &InterruptionWatch::begin);
     connect(&models.incidents, &IncidentModel::incidentEnded, this, &InterruptionWatch::look);
     connect(&models.sessions, &SessionModel::standByChanged, this, &InterruptionWatch::look);
+    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer, LinkState, LinkState to) {
+        if (to == LinkState::Reconnecting)
+            beginShort(peer);
+        else if (carriesMessages(to))
+            m_interrupted.remove(peer);
+        look();
+    });
     connect(&models.xray, &XraySystemState::statusChanged, this, [this] { m_picturesAtReport = m_picturesReceived(); });
 }
 
@@ -22,8 +30,8 @@ InterruptionWatch::InterruptionWatch(ConsoleModels& models, std::function<quint6
 void InterruptionWatch::begin(quint64 incident)
 {
     const auto* record = m_models.incidents.incident(incident);
-    if (record == nullptr)
-        return;
+    if (record == nullptr || m_interrupted.remove(record->peer))
+        return; // it was told of when it began
     const auto silence = record->diagnosis ? record->diagnosis->silence : Duration::zero();
     const auto& sessions = m_models.sessions;
     const auto what = record->peer != 0 ? tr("%1 link").arg(sessions.titleOf(record->peer))
@@ -33,11 +41,27 @@ void InterruptionWatch::begin(quint64 incident)
                                 QDateTime::currentMSecsSinceEpoch() - std::chrono::duration_cast<std::chrono::milliseconds>(known).count());
 }
 
+/// It may heal by itself, and is told of all the same.
+void InterruptionWatch::beginShort(quint32 peer)
+{
+    const auto now = std::chrono::steady_clock::now();
+    const auto* link = m_models.sessions.linkTo(peer);
+    const auto heard = link != nullptr && link->figures.lastHeard ? std::min(*link->figures.lastHeard, now) : now;
+    const auto silence = std::chrono::duration_cast<std::chrono::milliseconds>(now - heard).count();
+    m_interrupted.insert(peer);
+    m_models.interruption.begin(tr("%1 link").arg(m_models.sessions.titleOf(peer)), heard, QDateTime::currentMSecsSinceEpoch() - silence);
+}
+
 void InterruptionWatch::look()
 {
     const auto now = std::chrono::steady_clock::now();
     auto& account = m_models.interruption;
-    const bool down = m_models.sessions.inStandBy() || !m_models.incidents.empty();
+    const auto& links = m_models.sessions.links();
+    const bool interrupted = std::any_of(links.begin(), links.end(), [](const LinkNode& link) {
+        return link.own &&
+               (link.state == LinkState::Reconnecting || link.state == LinkState::StandBy || link.state == LinkState::Reopening);
+    });
+    const bool down = interrupted || m_models.sessions.inStandBy() || !m_models.incidents.empty();
     if (down && account.stage() != InterruptionAccount::Stage::Running)
         account.begin({}, now, QDateTime::currentMSecsSinceEpoch());
     else if (!down)

@@ -4,6 +4,7 @@
 #include "model/console_models.hpp"
 
 #include <QObject>
+#include <QSet>
 
 #include <functional>
 
@@ -24,10 +25,12 @@ public:
 
 private:
     void begin(quint64 incident);
+    void beginShort(quint32 peer);
     void look();
 
     ConsoleModels& m_models;
     std::function<quint64()> m_picturesReceived;
+    QSet<quint32> m_interrupted;    ///< told of, and neither healed nor decided
     quint64 m_picturesAtReport = 0; ///< when the newest report of the X-ray system came
 };
 

@@ -27,6 +27,8 @@ constexpr std::array routes{
           [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveTip(tipPose(m), m.arrival()); }},
     Route{"DriveStatus", DeviceKind::Hand,
           [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveDrives(driveStatus(m), m.arrival()); }},
+    Route{"TravelLimits", DeviceKind::Hand,
+          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveTravel(travelLimits(m)); }},
     Route{"InjectionReport", DeviceKind::Hand,
           [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveInjection(injectionStatus(m)); }},
     Route{"AcquisitionStatus", DeviceKind::Eye,

@@ -1,6 +1,7 @@
 // From session events to models.
 #include "link/session_intake.hpp"
 
+#include "link/library_words.hpp"
 #include "link/translate.hpp"
 
 #include <QDateTime>
@@ -22,7 +23,7 @@ QString SessionIntake::peerName(const liena::SessionEvent& event) const
 
 QString SessionIntake::failureText(const liena::SessionEvent& event) const
 {
-    auto reason = text(liena::explain(event.reason));
+    auto reason = words(event.reason);
     if (!event.detail.empty())
         reason = reason.isEmpty() ? text(event.detail) : tr("%1 (%2)").arg(reason, text(event.detail));
     return reason;
@@ -103,7 +104,7 @@ void SessionIntake::takeLoss(const liena::SessionEvent& event)
         return;
     }
     m_models.incidents.setDiagnosis(event.incident.id, diagnosis);
-    log(LogKind::Link, tr("%1: checked: %2").arg(peerName(event), text(liena::explain(event.diagnosis.probe))));
+    log(LogKind::Link, tr("%1: checked: %2").arg(peerName(event), words(event.diagnosis.probe)));
 }
 
 void SessionIntake::takeIncident(const liena::SessionEvent& event)

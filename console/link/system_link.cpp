@@ -1,6 +1,7 @@
 // The console's part in the robotic system.
 #include "link/system_link.hpp"
 
+#include "link/library_words.hpp"
 #include "link/motion_streamer.hpp"
 #include "link/pedal_streamer.hpp"
 #include "link/session_intake.hpp"
@@ -48,7 +49,7 @@ std::optional<std::string> checkSettings(const LinkSettings& settings, QString* 
 {
     const auto topology = liena::SystemTopology::load(path(settings.topology));
     if (!topology) {
-        *error = text(topology.error().what);
+        *error = words(topology.error());
         return std::nullopt;
     }
     const bool identity = !settings.certificate.isEmpty() && !settings.key.isEmpty() && !settings.authority.isEmpty();
@@ -81,7 +82,7 @@ std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, Con
     liena::keepKeysOutOfCoreDumps();
     auto system = liena::DistributedSystem::create(std::move(own));
     if (!system) {
-        *error = text(system.error().what);
+        *error = words(system.error());
         return nullptr;
     }
     std::unique_ptr<SystemLink> link(new SystemLink(std::move(system).value(), models, sink));
@@ -108,7 +109,7 @@ bool SystemLink::subscribe(QString* error)
     if (m_xray) {
         const auto frames = m_system->subscribe("XrayFrame", [this](const liena::Message& message) { takeFrame(message); });
         if (!frames) {
-            *error = text(frames.error().what);
+            *error = words(frames.error());
             return false;
         }
         m_pedal = std::make_unique<PedalStreamer>(*m_system, liena::DeviceId(*m_xray));
@@ -197,8 +198,8 @@ void SystemLink::note(LogKind kind, const QString& line) { m_models.log.append(k
 void SystemLink::open(quint32 peer)
 {
     if (const auto result = m_system->openChannel(liena::DeviceId(peer)); !result) {
-        m_models.sessions.noteOpenFailed(peer, text(result.error().what));
-        note(LogKind::Trouble, text(result.error().what));
+        m_models.sessions.noteOpenFailed(peer, words(result.error()));
+        note(LogKind::Trouble, words(result.error()));
     }
 }
 
@@ -212,7 +213,7 @@ void SystemLink::openAll()
 void SystemLink::close(quint32 peer)
 {
     if (const auto result = m_system->closeChannel(liena::DeviceId(peer), "closed by the operator"); !result)
-        note(LogKind::Trouble, text(result.error().what));
+        note(LogKind::Trouble, words(result.error()));
 }
 
 void SystemLink::reopen(quint32 peer)
@@ -221,9 +222,9 @@ void SystemLink::reopen(quint32 peer)
     const auto result = m_system->reopenChannel(liena::DeviceId(peer));
     if (result)
         return;
-    m_models.sessions.noteOpenFailed(peer, text(result.error().what));
+    m_models.sessions.noteOpenFailed(peer, words(result.error()));
     if (const auto* link = m_models.sessions.linkTo(peer); link != nullptr && link->incident != 0)
-        m_models.incidents.setReopenFailure(link->incident, text(result.error().what));
+        m_models.incidents.setReopenFailure(link->incident, words(result.error()));
 }
 
 void SystemLink::reopenAll()
@@ -238,7 +239,7 @@ void SystemLink::probe(quint32 peer)
     const auto* link = m_models.sessions.linkTo(peer);
     const auto result = m_system->probe(liena::DeviceId(peer));
     if (!result)
-        note(LogKind::Trouble, text(result.error().what));
+        note(LogKind::Trouble, words(result.error()));
     else if (link != nullptr && link->incident != 0)
         m_models.incidents.setProbing(link->incident, true);
 }
@@ -247,7 +248,7 @@ void SystemLink::dismiss(quint64 incident, const QString& reason)
 {
     note(LogKind::Operator, tr("give an incident up: %1").arg(SessionIntake::tr(reason.toUtf8().constData())));
     if (const auto result = m_system->dismissIncident(incident, reason.toStdString()); !result)
-        note(LogKind::Trouble, text(result.error().what));
+        note(LogKind::Trouble, words(result.error()));
 }
 
 void SystemLink::sendPermit(quint32 permit, const char* request)
@@ -257,12 +258,12 @@ void SystemLink::sendPermit(quint32 permit, const char* request)
     const liena::DeviceId robot(*m_robot);
     auto message = m_system->command(robot, "PermitRequest");
     if (!message) {
-        note(LogKind::Trouble, text(message.error().what));
+        note(LogKind::Trouble, words(message.error()));
         return;
     }
     message.value().set("request", std::string_view(request)).set("permit", permit);
     if (const auto sent = m_system->send(robot, std::move(message).value()); !sent)
-        note(LogKind::Trouble, tr("permit request not sent: %1").arg(text(sent.error().what)));
+        note(LogKind::Trouble, tr("permit request not sent: %1").arg(words(sent.error())));
 }
 
 void SystemLink::requestArm(quint32 permit) { sendPermit(permit, "arm"); }
@@ -286,7 +287,7 @@ void SystemLink::inject(quint32 permit, quint32 number)
                                     .arg(plannedInjection, 0, 'f', 1)
                                     .arg(plannedInjectionRate, 0, 'f', 1));
     else
-        m_models.instrument.receiveInjection({number, 0, InjectionProgress::Refused, tr("not sent: %1").arg(text(sent.error().what))});
+        m_models.instrument.receiveInjection({number, 0, InjectionProgress::Refused, tr("not sent: %1").arg(words(sent.error()))});
 }
 
 void SystemLink::emergencyStop(const QString& reason)
@@ -320,7 +321,7 @@ void SystemLink::repeatEmergencyStop()
             .set("reason", m_stopReason.left(40).toStdString());
         sent = m_system->send(target, std::move(message).value());
     }
-    const auto trouble = sent ? QString() : text(sent.error().what);
+    const auto trouble = sent ? QString() : words(sent.error());
     if (!sent && trouble != m_stopTrouble)
         note(LogKind::Trouble, tr("EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.").arg(trouble));
     m_stopTrouble = trouble;
@@ -337,7 +338,7 @@ void SystemLink::resetEmergencyStop()
         return;
     message.value().set("token", status.value.emergencyStopToken);
     const auto sent = m_system->send(robot, std::move(message).value());
-    note(LogKind::Operator, sent ? tr("emergency stop reset") : tr("emergency stop not reset: %1").arg(text(sent.error().what)));
+    note(LogKind::Operator, sent ? tr("emergency stop reset") : tr("emergency stop not reset: %1").arg(words(sent.error())));
 }
 
 void SystemLink::setMotion(const MotionSnapshot& snapshot)

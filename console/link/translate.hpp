@@ -22,6 +22,7 @@ namespace console {
 RobotStatus robotStatus(const liena::Message& message);
 DriveStatus driveStatus(const liena::Message& message);
 TipPose tipPose(const liena::Message& message);
+TravelLimits travelLimits(const liena::Message& message);
 InjectionStatus injectionStatus(const liena::Message& message);
 ArmStatus armStatus(const liena::Message& message);
 AcquisitionStatus acquisitionStatus(const liena::Message& message);

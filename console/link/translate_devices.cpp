@@ -86,6 +86,15 @@ TipPose tipPose(const liena::Message& m)
     return pose;
 }
 
+TravelLimits travelLimits(const liena::Message& m)
+{
+    const auto range = [&m](std::string_view field) {
+        const auto ends = reals<2>(m, field);
+        return TravelRange{ends[0], ends[1]};
+    };
+    return {{range("guidewire_soft"), range("guidewire_hard")}, {range("catheter_soft"), range("catheter_hard")}};
+}
+
 InjectionStatus injectionStatus(const liena::Message& m)
 {
     InjectionStatus status;

@@ -181,12 +181,19 @@ void Rules::addForce()
 void Rules::addDrives()
 {
     const bool fault = m_readings.faultCode == 2 || m_readings.faultCode == 3;
-    const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy && m_readings.armed;
-    if (!m_readings.robotFresh || (!fault && !unhealthy))
+    const bool told = m_readings.faultCode != 0 && !m_readings.armed; // by another alarm
+    const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy && !told;
+    const auto remedy = Text::tr("Do not arm; have the drives looked at.");
+    if (m_readings.armFault)
+        add(AlarmCondition::DriveFault, whenArmed(Priority::High, Priority::Medium), true, Text::tr("Robotic arm: fault"), remedy,
+            m_readings.arm);
+    if (!m_readings.robotFresh || (!fault && !unhealthy && !m_readings.driveOff))
         return;
     add(AlarmCondition::DriveFault, whenArmed(Priority::High, Priority::Medium), true,
-        fault ? Text::tr("Robot: %1").arg(faultText(m_readings.faultCode)) : Text::tr("Robot: drives are not healthy"),
-        Text::tr("Do not arm; have the drives looked at."));
+        fault                 ? Text::tr("Robot: %1").arg(faultText(m_readings.faultCode))
+        : m_readings.driveOff ? Text::tr("Robot: a drive is off")
+                              : Text::tr("Robot: drives are not healthy"),
+        remedy);
     addCauses(fault ? quint64{1} << m_readings.faultCode : 1);
 }
 

@@ -53,6 +53,9 @@ struct AlarmReadings {
     quint16 faultCode = 0;
     bool drivesHealthy = true;
     bool drivesKnown = false;
+    bool driveOff = false; ///< while armed
+    bool armFault = false;
+    quint32 arm = 0; ///< the robotic arm
     bool emergencyStop = false;
     QString roadmapRemoved;      ///< why the roadmap that a person wants is not shown any more; empty
     bool trackerOverdue = false; ///< it reported, its link is up, and there is no valid recent report

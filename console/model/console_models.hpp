@@ -11,6 +11,7 @@
 #include "model/injection_order.hpp"
 #include "model/instrument_state.hpp"
 #include "model/interruption.hpp"
+#include "model/operator_role.hpp"
 #include "model/permit_model.hpp"
 #include "model/picture_state.hpp"
 #include "model/recorder_state.hpp"
@@ -40,6 +41,7 @@ struct ConsoleModels {
     RecorderState recorder;
     EventLog log;
     TrendBook trends;
+    OperatorRole role = OperatorRole::Operator;
     QString patientSide; ///< how a person there is called; empty: not set up
 };
 

@@ -36,6 +36,7 @@ public:
     bool injecting() const; ///< the last one has not ended, as far as the robot has told
     const std::deque<ForceSample>& forceHistory() const { return m_forces; }
     const RobotLimits& limits() const { return m_limits; }
+    const std::optional<TravelLimits>& travel() const { return m_travel; } ///< nothing before the robot has reported it
 
     bool robotFresh(Instant now) const { return m_robot.freshness(now, statusLimit) == Freshness::Fresh; }
     bool tipFresh(Instant now) const { return m_tip.freshness(now, tipLimit) == Freshness::Fresh && m_tip.value.valid; }
@@ -71,6 +72,7 @@ public:
     void receiveRobot(const RobotStatus& status, Instant at);
     void receiveDrives(const DriveStatus& status, Instant at);
     void receiveTip(const TipPose& pose, Instant at);
+    void receiveTravel(const TravelLimits& limits) { m_travel = limits; }
     void receiveInjection(const InjectionStatus& status);
 
 Q_SIGNALS:
@@ -87,6 +89,7 @@ private:
     std::deque<InjectionStatus> m_injections;
     std::deque<ForceSample> m_forces;
     RobotLimits m_limits;
+    std::optional<TravelLimits> m_travel;
     std::optional<Instant> m_stopUnheard;
     std::optional<double> m_acceptedForce; ///< N, magnitude
     Instant m_acceptedAt;

@@ -106,8 +106,11 @@ GuardLine roundTripLine(const GuardReadings& r)
                 roundTripMissing(r, r.pictureLimit, Text::tr("at most %1 ms to arm")));
 }
 
+/// Who may arm, on either side.
 GuardLine clearanceLine(const GuardReadings& r)
 {
+    if (r.role != OperatorRole::Operator)
+        return {Guard::ClearToArm, false, Text::tr("This console only observes")};
     return line(Guard::ClearToArm, r.robotFresh && r.clearance != Clearance::Awaited,
                 r.clearance == Clearance::Given ? Text::tr("Patient side: clear to arm") : Text::tr("One person may arm"),
                 r.robotFresh ? Text::tr("Patient side has not said \"clear\"") : Text::tr("Patient side's word is not known"));
@@ -120,7 +123,7 @@ GuardSet keptWhileArmed()
     GuardSet set;
     for (const auto guard :
          {Guard::SessionOpen, Guard::IdentityEqual, Guard::PictureLive, Guard::RobotFresh, Guard::DrivesHealthy, Guard::QueueEmpty,
-          Guard::ForceNearZero, Guard::CommandsQuick, Guard::NoIncident, Guard::HandAlive, Guard::WindowActive})
+          Guard::ForceNearZero, Guard::CommandsQuick, Guard::NoIncident, Guard::NoHighAlarm, Guard::HandAlive, Guard::WindowActive})
         set.set(static_cast<std::size_t>(guard));
     return set;
 }
@@ -137,7 +140,7 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         line(Guard::RobotFresh, r.robotFresh, Text::tr("Robot reports"), Text::tr("No recent report from the robot")),
         holdLine(r),
         line(Guard::DrivesHealthy, r.drivesHealthy, Text::tr("Drives are healthy"), Text::tr("Drives are not healthy, or not known")),
-        line(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages, Text::tr("Nothing waits to be sent"),
+        line(Guard::QueueEmpty, r.queuedMessages == 0, Text::tr("Nothing waits to be sent"),
              Text::tr("%1 messages wait to be sent").arg(r.queuedMessages)),
         forceLine(r),
         roundTripLine(r),
@@ -165,10 +168,11 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     keep(Guard::PictureLive, pictureTrusted(r) && r.picture.keepsRate);
     keep(Guard::RobotFresh, r.robotFresh);
     keep(Guard::DrivesHealthy, r.drivesHealthy);
-    keep(Guard::QueueEmpty, r.queuedMessages <= limits.queuedMessages * 4);
+    keep(Guard::QueueEmpty, r.queuedMessages <= limits.keptQueue);
     keep(Guard::ForceNearZero, std::abs(r.force) < r.limits.forceStop);
     keep(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= roundTripHold && carried(r));
     keep(Guard::NoIncident, !r.incident);
+    keep(Guard::NoHighAlarm, !r.highAlarm);
     keep(Guard::HandAlive, r.handAlive);
     keep(Guard::WindowActive, r.windowActive);
     return met;

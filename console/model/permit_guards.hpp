@@ -3,6 +3,7 @@
 
 #include "model/instant.hpp"
 #include "model/link_state.hpp"
+#include "model/operator_role.hpp"
 #include "model/picture_state.hpp"
 #include "model/robot_values.hpp"
 
@@ -50,7 +51,7 @@ struct GuardLimits {
     quint32 heartbeatsOnTime = 50;
     std::chrono::milliseconds pictureRun{1000}; ///< unbroken live pictures before arming
     std::chrono::milliseconds suspectGrace{20}; ///< one heartbeat window
-    quint32 queuedMessages = 16;                ///< more than this waits: the line does not keep up
+    quint32 keptQueue = 16;                     ///< while armed; more than this waits: the line does not keep up
 };
 
 /// One moment of everything that the guards look at.
@@ -68,8 +69,9 @@ struct GuardReadings {
     quint32 robotPermit = 0;
     std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
     bool drivesHealthy = false;
+    OperatorRole role = OperatorRole::Operator;
     Clearance clearance = Clearance::NotAsked;
-    quint32 queuedMessages = 0;
+    quint32 queuedMessages = 0;             ///< to the robot, at the least moment of the last few
     std::optional<Duration> roundTrip;      ///< of commands; nothing: not measured
     std::optional<Duration> usualRoundTrip; ///< of the last few
     std::optional<Duration> carried;        ///< LinkNode::carried of the robot's link

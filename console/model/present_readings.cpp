@@ -14,7 +14,7 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
     r.heartbeatsOnTime = link.figures.heartbeatsOnTime;
     if (link.figures.clockOffset)
         r.clockUncertainty = link.figures.clockUncertainty;
-    r.queuedMessages = link.figures.queuedMessages;
+    r.queuedMessages = link.leastQueued();
     r.roundTrip = link.figures.roundTrip;
     r.usualRoundTrip = link.usualRoundTrip();
     r.carried = link.carried;
@@ -36,6 +36,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.robotPermit = status.permit;
     r.spentPermit = models.permit.state().spentPermit;
     r.drivesHealthy = models.instrument.drivesHealthy(now);
+    r.role = models.role;
     r.clearance = status.clearance;
     r.force = status.guidewireForce;
     r.forceAccepted = models.instrument.forceAccepted(now);

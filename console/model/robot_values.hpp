@@ -95,13 +95,30 @@ struct InjectionStatus {
     QString reason;
 };
 
+/// Along an instrument's way from the sheath, mm.
+struct TravelRange {
+    double low = 0;
+    double high = 0;
+
+    double length() const { return high - low; }
+};
+
+struct InstrumentTravel {
+    TravelRange soft; ///< the robot ends motion here, with deceleration
+    TravelRange hard; ///< it cuts the drive beyond
+};
+
+/// Where the robot ends motion by itself, as it reports it: it depends on the vessel and on the instruments.
+struct TravelLimits {
+    InstrumentTravel guidewire;
+    InstrumentTravel catheter;
+};
+
 /// What the robot does by itself; drawn as marks on the gauges.
 struct RobotLimits {
     double forceWarn = 1.0; ///< N
     double forceStop = 2.0;
-    double forceNearZero = 0.2;       ///< N, below it nobody has to look before arming
-    double guidewireMaximum = 1600.0; ///< mm
-    double catheterMaximum = 1600.0;
+    double forceNearZero = 0.2;     ///< N, below it nobody has to look before arming
     double driveTemperature = 80.0; ///< °C, above it a drive is not healthy
 };
 

@@ -42,7 +42,16 @@ void noteRoundTrip(LinkNode& link)
         link.roundTrips.pop_front();
 }
 
+void noteQueue(LinkNode& link)
+{
+    link.queued.push_back(link.figures.queuedMessages);
+    if (link.queued.size() > usualOf)
+        link.queued.pop_front();
+}
+
 } // namespace
+
+quint32 LinkNode::leastQueued() const { return queued.empty() ? 0 : *std::min_element(queued.begin(), queued.end()); }
 
 std::optional<Duration> LinkNode::usualRoundTrip() const
 {
@@ -159,6 +168,7 @@ void SessionModel::setLinkFigures(quint32 peer, const LinkFigures& figures, Inst
         return;
     link->figures = figures;
     noteRoundTrip(*link);
+    noteQueue(*link);
     sample(*link, now);
     forgetOldSuspects(*link, now);
     Q_EMIT linkFiguresChanged(peer);

@@ -26,6 +26,7 @@ struct LinkNode {
     LinkFigures figures;                 ///< own links only
     std::deque<LinkSample> history;      ///< own links: 60 s, oldest first
     std::deque<Duration> roundTrips;     ///< own links: the last three, oldest first
+    std::deque<quint32> queued;          ///< own links: messages that waited at the last three looks, oldest first
     std::optional<Duration> carried;     ///< own links: commands that take longer there and back come too old; nothing: not known
     std::optional<double> openingMs;     ///< how long the last opening or re-opening took
     QString failure;                     ///< why the last opening failed, for a person; empty after a success
@@ -38,6 +39,9 @@ struct LinkNode {
 
     /// The median of the last three: a single one that a busy computer delayed is not the line.
     std::optional<Duration> usualRoundTrip() const;
+
+    /// Messages that have been waiting for longer than a look at them takes: what is just on its way is not held against the link.
+    quint32 leastQueued() const;
 
     bool joins(quint32 x, quint32 y) const { return (a == x && b == y) || (a == y && b == x); }
 };

@@ -4,6 +4,7 @@
 #include "model/device_node.hpp"
 #include "model/event_log.hpp"
 #include "model/link_state.hpp"
+#include "model/operator_role.hpp"
 #include "model/picture_state.hpp"
 #include "model/robot_values.hpp"
 #include "model/xray_frame.hpp"
@@ -30,6 +31,12 @@ QString at(const std::array<const char*, size>& table, Enum value, int first = 0
 }
 
 } // namespace
+
+QString word(OperatorRole role)
+{
+    static constexpr std::array table{QT_TRANSLATE_NOOP("console::Words", "operator"), QT_TRANSLATE_NOOP("console::Words", "observer")};
+    return at(table, role);
+}
 
 QString word(LinkState state)
 {

@@ -62,8 +62,20 @@ void AxisPanel::setReading(const AxisReading& reading)
     m_reading = reading;
     setAccessibleDescription(tr("%1, %2 %3, %4")
                                  .arg(figureText(reading.position, 1, tr("mm")), advanceWord(reading.velocity),
-                                      figureText(std::abs(reading.velocity), 1, tr("mm/s")), ageText(reading.freshness, reading.age)));
+                                      figureText(std::abs(reading.velocity), 1, tr("mm/s")), ageText(reading.freshness, reading.age)) +
+                             travelText());
     update();
+}
+
+QString AxisPanel::travelText() const
+{
+    if (!m_reading.travel)
+        return {};
+    const auto& [soft, hard] = *m_reading.travel;
+    const auto ends = [](const TravelRange& range) {
+        return tr("%1 to %2").arg(figure(range.low, 0, {}), figure(range.high, 0, tr("mm")));
+    };
+    return tr("; soft limits %1, hard limits %2").arg(ends(soft), ends(hard));
 }
 
 QString AxisPanel::limitWord(bool soft, bool hard) const { return hard ? tr("HARD LIMIT") : soft ? tr("SOFT LIMIT") : QString(); }
@@ -94,6 +106,27 @@ void AxisPanel::paintName(QPainter& painter, const QRectF& where) const
                 ageText(m_reading.freshness, m_reading.age));
 }
 
+// Of the track, which reaches from hard limit to hard limit; `travel` is known.
+double AxisPanel::partOf(double position) const
+{
+    const TravelRange& hard = m_reading.travel->hard;
+    return hard.length() > 0 ? std::clamp((position - hard.low) / hard.length(), 0.0, 1.0) : 0;
+}
+
+void AxisPanel::paintLimits(QPainter& painter, const QRectF& track) const
+{
+    painter.setPen(QPen(colour::text, 2.5)); // hard limits: the ends
+    painter.drawLine(track.topLeft() - QPointF(0, 3), track.bottomLeft() + QPointF(0, 3));
+    painter.drawLine(track.topRight() - QPointF(0, 3), track.bottomRight() + QPointF(0, 3));
+    const double low = track.left() + track.width() * partOf(m_reading.travel->soft.low);
+    const double high = track.left() + track.width() * partOf(m_reading.travel->soft.high);
+    painter.fillRect(QRectF(track.topLeft(), QPointF(low, track.bottom())), QBrush(colour::secondary, Qt::FDiagPattern));
+    painter.fillRect(QRectF(QPointF(high, track.top()), track.bottomRight()), QBrush(colour::secondary, Qt::FDiagPattern));
+    painter.setPen(QPen(colour::secondary, 1.5)); // soft limits: where motion ends by itself
+    painter.drawLine(QPointF(low, track.top()), QPointF(low, track.bottom() + 3));
+    painter.drawLine(QPointF(high, track.top()), QPointF(high, track.bottom() + 3));
+}
+
 void AxisPanel::paintTrack(QPainter& painter, const QRectF& track) const
 {
     QPainterPath outline;
@@ -101,16 +134,18 @@ void AxisPanel::paintTrack(QPainter& painter, const QRectF& track) const
     painter.fillPath(outline, colour::raised);
     painter.setPen(QPen(colour::strongLine, 1));
     painter.drawPath(outline);
-    painter.setPen(QPen(colour::text, 2.5)); // hard limits: the ends
-    painter.drawLine(track.topLeft() - QPointF(0, 3), track.bottomLeft() + QPointF(0, 3));
-    painter.drawLine(track.topRight() - QPointF(0, 3), track.bottomRight() + QPointF(0, 3));
-    if (m_reading.freshness == Freshness::Unknown || m_reading.maximum <= 0)
+    if (!m_reading.travel)
         return;
-    const double part = std::clamp(m_reading.position / m_reading.maximum, 0.0, 1.0);
     const bool fresh = m_reading.freshness == Freshness::Fresh;
-    const QRectF way(track.left(), track.top() + 1, track.width() * part, track.height() - 2);
-    fresh ? painter.fillRect(way, colour::strongLine) : painter.fillRect(way, QBrush(colour::stale, Qt::BDiagPattern));
-    const double x = way.right();
+    const double x = track.left() + track.width() * partOf(m_reading.position);
+    const bool known = m_reading.freshness != Freshness::Unknown;
+    if (known) {
+        const QRectF way(track.left(), track.top() + 1, x - track.left(), track.height() - 2);
+        fresh ? painter.fillRect(way, colour::strongLine) : painter.fillRect(way, QBrush(colour::stale, Qt::BDiagPattern));
+    }
+    paintLimits(painter, track);
+    if (!known)
+        return;
     const double size = track.height() * 0.55;
     QPainterPath marker(QPointF(x, track.top() + size * 0.4));
     marker.lineTo(x - size, track.top() - size);
@@ -120,6 +155,19 @@ void AxisPanel::paintTrack(QPainter& painter, const QRectF& track) const
     painter.setBrush(fresh ? QBrush(colour::bright) : QBrush(Qt::NoBrush));
     painter.drawPath(marker);
     painter.drawLine(QPointF(x, track.top()), QPointF(x, track.bottom()));
+}
+
+void AxisPanel::paintTrackEnds(QPainter& painter, const QRectF& where) const
+{
+    const bool hard = m_reading.hardLow || m_reading.hardHigh;
+    const auto paint = [&](Qt::Alignment side, const QString& reached, const QString& end) {
+        painter.setPen(reached.isEmpty() ? colour::secondary : hard ? colour::medium : colour::low);
+        drawFigures(painter, where, side | Qt::AlignVCenter, reached.isEmpty() ? end : reached);
+    };
+    const auto& travel = m_reading.travel;
+    paint(Qt::AlignLeft, limitWord(m_reading.softLow, m_reading.hardLow),
+          travel ? figure(travel->hard.low, 0, tr("mm")) : tr("limits not reported"));
+    paint(Qt::AlignRight, limitWord(m_reading.softHigh, m_reading.hardHigh), travel ? figure(travel->hard.high, 0, tr("mm")) : QString());
 }
 
 void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
@@ -137,18 +185,11 @@ void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
     painter.setFont(theme::font(TextRole::Strong, scale));
     if (taken + figuresWidth(painter.font(), tr("turned -0000\u00B0")) < where.width())
         drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignRight | Qt::AlignVCenter, angle);
-    const QString low = limitWord(m_reading.softLow, m_reading.hardLow);
-    const QString high = limitWord(m_reading.softHigh, m_reading.hardHigh);
-    const bool hard = m_reading.hardLow || m_reading.hardHigh;
     const double tall = std::max(8.0, theme::px(this, 16) * 1.0);
     const QRectF track(where.left() + 2, where.bottom() - captionHeight - tall - 3, where.width() - 4, tall);
     paintTrack(painter, track);
     painter.setFont(caption);
-    const QRectF ends(where.left(), track.bottom() + 3, where.width(), captionHeight);
-    painter.setPen(low.isEmpty() ? colour::secondary : hard ? colour::medium : colour::low);
-    drawFigures(painter, ends, Qt::AlignLeft | Qt::AlignVCenter, low.isEmpty() ? tr("0") : low);
-    painter.setPen(high.isEmpty() ? colour::secondary : hard ? colour::medium : colour::low);
-    drawFigures(painter, ends, Qt::AlignRight | Qt::AlignVCenter, high.isEmpty() ? figure(m_reading.maximum, 0, tr("mm")) : high);
+    paintTrackEnds(painter, QRectF(where.left(), track.bottom() + 3, where.width(), captionHeight));
 }
 
 void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, double value, std::optional<double> asked, double fullScale,

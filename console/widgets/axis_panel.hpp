@@ -13,11 +13,11 @@ namespace console {
 struct AxisReading {
     Freshness freshness = Freshness::Unknown;
     Duration age{};
-    double position = 0; ///< mm
-    double maximum = 0;  ///< mm
-    double velocity = 0; ///< mm/s, advance positive
-    double angle = 0;    ///< deg
-    double rotation = 0; ///< deg/s, clockwise from behind positive
+    double position = 0;                    ///< mm
+    std::optional<InstrumentTravel> travel; ///< nothing until the robot has reported it
+    double velocity = 0;                    ///< mm/s, advance positive
+    double angle = 0;                       ///< deg
+    double rotation = 0;                    ///< deg/s, clockwise from behind positive
     bool gripperClosed = false;
     bool softLow = false, softHigh = false, hardLow = false, hardHigh = false;
     std::optional<double> askedVelocity; ///< while engaged: what was commanded
@@ -39,9 +39,13 @@ private:
     void paintName(QPainter& painter, const QRectF& where) const;
     void paintPosition(QPainter& painter, const QRectF& where) const;
     void paintTrack(QPainter& painter, const QRectF& track) const;
+    void paintLimits(QPainter& painter, const QRectF& track) const;
+    void paintTrackEnds(QPainter& painter, const QRectF& where) const;
+    double partOf(double position) const;
     void paintSpeed(QPainter& painter, const QRectF& where, double value, std::optional<double> asked, double fullScale,
                     const QString& words, const QString& unit) const;
     QString limitWord(bool soft, bool hard) const;
+    QString travelText() const; ///< for who does not see the bar
     QString figureText(double value, int decimals, const QString& unit) const;
 
     QString m_name;

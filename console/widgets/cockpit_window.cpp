@@ -43,7 +43,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
       m_live(new NotYetPane(tr("Live image"), tr("No picture."), this)),
       m_reference(new NotYetPane(tr("Reference image"), tr("No picture."), this)),
       m_scene(new NotYetPane(tr("3-D scene"), tr("No scene."), this)),
-      m_robot(new RobotPanel(models.instrument, models.hand, models.permit, this)),
+      m_robot(new RobotPanel(models, this)),
       m_dose(new DosePanel(models.instrument, models.xray, this)),
       m_trends(new TrendsPane(models.trends, this)),
       m_motion(new MotionBar(models, this)),
@@ -147,7 +147,9 @@ void CockpitWindow::addView(View view, QWidget* widget)
 
 void CockpitWindow::showReportNote(const QString& note) { m_deck->sheet()->showNote(note); }
 
-void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user); }
+void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user, m_models.role); }
+
+void CockpitWindow::setPatient(const QString& name, const QString& id) { m_strip->setPatient(name, id); }
 
 void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehearsal); }
 
@@ -182,7 +184,11 @@ void CockpitWindow::refreshStrip(Instant now)
         m_procedureSince = now;
     m_strip->setProcedureTime(m_procedureSince ? std::optional<std::chrono::nanoseconds>(now - *m_procedureSince) : std::nullopt);
     m_strip->setTopology(sessions.topologyTitle().isEmpty() ? sessions.topologyName() : sessions.topologyTitle(), sessions.topologyHash());
-    m_strip->setWallClock(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm:ss")));
+    const auto robot = sessions.firstPeer(DeviceKind::Hand);
+    const auto* link = robot ? sessions.linkTo(*robot) : nullptr;
+    const bool compared = link != nullptr && carriesMessages(link->state) && link->figures.clockOffset;
+    m_strip->setWallClock(QDateTime::currentDateTime().toString(QStringLiteral("HH:mm:ss")),
+                          compared ? std::optional<std::chrono::nanoseconds>(link->figures.clockUncertainty) : std::nullopt);
     m_strip->setRecorder(m_models.recorder.keeps());
     m_strip->setMode(modeOf(m_models.permit.phase()));
     m_strip->setBeam(!m_models.xray.fresh(now) ? Beam::Unknown : m_models.xray.beamOn() ? Beam::On : Beam::Off);

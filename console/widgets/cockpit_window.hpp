@@ -47,6 +47,7 @@ public:
     void addView(View view, QWidget* widget);
 
     void setOperator(const QString& user);
+    void setPatient(const QString& name, const QString& id);
     void setRehearsal(bool rehearsal);
     void setKeyLegend(const QString& legend);
     void setTrendSpan(TrendSpan span);

@@ -63,9 +63,10 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     row->addWidget(m_guards, 12);
     row->addWidget(m_hand);
     row->addWidget(swap, 3);
-    row->addWidget(m_inject, 3);
-    row->addWidget(m_pedal, 3);
-    row->addWidget(m_stop, 3);
+    for (QWidget* safety : std::initializer_list<QWidget*>{m_inject, m_pedal, m_stop}) {
+        row->addSpacing(10); // with gloves a finger beside one must not meet the next
+        row->addWidget(safety, 3);
+    }
     for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_inject, m_pedal, m_stop})
         part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     column->addLayout(row, 1);
@@ -201,7 +202,13 @@ void MotionBar::refresh(Instant now)
     m_hand->setState(m_models.hand, m_models.instrument, now);
     m_masters->setMasters(m_models.hand.masters(), masterMayChange(m_models.permit.phase()), now);
     const bool beam = m_models.xray.fresh(now) && m_models.xray.beamOn();
-    m_pedal->setTexts(tr("X-RAY"), beam ? tr("beam is on") : m_models.xray.pedalDown() ? tr("beam not seen") : tr("hold to image"));
+    const bool operates = m_models.role == OperatorRole::Operator;
+    m_pedal->setEnabled(operates);
+    m_reset->setEnabled(operates);
+    m_pedal->setTexts(tr("X-RAY"), !operates                   ? tr("observer")
+                                   : beam                      ? tr("beam is on")
+                                   : m_models.xray.pedalDown() ? tr("beam not seen")
+                                                               : tr("hold to image"));
     setPedalShown(m_models.xray.pedalDown());
     refreshArm(now);
     refreshReset(now);

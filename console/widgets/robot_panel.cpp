@@ -17,14 +17,14 @@ namespace console {
 using theme::TextRole;
 namespace colour = theme::colour;
 
-RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand, const PermitModel& permit, QWidget* parent)
+RobotPanel::RobotPanel(const ConsoleModels& models, QWidget* parent)
     : QFrame(parent),
-      m_instrument(instrument),
-      m_hand(hand),
-      m_permit(permit),
+      m_models(models),
+      m_instrument(models.instrument),
       m_state(plainLabel({}, TextRole::Strong, this)),
       m_tip(new FigureLabel(this)),
       m_drives(new FigureLabel(this)),
+      m_arm(new FigureLabel(this)),
       m_guidewire(new AxisPanel(tr("Guidewire"), icons::Icon::Guidewire, this)),
       m_catheter(new AxisPanel(tr("Catheter"), icons::Icon::Catheter, this)),
       m_force(new ForceGauge(this))
@@ -33,6 +33,7 @@ RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand,
     m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     theme::setTextRole(m_tip, TextRole::Caption);
     theme::setTextRole(m_drives, TextRole::Caption);
+    theme::setTextRole(m_arm, TextRole::Caption);
     m_tip->reserve(tr("Tracker ±0.0\u00A0mm \u00B7 stale 00.0\u00A0s"));
     m_tip->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* row = new QHBoxLayout(this);
@@ -49,6 +50,7 @@ RobotPanel::RobotPanel(const InstrumentState& instrument, const HandState& hand,
     left->addWidget(m_guidewire, 1);
     left->addWidget(m_catheter, 1);
     left->addWidget(m_drives);
+    left->addWidget(m_arm);
     row->addLayout(left, 1);
     row->addWidget(m_force);
 }
@@ -66,6 +68,17 @@ void RobotPanel::refreshHeading(Instant now)
     if (freshness != Freshness::Unknown && robot.value.faultCode != 0)
         text += QStringLiteral(" \u2014 ") + faultText(robot.value.faultCode);
     m_state->setText(text);
+}
+
+void RobotPanel::refreshArm(Instant now)
+{
+    m_arm->setVisible(m_models.sessions.firstPeer(DeviceKind::Arm).has_value());
+    const auto& arm = m_models.arm.status();
+    const auto state = !arm.known()               ? QStringLiteral("\u2014")
+                       : !m_models.arm.fresh(now) ? tr("last known: %1").arg(word(arm.value.phase))
+                                                  : word(arm.value.phase);
+    m_arm->setText(tr("Robotic arm: %1").arg(state));
+    setInk(m_arm, m_models.arm.fresh(now) ? colour::text : colour::secondary);
 }
 
 void RobotPanel::refreshDrives(Instant now)
@@ -96,14 +109,13 @@ void RobotPanel::refresh(Instant now)
 {
     const Aged<RobotStatus>& robot = m_instrument.robot();
     const RobotStatus& v = robot.value;
-    const bool moving = m_permit.state().stream() == MotionStream::Motion;
+    const bool moving = m_models.permit.state().stream() == MotionStream::Motion;
     const auto has = [&v](LimitSwitch bit) { return (v.limitSwitches & bit) != 0; };
     AxisReading wire;
     wire.freshness = robot.freshness(now, InstrumentState::statusLimit);
     wire.age = robot.age(now);
     AxisReading tube = wire;
     wire.position = v.guidewirePosition;
-    wire.maximum = m_instrument.limits().guidewireMaximum;
     wire.velocity = v.guidewireVelocity;
     wire.angle = v.guidewireAngle;
     wire.rotation = v.guidewireRotation;
@@ -113,7 +125,6 @@ void RobotPanel::refresh(Instant now)
     wire.hardLow = has(GuidewireHardLow);
     wire.hardHigh = has(GuidewireHardHigh);
     tube.position = v.catheterPosition;
-    tube.maximum = m_instrument.limits().catheterMaximum;
     tube.velocity = v.catheterVelocity;
     tube.angle = v.catheterAngle;
     tube.rotation = v.catheterRotation;
@@ -123,17 +134,22 @@ void RobotPanel::refresh(Instant now)
     tube.hardLow = has(CatheterHardLow);
     tube.hardHigh = has(CatheterHardHigh);
     if (moving) {
-        const HandMotion& asked = m_hand.reading().motion;
+        const HandMotion& asked = m_models.hand.reading().motion;
         wire.askedVelocity = asked.guidewireVelocity;
         wire.askedRotation = asked.guidewireRotation;
         tube.askedVelocity = asked.catheterVelocity;
         tube.askedRotation = asked.catheterRotation;
+    }
+    if (const auto& travel = m_instrument.travel()) {
+        wire.travel = travel->guidewire;
+        tube.travel = travel->catheter;
     }
     m_guidewire->setReading(wire);
     m_catheter->setReading(tube);
     m_force->setState(m_instrument, now);
     refreshHeading(now);
     refreshDrives(now);
+    refreshArm(now);
 }
 
 } // namespace console

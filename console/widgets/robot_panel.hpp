@@ -1,9 +1,7 @@
-// Region G: the robot's instruments, its drives and the force, as the robot last reported them.
+// Region G: the robot's instruments, its drives and the force, and the robotic arm, as they last reported themselves.
 #pragma once
 
-#include "model/hand_state.hpp"
-#include "model/instrument_state.hpp"
-#include "model/permit_model.hpp"
+#include "model/console_models.hpp"
 
 #include <QFrame>
 
@@ -18,19 +16,21 @@ class ForceGauge;
 class RobotPanel : public QFrame {
     Q_OBJECT
 public:
-    RobotPanel(const InstrumentState& instrument, const HandState& hand, const PermitModel& permit, QWidget* parent = nullptr);
+    explicit RobotPanel(const ConsoleModels& models, QWidget* parent = nullptr);
     void refresh(Instant now);
 
 private:
     void refreshHeading(Instant now);
     void refreshDrives(Instant now);
 
+    void refreshArm(Instant now);
+
+    const ConsoleModels& m_models;
     const InstrumentState& m_instrument;
-    const HandState& m_hand;
-    const PermitModel& m_permit;
     QLabel* m_state;
     FigureLabel* m_tip;
     FigureLabel* m_drives;
+    FigureLabel* m_arm;
     AxisPanel* m_guidewire;
     AxisPanel* m_catheter;
     ForceGauge* m_force;

@@ -189,7 +189,7 @@ StatusStrip::StatusStrip(QWidget* parent)
     row->setSpacing(22);
     m_notice = plainLabel(tr("RESEARCH SYSTEM\nNOT A MEDICAL DEVICE"), TextRole::Caption, this);
     m_notice->setAccessibleName(tr("Research system, not a medical device"));
-    m_patient->setValue(tr("No patient selected"));
+    setPatient({}, {});
     for (StripField* field : {m_patient, m_procedure, m_topology, m_role, m_recorder, m_clock})
         row->addWidget(field);
     row->addStretch(1);
@@ -202,9 +202,9 @@ StatusStrip::StatusStrip(QWidget* parent)
     row->addWidget(m_mode);
     setProcedureTime(std::nullopt);
     setTopology({}, {});
-    setRole({});
+    setRole({}, OperatorRole::Operator);
     setRecorder(false);
-    setWallClock(QStringLiteral("--:--:--"));
+    setWallClock(QStringLiteral("--:--:--"), std::nullopt);
 }
 
 void StatusStrip::setTopology(const QString& name, const QString& hash)
@@ -212,7 +212,15 @@ void StatusStrip::setTopology(const QString& name, const QString& hash)
     m_topology->setValue(name.isEmpty() ? tr("None loaded") : name + QStringLiteral("  ") + hash.left(6));
 }
 
-void StatusStrip::setRole(const QString& user) { m_role->setValue(user.isEmpty() ? tr("Not signed in") : user); }
+void StatusStrip::setPatient(const QString& name, const QString& id)
+{
+    m_patient->setValue(name.isEmpty() ? tr("Not named") : QStringLiteral("%1 \u00B7 %2").arg(name, id));
+}
+
+void StatusStrip::setRole(const QString& user, OperatorRole role)
+{
+    m_role->setValue(QStringLiteral("%1 \u00B7 %2").arg(user.isEmpty() ? tr("Not signed in") : user, word(role)));
+}
 
 void StatusStrip::setRecorder(bool keeps) { m_recorder->setValue(keeps ? tr("Alarm log") : tr("Stopped")); }
 
@@ -223,7 +231,11 @@ void StatusStrip::setRehearsal(bool rehearsal)
                                           : tr("Research system, not a medical device"));
 }
 
-void StatusStrip::setWallClock(const QString& time) { m_clock->setValue(time); }
+void StatusStrip::setWallClock(const QString& time, std::optional<std::chrono::nanoseconds> uncertainty)
+{
+    const auto known = uncertainty ? QStringLiteral("\u00B1%1").arg(figure(milliseconds(*uncertainty), 1, tr("ms"))) : tr("not compared");
+    m_clock->setValue(QStringLiteral("%1 %2").arg(time, known));
+}
 
 void StatusStrip::setProcedureTime(std::optional<std::chrono::nanoseconds> elapsed)
 {

@@ -70,12 +70,15 @@ public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
     void setTopology(const QString& name, const QString& hash);
-    void setRole(const QString& user);
+    /// Two identifiers; empty: nobody is named.
+    void setPatient(const QString& name, const QString& id);
+    void setRole(const QString& user, OperatorRole role);
     /// What is written down of the procedure.
     void setRecorder(bool keeps);
     /// A recording stands for the live picture: said where the notice of a research system stands.
     void setRehearsal(bool rehearsal);
-    void setWallClock(const QString& time);
+    /// `uncertainty`: by which the patient side's clock is known here; nothing: it is not.
+    void setWallClock(const QString& time, std::optional<std::chrono::nanoseconds> uncertainty);
     /// Time since the first channel was opened; nothing before.
     void setProcedureTime(std::optional<std::chrono::nanoseconds> elapsed);
     void setBeam(Beam beam) { m_xray->setBeam(beam); }

@@ -59,6 +59,7 @@ Result<void> RobotDevice::subscribe()
     m_system.every(milliseconds(10), [this] { publishStatus(); });
     m_system.every(milliseconds(25), [this] { publishTip(); });
     m_system.every(milliseconds(200), [this] { publishDrives(); });
+    m_system.every(std::chrono::seconds(1), [this] { publishTravelLimits(); });
     return ok();
 }
 

@@ -50,6 +50,7 @@ private:
     void publishStatus();
     void publishDrives();
     void publishTip();
+    void publishTravelLimits();
     void publish(const InjectionAnswer& answer);
     std::uint16_t limitSwitches() const;
 

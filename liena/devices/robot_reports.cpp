@@ -78,6 +78,20 @@ void RobotDevice::publishTip()
     m_system.publish(pose);
 }
 
+void RobotDevice::publishTravelLimits()
+{
+    Message limits = m_system.report("TravelLimits").value();
+    const auto set = [&limits](std::string_view field, const AxisRange& range) {
+        limits.set(field, std::vector<double>{within(range.low, -10, 1600), within(range.high, -10, 1600)});
+    };
+    const auto& axes = m_gate.limits().axes;
+    set("guidewire_soft", axes[0].soft.value());
+    set("guidewire_hard", axes[0].hard.value());
+    set("catheter_soft", axes[2].soft.value());
+    set("catheter_hard", axes[2].hard.value());
+    m_system.publish(limits);
+}
+
 void RobotDevice::publish(const InjectionAnswer& answer)
 {
     Message report = m_system.report("InjectionReport").value();

@@ -478,6 +478,14 @@
         <source>Go by the live picture; make a new roadmap with contrast.</source>
         <translation>以实时图像为准；注射造影剂后重新制作路图。</translation>
     </message>
+    <message>
+        <source>Robotic arm: fault</source>
+        <translation>机械臂：故障</translation>
+    </message>
+    <message>
+        <source>Robot: a drive is off</source>
+        <translation>机器人：有驱动器未启用</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>
@@ -589,10 +597,6 @@
         <translation>转角 -0000°</translation>
     </message>
     <message>
-        <source>0</source>
-        <translation>0</translation>
-    </message>
-    <message>
         <source>Guidewire</source>
         <translation>导丝</translation>
     </message>
@@ -603,6 +607,18 @@
     <message>
         <source>°/s</source>
         <translation>°/s</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>; soft limits %1, hard limits %2</source>
+        <translation>；软限位 %1，硬限位 %2</translation>
+    </message>
+    <message>
+        <source>limits not reported</source>
+        <translation>限位未报告</translation>
     </message>
 </context>
 <context>
@@ -1448,6 +1464,10 @@
         <source>at most %1 ms while armed</source>
         <translation>已解锁后最多 %1 ms</translation>
     </message>
+    <message>
+        <source>This console only observes</source>
+        <translation>本控制台仅供观察</translation>
+    </message>
 </context>
 <context>
     <name>console::HandBlock</name>
@@ -1950,6 +1970,185 @@
     <message>
         <source>%1 cannot be written: %2. The layout lasts for this run only.</source>
         <translation>无法写入 %1：%2。该布局仅在本次运行中有效。</translation>
+    </message>
+</context>
+<context>
+    <name>console::LibraryWords</name>
+    <message>
+        <source>The attempt ended without a word from the other side.</source>
+        <translation>尝试已结束，对方没有任何答复。</translation>
+    </message>
+    <message>
+        <source>The other device does not find this one in its topology: give both the same topology file.</source>
+        <translation>对方设备在其拓扑中找不到本设备：请让双方使用同一个拓扑文件。</translation>
+    </message>
+    <message>
+        <source>The topology has no link between the two devices: add it and give every device the same file.</source>
+        <translation>拓扑中没有这两台设备之间的链路：请添加，并让每台设备使用同一个文件。</translation>
+    </message>
+    <message>
+        <source>The two devices hold different topology files: give both the same bytes and restart them.</source>
+        <translation>两台设备的拓扑文件不同：请让双方使用完全相同的文件并重新启动。</translation>
+    </message>
+    <message>
+        <source>The two devices speak different versions of the protocol: update the older one.</source>
+        <translation>两台设备的协议版本不同：请更新较旧的一台。</translation>
+    </message>
+    <message>
+        <source>A message set does not hold what its device type needs: check the file with `liena check`.</source>
+        <translation>报文集缺少该设备类型所需的内容：请用 `liena check` 检查该文件。</translation>
+    </message>
+    <message>
+        <source>The link is in stand-by: a person has to re-open it.</source>
+        <translation>链路处于待机：必须由人重新打开。</translation>
+    </message>
+    <message>
+        <source>An opening or closing with this device is in hand: wait a moment and try again.</source>
+        <translation>与该设备的打开或关闭正在进行：请稍候再试。</translation>
+    </message>
+    <message>
+        <source>One side broke the protocol: note the versions of both programs and report it.</source>
+        <translation>其中一方违反了协议：请记下两个程序的版本并报告。</translation>
+    </message>
+    <message>
+        <source>The dialogue did not end in time: the other program is overloaded or stuck.</source>
+        <translation>对话未能按时结束：对方程序过载或停止响应。</translation>
+    </message>
+    <message>
+        <source>The other program is stopping: start it again.</source>
+        <translation>对方程序正在停止：请重新启动它。</translation>
+    </message>
+    <message>
+        <source>The device is in a session already: look for a second program with the same identity.</source>
+        <translation>该设备已在会话中：请查找使用同一身份的另一个程序。</translation>
+    </message>
+    <message>
+        <source>The device shows another message set than the one accepted for its type: a person has to read the changes and accept it (liena sets accept).</source>
+        <translation>该设备出示的报文集与其类型已接受的不同：必须由人阅读改动并接受（liena sets accept）。</translation>
+    </message>
+    <message>
+        <source>One of the two devices begins no session until that is mended: see the detail, or its log.</source>
+        <translation>在修复之前，其中一台设备不会开始会话：请看详情或其日志。</translation>
+    </message>
+    <message>
+        <source>No probe was made yet.</source>
+        <translation>尚未探测。</translation>
+    </message>
+    <message>
+        <source>This computer has no network there: plug, cable and switch at this side.</source>
+        <translation>本计算机在该处没有网络：请检查本端的插头、网线和交换机。</translation>
+    </message>
+    <message>
+        <source>The network is up and knows no way to the device: gateway and VPN.</source>
+        <translation>网络正常，但没有到该设备的路由：请检查网关和 VPN。</translation>
+    </message>
+    <message>
+        <source>The device&apos;s computer does not answer: its power and cable, or the site&apos;s line.</source>
+        <translation>该设备的计算机没有应答：请检查其电源和网线，或该院区的线路。</translation>
+    </message>
+    <message>
+        <source>The computer answers and its program is not running: start the program at the patient side.</source>
+        <translation>计算机有应答，但其程序没有运行：请在患者端启动该程序。</translation>
+    </message>
+    <message>
+        <source>The device answered and an identity was refused: do not bypass this, call service.</source>
+        <translation>该设备有应答，但身份被拒绝：不要绕过，请联系技术服务。</translation>
+    </message>
+    <message>
+        <source>The device accepts connections and says nothing: its program hangs or is overloaded; wait 2 s, then restart it.</source>
+        <translation>该设备接受连接但没有应答：其程序停止响应或过载；请等待 2 s，然后重新启动它。</translation>
+    </message>
+    <message>
+        <source>The device answers again: the channel can be re-opened.</source>
+        <translation>该设备重新应答：可以重新打开通道。</translation>
+    </message>
+    <message>
+        <source>invalid argument</source>
+        <translation>参数无效</translation>
+    </message>
+    <message>
+        <source>file unreadable</source>
+        <translation>文件无法读取</translation>
+    </message>
+    <message>
+        <source>file unwritable</source>
+        <translation>文件无法写入</translation>
+    </message>
+    <message>
+        <source>XML invalid</source>
+        <translation>XML 无效</translation>
+    </message>
+    <message>
+        <source>message set invalid</source>
+        <translation>报文集无效</translation>
+    </message>
+    <message>
+        <source>topology invalid</source>
+        <translation>拓扑无效</translation>
+    </message>
+    <message>
+        <source>certificate invalid</source>
+        <translation>证书无效</translation>
+    </message>
+    <message>
+        <source>address unavailable</source>
+        <translation>地址不可用</translation>
+    </message>
+    <message>
+        <source>network failure</source>
+        <translation>网络故障</translation>
+    </message>
+    <message>
+        <source>unknown device</source>
+        <translation>未知设备</translation>
+    </message>
+    <message>
+        <source>unknown message</source>
+        <translation>未知报文</translation>
+    </message>
+    <message>
+        <source>no link</source>
+        <translation>没有链路</translation>
+    </message>
+    <message>
+        <source>not open</source>
+        <translation>未打开</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>时候未到</translation>
+    </message>
+    <message>
+        <source>stand-by</source>
+        <translation>待机</translation>
+    </message>
+    <message>
+        <source>no incident</source>
+        <translation>没有事件</translation>
+    </message>
+    <message>
+        <source>busy</source>
+        <translation>忙</translation>
+    </message>
+    <message>
+        <source>forbidden</source>
+        <translation>不允许</translation>
+    </message>
+    <message>
+        <source>value refused</source>
+        <translation>数值被拒绝</translation>
+    </message>
+    <message>
+        <source>queue full</source>
+        <translation>队列已满</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -2504,6 +2703,10 @@
     <message>
         <source>INJECT</source>
         <translation>注射</translation>
+    </message>
+    <message>
+        <source>observer</source>
+        <translation>观察者</translation>
     </message>
 </context>
 <context>
@@ -3962,6 +4165,10 @@
         <source>Tracker does not see the tip</source>
         <translation>跟踪器看不到头端</translation>
     </message>
+    <message>
+        <source>Robotic arm: %1</source>
+        <translation>机械臂：%1</translation>
+    </message>
 </context>
 <context>
     <name>console::RollCall</name>
@@ -4546,10 +4753,6 @@ NOT A MEDICAL DEVICE</source>
         <translation>研究用系统，非医疗器械</translation>
     </message>
     <message>
-        <source>No patient selected</source>
-        <translation>未选择患者</translation>
-    </message>
-    <message>
         <source>None loaded</source>
         <translation>未加载</translation>
     </message>
@@ -4590,6 +4793,18 @@ NOT A MEDICAL DEVICE</source>
     <message>
         <source>Stopped</source>
         <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Not named</source>
+        <translation>未指定</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>not compared</source>
+        <translation>未比对</translation>
     </message>
 </context>
 <context>
@@ -5089,6 +5304,10 @@ known here</source>
     <message>
         <source>ROADMAP</source>
         <translation>路图</translation>
+    </message>
+    <message>
+        <source>observer</source>
+        <translation>观察者</translation>
     </message>
 </context>
 <context>

@@ -189,6 +189,11 @@ void InventedCockpit::openAll()
     drives.temperature = {38, 36, 41, 35};
     drives.current = {0.4, 0.2, 0.5, 0.1};
     models.instrument.receiveDrives(drives, now - 120ms);
+    models.instrument.receiveTravel({{{0, 837}, {-5, 842}}, {{0, 837}, {-5, 842}}});
+    ArmStatus arm;
+    arm.phase = ArmPhase::Hold;
+    arm.holding = true;
+    models.arm.receive(arm, now - 15ms);
     TipPose tip;
     tip.valid = true;
     tip.error = 0.4;

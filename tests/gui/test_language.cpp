@@ -1,6 +1,7 @@
 // Every state of the gallery in a language that takes 40 % more room, and in Chinese: nothing clipped, nothing painted over.
 #include "app/language.hpp"
 #include "gallery_scene.hpp"
+#include "link/library_words.hpp"
 #include "model/alarm_rules.hpp"
 #include "pseudo_language.hpp"
 #include "shown_texts.hpp"
@@ -70,6 +71,11 @@ private Q_SLOTS:
         QCOMPARE(spokenOf({}), QStringLiteral("en"));
     }
 
+    void theLibrarysOwnSentenceIsShownInEnglish()
+    {
+        QCOMPARE(words(liena::Error{liena::Errc::Busy, "robot is being opened"}), QStringLiteral("robot is being opened"));
+    }
+
     // From here on the program speaks Chinese.
     void speaksChinese()
     {
@@ -79,6 +85,21 @@ private Q_SLOTS:
         QCOMPARE(speak(QStringLiteral("zh_CN")), QString());
         QCOMPARE(word(LinkState::StandBy), QStringLiteral("\u5F85\u673A"));
         QCOMPARE(word(PermitPhase::Armed), word(RobotState::Armed));
+    }
+
+    void whatTheLibrarySaysIsChinese()
+    {
+        const auto chinese = [](const QString& text) {
+            return std::any_of(text.begin(), text.end(), [](QChar c) { return c.script() == QChar::Script_Han; });
+        };
+        for (int reason = 0; liena::toString(static_cast<liena::RejectReason>(reason)) != "unknown"; ++reason)
+            QVERIFY2(chinese(words(static_cast<liena::RejectReason>(reason))), qPrintable(QString::number(reason)));
+        for (int probe = 0; liena::toString(static_cast<liena::ProbeResult>(probe)) != "unknown"; ++probe)
+            QVERIFY2(chinese(words(static_cast<liena::ProbeResult>(probe))), qPrintable(QString::number(probe)));
+        for (int code = 1; liena::toString(static_cast<liena::Errc>(code)) != "unknown error"; ++code) {
+            const QString said = words(liena::Error{static_cast<liena::Errc>(code), "robot: port 52110"});
+            QVERIFY2(chinese(said) && said.contains(QStringLiteral("robot: port 52110")), qPrintable(said));
+        }
     }
 
     // What goes over the wire: a robot's log and its limit of length know one language.

@@ -3,8 +3,7 @@
 // Those whose cause is a device that dies, a disk, a loudspeaker or a watchdog are tried elsewhere (system.cockpit, system.watchdog,
 // unit.alarm_journal, unit.alarm_sounder), those of a line that is slow, lossy or badly timed by unit.alarm_watch and unit.line_alarm.
 #include "hostile_stage.hpp"
-#include "puppet_devices.hpp"
-#include "theatre.hpp"
+#include "puppet_theatre.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
@@ -12,6 +11,8 @@
 #include <QTest>
 
 using namespace console;
+using console::test::PuppetTheatre;
+using console::test::puppetWishes;
 using console::test::Theatre;
 using liena::Message;
 using liena::test::PuppetRobot;
@@ -22,19 +23,7 @@ namespace {
 
 constexpr int patience = Theatre::patience;
 
-Theatre::Wishes wishes()
-{
-    Theatre::Wishes value;
-    value.devices = false;
-    value.arm = false;
-    return value;
-}
-
-struct Stage {
-    Theatre theatre{wishes()};
-    PuppetRobot robot{theatre.files.settingsOf("robot")};
-    PuppetXray xray{theatre.files.settingsOf("xray")};
-
+struct Stage : PuppetTheatre {
     const Alarm* alarm(C condition) const
     {
         for (const auto& one : theatre.models().alarms.alarms())
@@ -162,7 +151,7 @@ private Q_SLOTS:
     /// 10: a firewall begins to drop UDP, and the session goes on by TCP.
     void packetsThatPassNoMoreAreAnAlarm()
     {
-        Theatre theatre(wishes());
+        Theatre theatre(puppetWishes());
         auto role = liena::test::roleOf(theatre.files, "robot", "cockpit");
         role.heartbeat = std::chrono::milliseconds(20);
         liena::test::ScriptedPeer robot(role);
@@ -190,7 +179,7 @@ private Q_SLOTS:
     /// 19: the robot was started with a topology of its own.
     void aRobotOfAnotherSystemIsAnAlarm()
     {
-        Theatre theatre(wishes());
+        Theatre theatre(puppetWishes());
         PuppetXray xray(theatre.files.settingsOf("xray"));
         auto settings = theatre.files.settingsOf("robot");
         QFile file(QString::fromStdString(settings.topology.string()));

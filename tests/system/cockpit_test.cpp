@@ -61,6 +61,9 @@ private Q_SLOTS:
     {
         Theatre theatre(wishes());
         QVERIFY(theatre.openAll());
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.travel().has_value(), patience);
+        const InstrumentTravel& way = theatre.models().instrument.travel()->guidewire; // of the vessel that this robot was given
+        QVERIFY(way.hard.low < way.soft.low && way.soft.high < way.hard.high && way.hard.high < 1600);
         QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
         theatre.robot->kill();
 
@@ -68,6 +71,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(theatre.phase() == PermitPhase::Incident, patience);
         QVERIFY2(theatre.armDevice->waitForLine(QStringLiteral("stand-by")), qPrintable(theatre.armDevice->output()));
         QVERIFY2(theatre.xray->waitForLine(QStringLiteral("stand-by")), qPrintable(theatre.xray->output()));
+        QTRY_VERIFY2_WITH_TIMEOUT(stands(theatre, AlarmCondition::LinkLost), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(stands(theatre, AlarmCondition::HoldNotConfirmed), qPrintable(theatre.story()), patience);
         auto* sheet = theatre.window().findChild<DiagnosisSheet*>();
         QTRY_VERIFY_WITH_TIMEOUT((sheet = theatre.window().findChild<DiagnosisSheet*>()) != nullptr && sheet->isVisible(), patience);
 
@@ -260,6 +265,22 @@ private Q_SLOTS:
         QVERIFY(!stands(theatre, AlarmCondition::LinkLost));
         QVERIFY(!stands(theatre, AlarmCondition::WatchdogGone) && !stands(theatre, AlarmCondition::RecorderStopped));
         QTRY_VERIFY_WITH_TIMEOUT(keptAlarms(theatre).contains("picture link lost"), patience);
+    }
+
+    /// Whichever device is not heard: nobody sees what it does, and it may be in the way.
+    void anArmThatIsNotHeardEndsMotionOfTheRobot()
+    {
+        Theatre theatre(wishes());
+        QVERIFY(theatre.openAll());
+        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+        theatre.armDevice->freeze();
+        QTRY_VERIFY2_WITH_TIMEOUT(logTells(theatre, QStringLiteral("ENGAGED -> ")), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, qPrintable(theatre.story()), patience);
+        const auto applied = theatre.robotStatus().appliedCommands;
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.link("arm") == LinkState::StandBy, qPrintable(theatre.story()), patience);
+        QCOMPARE(theatre.robotStatus().appliedCommands, applied);
+        theatre.armDevice->thaw();
+        theatre.releaseAll();
     }
 
     void aFrozenRobotAppliesNothingStaleWhenItWakes()

@@ -4,8 +4,7 @@
 // Others of these rules need a device that dies or a file that differs and are tried elsewhere: a killed and a frozen robot, a pad that is
 // pulled out (system.cockpit), commands from before a loss (system.stand_by, the simulation), reductions that nobody tells of
 // (system.reduced_pictures), certificates and topologies that differ (system.certificates, hostile_*), a GUI that hangs (system.watchdog).
-#include "puppet_devices.hpp"
-#include "theatre.hpp"
+#include "puppet_theatre.hpp"
 #include "widgets/hold_button.hpp"
 #include "widgets/theme.hpp"
 
@@ -16,6 +15,8 @@
 #include <QWheelEvent>
 
 using namespace console;
+using console::test::PuppetTheatre;
+using console::test::puppetWishes;
 using console::test::Theatre;
 using liena::test::PuppetRobot;
 using liena::test::PuppetXray;
@@ -27,19 +28,7 @@ namespace {
 
 constexpr int patience = Theatre::patience;
 
-Theatre::Wishes wishes()
-{
-    Theatre::Wishes value;
-    value.devices = false;
-    value.arm = false;
-    return value;
-}
-
-/// The console, and two devices that do as they are told.
-struct Stage {
-    Theatre theatre{wishes()};
-    PuppetRobot robot{theatre.files.settingsOf("robot")};
-    PuppetXray xray{theatre.files.settingsOf("xray")};
+struct Stage : PuppetTheatre {
     std::unique_ptr<QWidget> other; ///< another window, in front
 
     bool open() { return theatre.openAll(); }
@@ -363,11 +352,10 @@ private Q_SLOTS:
     void nobodyArmsOverALineThatTheRobotsMaxAgeDoesNotCarry()
     {
         const auto back = qScopeGuard([this] { comeToTheFront(*m_stage); }); // another window is in front for a while
-        auto slow = wishes();
+        auto slow = puppetWishes();
         slow.system.timing = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")";
-        Theatre theatre(slow);
-        PuppetRobot robot(theatre.files.settingsOf("robot"));
-        PuppetXray xray(theatre.files.settingsOf("xray"));
+        PuppetTheatre stage(slow);
+        Theatre& theatre = stage.theatre;
         QVERIFY(theatre.openAll());
         theatre.acknowledgeAlarms();
         theatre.testAlarms();
@@ -379,7 +367,7 @@ private Q_SLOTS:
         QVERIFY2(!line.met && line.text.contains(QStringLiteral("up to 0 ms")), qPrintable(line.text));
         theatre.hold(Qt::Key_R);
         QVERIFY(!theatre.reaches(PermitPhase::Arming));
-        QCOMPARE(robot.armRequests(), 0);
+        QCOMPARE(stage.robot.armRequests(), 0);
         theatre.releaseAll();
     }
 

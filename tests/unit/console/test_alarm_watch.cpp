@@ -119,6 +119,20 @@ const std::vector<Case>& deviceCases()
     static const std::vector<Case> all{
         {"5 force", robot([](auto& s) { s.guidewireForce = 2.1; }), C::ForceStop},
         {"6 drive", robot([](auto& s) { s.faultCode = 2; }), C::DriveFault},
+        {"6 a drive too warm",
+         [](Watched& w) {
+             auto drives = w.models().instrument.drives().value;
+             drives.temperature[1] = 81;
+             w.models().instrument.receiveDrives(drives, w.now);
+         },
+         C::DriveFault},
+        {"6 the arm",
+         [](Watched& w) {
+             ArmStatus arm;
+             arm.phase = ArmPhase::Fault;
+             w.models().arm.receive(arm, w.now);
+         },
+         C::DriveFault},
         {"emergency stop unheard",
          [](Watched& w) {
              w.models().instrument.noteStopAsked(w.now);
@@ -246,6 +260,41 @@ private Q_SLOTS:
         held.holdConfirmed = true;
         w.receive(held);
         QVERIFY(!w.priorityOf(C::HoldNotConfirmed));
+    }
+
+    void afterALossTheRobotMustHoldWhateverItDidBefore()
+    {
+        Watched w;
+        w.now = std::chrono::steady_clock::now();
+        PermitEvent loss;
+        loss.kind = PermitEventKind::SystemStandsBy;
+        w.models().permit.apply(loss, w.now);
+        w.now = std::chrono::steady_clock::now() + 100ms;
+        QVERIFY(!w.priorityOf(C::HoldNotConfirmed));
+        w.now += 101ms;
+        QCOMPARE(w.priorityOf(C::HoldNotConfirmed), AlarmPriority::Medium);
+        auto held = w.robot();
+        held.holdConfirmed = true;
+        w.receive(held);
+        QVERIFY(!w.priorityOf(C::HoldNotConfirmed));
+    }
+
+    void aDriveThatIsOffWhileArmedIsUrgent()
+    {
+        Watched w;
+        auto drives = w.models().instrument.drives().value;
+        drives.enabled = {true, true, false, true};
+        w.models().instrument.receiveDrives(drives, w.now);
+        QVERIFY(!w.priorityOf(C::DriveFault)); // the robot switches them on when it is armed
+        w.cockpit.arm();
+        w.now = std::chrono::steady_clock::now() + 400ms;
+        w.models().instrument.receiveDrives(drives, w.now);
+        w.receive(w.robot());
+        QVERIFY(!w.priorityOf(C::DriveFault));
+        w.now += 200ms;
+        w.models().instrument.receiveDrives(drives, w.now);
+        w.receive(w.robot());
+        QCOMPARE(w.priorityOf(C::DriveFault), AlarmPriority::High);
     }
 
     void limitsAreToldWhileArmed()

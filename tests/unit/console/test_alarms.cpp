@@ -145,6 +145,41 @@ private Q_SLOTS:
         QVERIFY(!second->acknowledged);
     }
 
+    void fluoroscopySignalsWithEveryFiveMinutesAndNotBefore_data()
+    {
+        QTest::addColumn<double>("seconds");
+        QTest::addColumn<QString>("told");
+        const auto reached = [](int minutes) { return QStringLiteral("Fluoroscopy has reached %1 min").arg(minutes); };
+        QTest::newRow("just below") << 299.9 << QString();
+        QTest::newRow("five minutes") << 300.0 << reached(5);
+        QTest::newRow("just below ten") << 599.9 << reached(5);
+        QTest::newRow("ten minutes") << 600.0 << reached(10);
+    }
+
+    void fluoroscopySignalsWithEveryFiveMinutesAndNotBefore()
+    {
+        QFETCH(double, seconds);
+        QFETCH(QString, told);
+        auto readings = calm();
+        readings.fluoroscopyTime = seconds;
+        const auto present = presentAlarms(readings);
+        QCOMPARE(present.empty() ? QString() : present.front().text, told);
+    }
+
+    void theNextFiveMinutesDemandAttentionAnew()
+    {
+        auto readings = calm();
+        AlarmList list;
+        const auto at = [&](double seconds) {
+            readings.fluoroscopyTime = seconds;
+            list.update(presentAlarms(readings), start, 0);
+            return list.highest();
+        };
+        list.acknowledge(at(300)->id, 0);
+        QVERIFY(at(599)->acknowledged);
+        QVERIFY(!at(600)->acknowledged);
+    }
+
     void calmRaisesNothing()
     {
         QVERIFY(presentAlarms(calm()).empty());

@@ -60,6 +60,38 @@ private Q_SLOTS:
         }
     }
 
+    void knowsWhoMayDoWhatAndWhoThePatientIs()
+    {
+        const auto plain = read(QString());
+        QCOMPARE(plain.options.role, OperatorRole::Operator);
+        QVERIFY(plain.options.patient.isEmpty());
+        const auto told = read(QStringLiteral("--role observer --patient Wang --patient-id A-1234"));
+        QCOMPARE(told.outcome, CommandLine::Outcome::Run);
+        QCOMPARE(told.options.role, OperatorRole::Observer);
+        QCOMPARE(told.options.patient, QStringLiteral("Wang"));
+        QCOMPARE(told.options.patientId, QStringLiteral("A-1234"));
+    }
+
+    void refusesPeople_data()
+    {
+        QTest::addColumn<QString>("options");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("role") << QStringLiteral("--role surgeon") << QStringLiteral("--role 'surgeon': choose operator or observer");
+        QTest::newRow("observer that arms") << QStringLiteral("--role observer --unattended 5")
+                                            << QStringLiteral("--role observer: an unattended run arms");
+        QTest::newRow("no number") << QStringLiteral("--patient Wang") << QStringLiteral("named by two identifiers");
+        QTest::newRow("no name") << QStringLiteral("--patient-id A-1234") << QStringLiteral("named by two identifiers");
+    }
+
+    void refusesPeople()
+    {
+        QFETCH(QString, options);
+        QFETCH(QString, reason);
+        const auto line = read(options);
+        QCOMPARE(line.outcome, CommandLine::Outcome::Mistake);
+        QVERIFY2(line.text.contains(reason), qPrintable(line.text));
+    }
+
     void refusesAMaster_data()
     {
         QTest::addColumn<QString>("options");

@@ -81,6 +81,33 @@ private Q_SLOTS:
                  qPrintable(last.text));
     }
 
+    /// Nobody watched meanwhile, however short it was.
+    void anInterruptionThatHealsByItselfIsReadTooAndCountsOnce()
+    {
+        Watched w;
+        w.models().sessions.setLinkState(armId, LinkState::Reconnecting, w.cockpit.now);
+        QCOMPARE(w.account().stage(), Stage::Running);
+        QVERIFY(!w.guardMet());
+        w.models().sessions.setLinkState(armId, LinkState::Open, w.cockpit.now);
+        QCOMPARE(w.account().stage(), Stage::Unread);
+        QCOMPARE(w.account().losses(), 1);
+        QCOMPARE(w.account().lost(), QStringList{QStringLiteral("Robotic arm link")});
+        w.watch.acknowledge({}, std::chrono::steady_clock::now() + 1s);
+        QVERIFY(w.guardMet());
+    }
+
+    void anInterruptionThatDoesNotHealIsOneLoss()
+    {
+        Watched w;
+        w.models().sessions.setLinkState(robotId, LinkState::Reconnecting, w.cockpit.now);
+        w.lose(1, cockpitId, robotId);
+        w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.cockpit.now);
+        w.reopen(1);
+        w.models().sessions.setLinkState(robotId, LinkState::Open, w.cockpit.now);
+        QCOMPARE(w.account().stage(), Stage::Unread);
+        QCOMPARE(w.account().losses(), 1);
+    }
+
     void endsOnlyWhenNoIncidentIsLeft()
     {
         Watched w;

@@ -131,6 +131,15 @@ private Q_SLOTS:
         QCOMPARE(t.quaternion[0], 1.0);
         QCOMPARE(t.error, 0.5);
 
+        auto limits = compose("vascular-robot", "TravelLimits");
+        limits.set("guidewire_soft", std::vector<double>{0, 837}).set("guidewire_hard", std::vector<double>{-5, 842});
+        limits.set("catheter_soft", std::vector<double>{1, 400}).set("catheter_hard", std::vector<double>{-2, 410});
+        const auto travel = travelLimits(limits);
+        QCOMPARE(travel.guidewire.soft.high, 837.0);
+        QCOMPARE(travel.guidewire.hard.low, -5.0);
+        QCOMPARE(travel.catheter.soft.low, 1.0);
+        QCOMPARE(travel.catheter.hard.high, 410.0);
+
         auto injection = compose("vascular-robot", "InjectionReport");
         injection.set("injection", 6U).set("delivered", 1.5).set("state", std::string_view("refused")).set("reason", "empty");
         const auto i = injectionStatus(injection);
@@ -217,7 +226,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("set");
         QTest::addColumn<QByteArray>("report");
         QTest::addColumn<quint32>("right");
-        for (const char* report : {"RobotStatus", "TipPose", "DriveStatus", "InjectionReport"})
+        for (const char* report : {"RobotStatus", "TipPose", "DriveStatus", "InjectionReport", "TravelLimits"})
             QTest::newRow(report) << QByteArray("vascular-robot") << QByteArray(report) << robot.value();
         QTest::newRow("ArmStatus") << QByteArray("arm-grasper") << QByteArray("ArmStatus") << arm.value();
         QTest::newRow("AcquisitionStatus") << QByteArray("cbct-xray") << QByteArray("AcquisitionStatus") << xray.value();
