@@ -99,6 +99,27 @@ struct Declared {
         QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};
     QCommandLineOption measureOnRequest{QStringLiteral("measure-on-request"),
                                         QStringLiteral("Let `liena bench --live` of this user measure the lines of this console.")};
+    QCommandLineOption realTimePriority{QStringLiteral("realtime-priority"),
+                                        QStringLiteral("SCHED_FIFO priority of the network thread, 1 to 99. Default: none."),
+                                        QStringLiteral("N")};
+    QCommandLineOption processors{QStringLiteral("processors"),
+                                  QStringLiteral("Processors that the network thread may use, as 2,3. Default: all."),
+                                  QStringLiteral("LIST")};
+    QCommandLineOption lockMemory{QStringLiteral("lock-memory"), QStringLiteral("Keep all memory of the console from being swapped.")};
+    QCommandLineOption cardPoll{
+        QStringLiteral("card-poll"),
+        QStringLiteral("Microseconds that the kernel asks the network card before the network thread sleeps. Default: 0."),
+        QStringLiteral("US")};
+    QCommandLineOption busyPoll{
+        QStringLiteral("busy-poll"),
+        QStringLiteral("Microseconds that the network thread looks for work before it sleeps; costs a processor. Default: 0."),
+        QStringLiteral("US")};
+    QCommandLineOption markCommands{
+        QStringLiteral("mark-commands"),
+        QStringLiteral("DSCP (RFC 2474) of what is prompt: 0 to 63, 0 for none. Default: 46, expedited forwarding."), QStringLiteral("N")};
+    QCommandLineOption markImages{QStringLiteral("mark-images"),
+                                  QStringLiteral("DSCP of images that this console sends: 0 to 63, 0 for none. Default: 34, AF41."),
+                                  QStringLiteral("N")};
     QCommandLineOption language{
         QStringLiteral("language"),
         QStringLiteral("Language of the screen: %1. Default: the system's where it is one of them, else en; en with --unattended.")
@@ -126,6 +147,7 @@ struct Declared {
                            master,   recording,  vessels,     alarmLog, pictures,         display,    rehearsal, size,    unattended,
                            report,   screenshot, help,        version,  measureOnRequest, preferences});
         parser.addOptions({language, role, patient, patientId});
+        parser.addOptions({realTimePriority, processors, lockMemory, cardPoll, busyPoll, markCommands, markImages});
     }
 };
 
@@ -200,6 +222,49 @@ QString readPeople(const Declared& declared, Options& options)
     return {};
 }
 
+/// Leaves `value` alone where the option was not given.
+QString readNumber(const Declared& declared, const QCommandLineOption& option, int least, int most, int& value)
+{
+    if (!declared.parser.isSet(option))
+        return {};
+    bool good = false;
+    const auto text = declared.parser.value(option);
+    value = text.toInt(&good);
+    return good && value >= least && value <= most
+               ? QString()
+               : QStringLiteral("--%1 '%2': give %3 to %4").arg(option.names().constFirst(), text).arg(least).arg(most);
+}
+
+QString readProcessors(const Declared& declared, QList<int>& processors)
+{
+    if (!declared.parser.isSet(declared.processors))
+        return {};
+    const auto text = declared.parser.value(declared.processors);
+    for (const auto& word : text.split(QLatin1Char(','))) {
+        bool good = false;
+        processors.append(word.toInt(&good));
+        if (!good || processors.constLast() < 0)
+            return QStringLiteral("--processors '%1': give their numbers, as 2,3").arg(text);
+    }
+    return {};
+}
+
+QString readNetwork(const Declared& declared, NetworkSettings& network)
+{
+    constexpr int longest = 1'000'000;
+    constexpr int highestMark = 63;
+    network.lockMemory = declared.parser.isSet(declared.lockMemory);
+    for (const auto& wrong :
+         {readNumber(declared, declared.realTimePriority, 1, 99, network.realTimePriority), readProcessors(declared, network.processors),
+          readNumber(declared, declared.cardPoll, 0, longest, network.cardPollUs),
+          readNumber(declared, declared.busyPoll, 0, longest, network.busyPollUs),
+          readNumber(declared, declared.markCommands, 0, highestMark, network.commandMark),
+          readNumber(declared, declared.markImages, 0, highestMark, network.imageMark)})
+        if (!wrong.isEmpty())
+            return wrong;
+    return {};
+}
+
 /// The first thing that is wrong, or nothing.
 QString readOptions(const Declared& declared, Options& options)
 {
@@ -239,6 +304,8 @@ QString readOptions(const Declared& declared, Options& options)
             return QStringLiteral("--size '%1': write WIDTHxHEIGHT, at least 800x450").arg(parser.value(declared.size));
     }
     if (const auto wrong = readPeople(declared, options); !wrong.isEmpty())
+        return wrong;
+    if (const auto wrong = readNetwork(declared, options.network); !wrong.isEmpty())
         return wrong;
     if (const auto wrong = readMaster(declared, options); !wrong.isEmpty())
         return wrong;

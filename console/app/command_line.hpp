@@ -1,6 +1,7 @@
 // What liena-console is told on its command line.
 #pragma once
 
+#include "link/network_settings.hpp"
 #include "model/master_status.hpp"
 #include "model/operator_role.hpp"
 #include "model/picture_state.hpp"
@@ -42,6 +43,7 @@ struct Options {
     QString watchdog;    ///< program; empty: nobody watches this one
     bool rehearsal = false;
     bool measureOnRequest = false;
+    NetworkSettings network;
     PictureProfile profile = PictureProfile::Neuro;
     std::optional<QSize> size;
     std::optional<UnattendedSettings> unattended;

@@ -60,6 +60,16 @@ std::optional<std::string> checkSettings(const LinkSettings& settings, QString* 
     return deviceName(settings, topology.value(), error);
 }
 
+void useNetwork(const NetworkSettings& chosen, liena::Settings& own)
+{
+    own.realTime.priority = chosen.realTimePriority;
+    own.realTime.processors.assign(chosen.processors.begin(), chosen.processors.end());
+    own.realTime.lockMemory = chosen.lockMemory;
+    own.realTime.cardSearch = std::chrono::microseconds(chosen.cardPollUs);
+    own.realTime.search = std::chrono::microseconds(chosen.busyPollUs);
+    own.marks = {static_cast<std::uint8_t>(chosen.commandMark), static_cast<std::uint8_t>(chosen.imageMark)};
+}
+
 } // namespace
 
 std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, ConsoleModels& models, FrameSink& sink, QString* error)
@@ -79,6 +89,7 @@ std::unique_ptr<SystemLink> SystemLink::create(const LinkSettings& settings, Con
     own.software = "liena-console";
     own.status = liena::statusFolder();
     own.measureOnRequest = settings.measureOnRequest;
+    useNetwork(settings.network, own);
     liena::keepKeysOutOfCoreDumps();
     auto system = liena::DistributedSystem::create(std::move(own));
     if (!system) {

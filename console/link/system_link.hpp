@@ -2,6 +2,7 @@
 #pragma once
 
 #include "link/message_intake.hpp"
+#include "link/network_settings.hpp"
 #include "link/session_intake.hpp"
 #include "model/console_models.hpp"
 #include "model/frame_sink.hpp"
@@ -36,6 +37,7 @@ struct LinkSettings {
     QString key;
     QString authority;
     bool measureOnRequest = false; ///< `liena bench --live` may ask this console
+    NetworkSettings network;
 };
 
 /// What the console says of itself, twenty times a second.

@@ -87,6 +87,14 @@ void addSystemOptions(CLI::App& role, Options& options)
     role.add_option_function<int>(
         "--busy-poll", [&settings](int us) { settings.realTime.search = std::chrono::microseconds(us); },
         "Microseconds that the network thread looks for work before it sleeps; costs a processor; default 0");
+    const auto addMark = [&role](const char* name, std::uint8_t& mark, const std::string& what) {
+        role.add_option_function<int>(
+                name, [&mark](int dscp) { mark = static_cast<std::uint8_t>(dscp); },
+                "DSCP (RFC 2474) of " + what + ": 0 to 63, 0 for none; default " + std::to_string(mark))
+            ->check(CLI::Range(0, 63));
+    };
+    addMark("--mark-commands", settings.marks.prompt, "what is prompt");
+    addMark("--mark-images", settings.marks.bulk, "images");
     role.add_option("--seed", options.seed, "Of the simulation's noise")->capture_default_str();
     role.add_option("--audit", settings.audit, "Audit file: who did what to the sessions, tamper-evident; see `liena audit --help`");
     role.add_option("--status", settings.status, "Folder for the socket that `liena monitor` watches; empty for none")

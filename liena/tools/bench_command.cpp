@@ -46,7 +46,8 @@ constexpr auto benchFooter =
     "             A's own program must not run, here or elsewhere; other devices that are linked to A may open sessions with it. All are\n"
     "             closed in order at the end and on Ctrl-C; but a line that breaks meanwhile is a loss for B, and it stands by.\n"
     "  --live     asks the running device A of this user to measure inside its own session with B, within the budget of both devices\n"
-    "             (when commands or images flow: 200 probes and 4 MB a second, at most a tenth of what the path is known to carry).\n"
+    "             (when commands or images flow: 200 probes and 4 MB a second, at most a tenth of what the path is known to carry\n"
+    "             now, and 250 kB a second until that is known).\n"
     "             A must have been started with --measure-on-request.\n"
     "  --local    runs A and B here, on loopback: what this computer and the software cost without a line. Needs no certificates.\n\n"
     "Measured are, in this order: commands in their rhythm, beside packets (loss, jitter); commands back to back; as many commands as\n"
@@ -135,8 +136,8 @@ Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, con
 {
     if (options.live) {
         const auto socket = statusSocket(options.folder, subjects.from.id);
-        return measureLive({socket, subjects.from.name, subjects.to.id, options.seconds, profile.commandsPerSecond, profile.framesPerSecond,
-                            profile.imageBytes});
+        return measureLive({socket, subjects.from.name, subjects.to.id, options.seconds, profile.commandsPerSecond, options.commandBytes,
+                            profile.framesPerSecond, profile.imageBytes});
     }
     const auto plan = planOf(profile, options);
     if (options.local)

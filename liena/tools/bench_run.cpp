@@ -318,8 +318,8 @@ Result<Measurement> measureLive(const LiveRequest& request)
         return fail(Errc::NetworkFailure,
                     fmt::format("{} does not run here as this user: nothing answers at {}. Name its folder with --folder", request.device,
                                 request.socket.string()));
-    const auto line = fmt::format("measure {} {} {:.0f} {} {:.3f}\n", request.peer.toString(), request.seconds, request.commandsPerSecond,
-                                  request.imageBytes, request.framesPerSecond);
+    const auto line = fmt::format("measure {} {} {:.0f} {} {:.3f} {}\n", request.peer.toString(), request.seconds,
+                                  request.commandsPerSecond, request.commandBytes, request.framesPerSecond, request.imageBytes);
     const bool sent = ::send(socket, line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size());
     const std::chrono::seconds longest(2L * request.seconds + 10);
     auto measured = sent ? awaitMeasurement(socket, request.device, longest, watch)

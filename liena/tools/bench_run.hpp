@@ -28,6 +28,7 @@ struct LiveRequest {
     DeviceId peer;
     unsigned seconds = 5;
     double commandsPerSecond = 0;
+    std::uint32_t commandBytes = 64;
     double framesPerSecond = 0;
     std::uint32_t imageBytes = 0;
 };

@@ -19,6 +19,7 @@ enum class Figure : std::uint8_t {
     RoundTripBesideImages, ///< the same while images flow
     Jitter,                ///< of packets: 99.9th percentile of the round trip less the least
     Loss,                  ///< of packets, both ways together
+    CommandsCarried,       ///< whose echo came back, of those that were due; of both rhythms the lesser
     ImageRate,             ///< that the line carries
     ImagesCarried,         ///< of those that were due
     ImageDelivery,         ///< 99th percentile, from due to heard whole
@@ -37,6 +38,7 @@ inline constexpr std::array figureKinds{
     FigureKind{Figure::RoundTripBesideImages, "round-trip-beside-images-p99", "round trip of commands beside images, 99 %", "ms", false},
     FigureKind{Figure::Jitter, "jitter", "jitter of packets, 99.9 %", "ms", false},
     FigureKind{Figure::Loss, "loss", "loss of packets, both ways", "%", false},
+    FigureKind{Figure::CommandsCarried, "commands-carried", "commands that came back, of those due", "%", true},
     FigureKind{Figure::ImageRate, "image-rate", "rate that images are carried at", "MB/s", true},
     FigureKind{Figure::ImagesCarried, "images-carried", "images that arrived", "%", true},
     FigureKind{Figure::ImageDelivery, "image-delivery-p99", "delivery of an image, 99 %", "ms", false},

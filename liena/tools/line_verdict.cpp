@@ -69,10 +69,23 @@ std::optional<double> imageRateOf(const Measurement& measurement, std::string& w
     return static_cast<double>(most->echoed) * most->asked.bytes / secondsOf(*most) / 1e6;
 }
 
-std::optional<double> imagesCarried(const ProbeFigures& images)
+/// Percent that came back of what was due.
+std::optional<double> carried(const ProbeFigures& figures)
 {
-    const auto due = images.sent + images.withheld;
-    return due > 0 ? std::optional(100.0 * static_cast<double>(images.echoed) / static_cast<double>(due)) : std::nullopt;
+    const auto due = figures.sent + figures.withheld;
+    return due > 0 ? std::optional(100.0 * static_cast<double>(figures.echoed) / static_cast<double>(due)) : std::nullopt;
+}
+
+std::optional<double> commandsCarried(const Measurement& measurement, std::string& why)
+{
+    std::optional<double> least;
+    for (const auto name : {phases::paced, phases::besideImages})
+        if (const auto* phase = phaseOf(measurement, name))
+            if (const auto share = carried(phase->prompt))
+                least = std::min(least.value_or(*share), *share);
+    if (!least)
+        why = "commands were not measured";
+    return least;
 }
 
 std::optional<double> besideImages(Figure figure, const Measurement& measurement, std::string& why)
@@ -88,7 +101,7 @@ std::optional<double> besideImages(Figure figure, const Measurement& measurement
     if (figure == Figure::RoundTripBesideImages)
         return roundTrip(phase->prompt, why);
     if (figure == Figure::ImagesCarried)
-        return imagesCarried(phase->images);
+        return carried(phase->images);
     return roundTrip(phase->images, why);
 }
 
@@ -151,6 +164,8 @@ std::optional<double> valueOf(Figure figure, const Measurement& measurement, std
         return jitterOf(measurement, why);
     case Figure::Loss:
         return lossOf(measurement, why);
+    case Figure::CommandsCarried:
+        return commandsCarried(measurement, why);
     case Figure::ImageRate:
         return imageRateOf(measurement, why);
     case Figure::RoundTripBesideImages:

@@ -44,7 +44,7 @@ QString text(const std::filesystem::path& path) { return QString::fromStdString(
 
 /// What any line keeps that works at all, under sanitizers and on a busy machine.
 constexpr auto patient = "commands 100 /s\nframes 5 /s\nimage 20 KiB\nround-trip-p99 50000 ms 60000 ms\n"
-                         "round-trip-beside-images-p99 50000 ms 60000 ms\nimages-carried 10 % 5 %\n";
+                         "round-trip-beside-images-p99 50000 ms 60000 ms\ncommands-carried 50 % 20 %\nimages-carried 10 % 5 %\n";
 
 struct Stage {
     TestSystem system{{reference::cockpit, reference::robot, reference::arm}, {"cockpit robot"}};
@@ -129,6 +129,18 @@ private Q_SLOTS:
         QCOMPARE(run(stage.bench({QStringLiteral("--local")}, "robot", unsure)).status, 3);
     }
 
+    void aRateThatNoLineCarriesIsNoGo()
+    {
+        Stage stage;
+        const auto profile = stage.write("much.profile", "commands 50 /s\nimages-carried 99 % 90 %\n");
+        const auto found = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--frames"), QStringLiteral("1000"),
+                                            QStringLiteral("--image"), QStringLiteral("8MiB")}, // 8.4 GB/s
+                                           "robot", profile));
+        QVERIFY2(found.status == 4, qPrintable(said(found)));
+        QVERIFY2(found.output.startsWith(QStringLiteral("NO-GO: ")) && found.output.contains(QStringLiteral("% is less than 90 %")),
+                 qPrintable(found.output));
+    }
+
     void inTheDevicesPlace()
     {
         Stage stage;
@@ -159,9 +171,12 @@ private Q_SLOTS:
         QVERIFY2(early.status == 1 && early.errors.contains(QStringLiteral("closed")), qPrintable(said(early)));
         QVERIFY(cockpit->openChannel(stage.robotId));
         QTRY_VERIFY(sent > 2);
-        const auto found = run(stage.bench({QStringLiteral("--live"), QStringLiteral("--commands"), QStringLiteral("1000")}));
+        const auto found = run(stage.bench({QStringLiteral("--live"), QStringLiteral("--commands"), QStringLiteral("1000"),
+                                            QStringLiteral("--command-bytes"), QStringLiteral("200")}));
         QVERIFY2(found.status == 0, qPrintable(said(found)));
-        QVERIFY2(found.output.contains(QStringLiteral("budget: 200 probes a second")), qPrintable(found.output));
+        QVERIFY2(found.output.contains(QStringLiteral("budget: 200 probes a second, 0.2 MB/s of images")) ||
+                     found.output.contains(QStringLiteral("budget: 200 probes a second, 0.1 MB/s of images")), // 20 KiB five times a second
+                 qPrintable(found.output));
         QVERIFY2(found.output.contains(QStringLiteral("a device is in use")), qPrintable(found.output));
         const auto commands = static_cast<std::size_t>(sent.load());
         QTRY_VERIFY(robot.messages("GripperCommand").size() >= commands);

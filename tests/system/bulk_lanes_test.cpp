@@ -5,7 +5,12 @@
 #include <QFile>
 #include <QTest>
 
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <array>
 #include <atomic>
+#include <map>
 #include <span>
 
 using namespace liena;
@@ -42,7 +47,9 @@ struct Pair {
     std::unique_ptr<TestDevice> sender;
     std::unique_ptr<TestDevice> receiver;
 
-    explicit Pair(const TestDevice::Setup& receiving = {})
+    PacketMarks marks;
+
+    explicit Pair(const TestDevice::Setup& receiving = {}, PacketMarks chosen = {}) : marks(chosen)
     {
         sender = std::make_unique<TestDevice>(settingsOf("planner"));
         receiver = std::make_unique<TestDevice>(settingsOf("viewer"), receiving);
@@ -60,6 +67,7 @@ struct Pair {
         auto settings = system.settingsOf(name);
         settings.registry = {folder};
         settings.bulkWorkers = 2; // also where processors are few
+        settings.marks = marks;
         return settings;
     }
 
@@ -78,6 +86,31 @@ struct Pair {
     std::string story() const { return sender->story() + receiver->story(); }
 };
 
+/// How many sockets of this process, which both devices are in, send with each DSCP: connections first, then UDP.
+std::array<std::map<int, int>, 2> marksOfSockets()
+{
+    std::array<std::map<int, int>, 2> marks;
+    for (const auto& name : QDir(QStringLiteral("/proc/self/fd")).entryList(QDir::NoDotAndDotDot | QDir::AllEntries | QDir::System)) {
+        const int descriptor = name.toInt();
+        const auto asked = [descriptor](int level, int option) {
+            int value = -1;
+            socklen_t size = sizeof value;
+            return ::getsockopt(descriptor, level, option, &value, &size) == 0 ? value : -1;
+        };
+        const int tos = asked(IPPROTO_IP, IP_TOS);
+        sockaddr_in peer{};
+        socklen_t size = sizeof peer;
+        const bool connected = ::getpeername(descriptor, reinterpret_cast<sockaddr*>(&peer), &size) == 0;
+        if (tos < 0 || asked(SOL_SOCKET, SO_DOMAIN) != AF_INET)
+            continue;
+        if (asked(SOL_SOCKET, SO_TYPE) == SOCK_DGRAM)
+            ++marks[1][tos >> 2];
+        else if (connected)
+            ++marks[0][tos >> 2];
+    }
+    return marks;
+}
+
 bool isInOrder(const std::vector<Message>& messages)
 {
     for (std::size_t i = 0; i < messages.size(); ++i)
@@ -92,6 +125,31 @@ class BulkLanesTest : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void packetsAreMarkedForTheNetwork_data()
+    {
+        QTest::addColumn<int>("prompt");
+        QTest::addColumn<int>("bulk");
+        QTest::newRow("as they come") << 46 << 34;
+        QTest::newRow("chosen") << 40 << 10;
+        QTest::newRow("none") << 0 << 0;
+    }
+    void packetsAreMarkedForTheNetwork()
+    {
+        QFETCH(int, prompt);
+        QFETCH(int, bulk);
+        Pair pair({}, {static_cast<std::uint8_t>(prompt), static_cast<std::uint8_t>(bulk)});
+        QVERIFY((*pair.sender)->openChannel(pair.viewerId));
+        QTRY_VERIFY2(pair.receiver->heard(Kind::Opened), pair.story().c_str());
+        QVERIFY(pair.send("Volume", "voxels", 1, 1'000'000));
+        QTRY_COMPARE(pair.receiver->messages("Volume").size(), std::size_t{1});
+        const auto [connections, packets] = marksOfSockets();
+        std::map<int, int> expected;
+        expected[prompt] += 4; // a lane 0 each way, and both ends of each are here
+        expected[bulk] += 2;
+        QCOMPARE(connections, expected);
+        QCOMPARE(packets, (std::map<int, int>{{prompt, 2}}));
+    }
+
     void streamsGetLanesOfTheirOwnAndKeepTheirOrder()
     {
         Pair pair;

@@ -50,10 +50,9 @@ void LineProbing::begin(Instant now)
     // Probes of both kinds share what is allowed, in equal parts where both are sent.
     const double share = phase.prompt.isUsed() && phase.packets.isUsed() ? 0.5 : 1;
     const double probes = m_limits.probesPerSecond * share;
-    const double images = static_cast<double>(m_limits.bulkBytesPerSecond) / std::max<double>(1, phase.images.bytes);
     beginWay(wayOf(ProbeWay::Prompt), phase.prompt, probes, mostPromptUnderWay, now);
     beginWay(wayOf(ProbeWay::Packet), phase.packets, probes, ~std::uint32_t{0}, now);
-    beginWay(wayOf(ProbeWay::Image), phase.images, images, mostImagesUnderWay, now);
+    beginWay(wayOf(ProbeWay::Image), phase.images, mostImagesPerSecond(phase.images), mostImagesUnderWay, now);
 }
 
 void LineProbing::beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t mostUnderWay, Instant now)
@@ -72,6 +71,30 @@ void LineProbing::beginWay(Way& way, const ProbeStream& asked, double mostPerSec
     if (way.figures.limited)
         rate = mostPerSecond;
     way.period = rate > 0 ? periodOf(rate) : 0ns;
+}
+
+double LineProbing::mostImagesPerSecond(const ProbeStream& asked) const
+{
+    return static_cast<double>(m_limits.bulkBytesPerSecond) / std::max<double>(1, asked.bytes);
+}
+
+void LineProbing::limitImages(std::uint64_t bytesPerSecond, Instant now)
+{
+    m_limits.bulkBytesPerSecond = bytesPerSecond;
+    auto& way = wayOf(ProbeWay::Image);
+    if (isOver() || !way.figures.asked.isUsed())
+        return;
+    const double asked = way.figures.asked.atOnce > 0 ? 0 : way.figures.asked.perSecond;
+    const double most = mostImagesPerSecond(way.figures.asked);
+    const double rate = most > 0 && (asked <= 0 || asked > most) ? most : asked;
+    const auto period = rate > 0 ? periodOf(rate) : 0ns;
+    if (period != way.period)
+        way.due = std::max(now, way.due + (period - way.period));
+    way.period = period;
+    if (rate == asked)
+        return;
+    way.figures.limited = true;
+    way.figures.perSecond = way.figures.perSecond > 0 ? std::min(way.figures.perSecond, rate) : rate; // the least of this phase
 }
 
 void LineProbing::advance(Instant now)

@@ -39,6 +39,9 @@ public:
 
     void heard(const protocol::ProbeEcho& echo, Instant now);
 
+    /// Another limit for images, from now on: the path was learnt, or has changed. What was sent is not taken back.
+    void limitImages(std::uint64_t bytesPerSecond, Instant now);
+
     bool isOver() const { return m_phase == m_plan.size(); }
 
     /// Of the phases that ended.
@@ -65,6 +68,7 @@ private:
 
     void begin(Instant now);
     void beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t mostUnderWay, Instant now);
+    double mostImagesPerSecond(const ProbeStream& asked) const;
     void endPhase();
     void advance(Instant now);
     std::optional<Order> nextOf(protocol::ProbeWay kind, Instant now);

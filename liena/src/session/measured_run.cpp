@@ -28,17 +28,20 @@ MeasureAnswer refusal(std::uint32_t run, MeasureVerdict verdict, bool inUse, std
 
 } // namespace
 
-MeasuringLimits grantOf(const MeasuringLimits& asked, const MeasuringBudget& budget, bool inUse, std::optional<double> bulkRate)
+MeasuringLimits grantOf(const MeasuringLimits& asked, const MeasuringBudget& budget, bool inUse)
 {
     const auto& most = inUse ? budget.inUse : budget.atRest;
     MeasuringLimits granted;
     granted.probesPerSecond = lower(asked.probesPerSecond, most.probesPerSecond);
     granted.bulkBytesPerSecond = lower(asked.bulkBytesPerSecond, most.bulkBytesPerSecond);
-    if (inUse && bulkRate)
-        granted.bulkBytesPerSecond =
-            lower(granted.bulkBytesPerSecond, std::max<std::uint64_t>(1, static_cast<std::uint64_t>(*bulkRate * budget.share)));
     granted.longest = std::min(asked.longest, most.longest);
     return granted;
+}
+
+std::uint64_t shareOfPath(std::uint64_t bulkBytesPerSecond, const MeasuringBudget& budget, std::optional<double> bulkRate)
+{
+    const double share = bulkRate.value_or(assumedBulkRate) * budget.share;
+    return lower(bulkBytesPerSecond, std::max<std::uint64_t>(1, static_cast<std::uint64_t>(share)));
 }
 
 void Allowance::restart(double perSecond, Instant now)
@@ -69,7 +72,7 @@ MeasureAnswer MeasuredRun::answer(const protocol::MeasureRequest& request, const
     if (m_run != 0 && now < m_ends + grace)
         return refusal(request.run, MeasureVerdict::Busy, inUse, "a measurement of this line runs already");
     MeasuringLimits asked{request.probesPerSecond, request.bulkBytesPerSecond, std::chrono::seconds(request.durationMs / 1000 + 1)};
-    const auto granted = grantOf(asked, budget, inUse, std::nullopt);
+    const auto granted = grantOf(asked, budget, inUse);
     const auto duration = std::min(std::chrono::milliseconds(request.durationMs), std::chrono::milliseconds(granted.longest));
     m_run = request.run;
     m_inUse = inUse;

@@ -20,8 +20,14 @@ T lower(T a, T b)
     return a == 0 ? b : b == 0 ? a : std::min(a, b);
 }
 
-/// What may be used of `asked`. `bulkRate`: bytes per second that bulk to the peer is known to be carried at.
-MeasuringLimits grantOf(const MeasuringLimits& asked, const MeasuringBudget& budget, bool inUse, std::optional<double> bulkRate);
+/// What may be used of `asked`.
+MeasuringLimits grantOf(const MeasuringLimits& asked, const MeasuringBudget& budget, bool inUse);
+
+/// Bytes per second: of a path that nothing has filled yet. Less than any that is meant for pictures, so that a tenth of it disturbs none.
+inline constexpr double assumedBulkRate = 2.5e6;
+
+/// In use: what of `bulkBytesPerSecond` may leave now. `bulkRate`: bytes per second that bulk to the peer is known to be carried at.
+std::uint64_t shareOfPath(std::uint64_t bulkBytesPerSecond, const MeasuringBudget& budget, std::optional<double> bulkRate);
 
 /// Fills at a rate, holds a tenth of a second of it, and may be overdrawn once.
 class Allowance {

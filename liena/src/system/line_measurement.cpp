@@ -104,11 +104,11 @@ Result<void> LineMeasurement::start(MeasurementPlan plan, DistributedSystem::Mea
     Asked asked;
     const auto wanted = limitsOf(plan);
     asked.inUse = m_host.isInUse();
-    asked.limits = session::grantOf(wanted, budget, asked.inUse, m_ways.bulkRate());
-    if (asked.limits.longest < wanted.longest)
+    asked.agreed = session::grantOf(wanted, budget, asked.inUse);
+    if (asked.agreed.longest < wanted.longest)
         return fail(Errc::Forbidden,
                     fmt::format("this device{} measures for at most {} s at once, and this would take {}",
-                                asked.inUse ? " is in use and" : "", asked.limits.longest.count(), wanted.longest.count()));
+                                asked.inUse ? " is in use and" : "", asked.agreed.longest.count(), wanted.longest.count()));
     const auto largest = largestOf(plan);
     if (asked.inUse && largest > largestImageInUse)
         return fail(Errc::Forbidden,
@@ -119,8 +119,8 @@ Result<void> LineMeasurement::start(MeasurementPlan plan, DistributedSystem::Mea
     asked.done = std::move(done);
     m_asked = std::move(asked);
     const auto duration = std::chrono::milliseconds(wanted.longest).count();
-    m_ways.prompt(protocol::MeasureRequest{m_asked->run, static_cast<std::uint32_t>(duration), m_asked->limits.probesPerSecond,
-                                           m_asked->limits.bulkBytesPerSecond},
+    m_ways.prompt(protocol::MeasureRequest{m_asked->run, static_cast<std::uint32_t>(duration), m_asked->agreed.probesPerSecond,
+                                           m_asked->agreed.bulkBytesPerSecond},
                   mostAnswersWaiting);
     m_timer.after(answerLimit, [this] {
         stop(fmt::format("{} does not answer: its software is older than measurements, or the line is silent", m_peer));
@@ -156,14 +156,23 @@ void LineMeasurement::begin(const protocol::MeasureAnswer& answer)
 {
     auto& asked = *m_asked;
     const std::chrono::milliseconds granted(answer.durationMs);
-    if (granted < asked.limits.longest && granted < session::LineProbing::longest(asked.plan))
+    if (granted < asked.agreed.longest && granted < session::LineProbing::longest(asked.plan))
         return stop(fmt::format("{}{} is measured for at most {} s at once; measure for a shorter time", m_peer,
                                 answer.inUse ? " is in use and" : "", answer.durationMs / 1000));
     asked.inUse = asked.inUse || answer.inUse;
-    asked.limits.probesPerSecond = session::lower(asked.limits.probesPerSecond, answer.probesPerSecond);
-    asked.limits.bulkBytesPerSecond = session::lower(asked.limits.bulkBytesPerSecond, answer.bulkBytesPerSecond);
+    asked.agreed.probesPerSecond = session::lower(asked.agreed.probesPerSecond, answer.probesPerSecond);
+    asked.agreed.bulkBytesPerSecond = session::lower(asked.agreed.bulkBytesPerSecond, answer.bulkBytesPerSecond);
+    asked.limits = asked.agreed;
+    asked.limits.bulkBytesPerSecond = bulkLimit();
     asked.probing.emplace(asked.plan, asked.limits, m_host.now().mono);
     pump();
+}
+
+/// What the path carries becomes known, and changes, while it is measured.
+std::uint64_t LineMeasurement::bulkLimit() const
+{
+    const auto agreed = m_asked->agreed.bulkBytesPerSecond;
+    return m_asked->inUse ? session::shareOfPath(agreed, m_host.measuring(), m_ways.bulkRate()) : agreed;
 }
 
 /// Sends what is due, and comes again when more is.
@@ -242,6 +251,11 @@ void LineMeasurement::housekeeping()
         m_ways.prompt(*told, mostAnswersWaiting);
     if (m_asked && !m_asked->inUse && inUse)
         stop("this device came into use: commands or images flow");
+    if (!m_asked || !m_asked->probing)
+        return;
+    const auto limit = bulkLimit();
+    m_asked->limits.bulkBytesPerSecond = session::lower(m_asked->limits.bulkBytesPerSecond, limit);
+    m_asked->probing->limitImages(limit, m_host.now().mono);
 }
 
 void LineMeasurement::finish(const std::string& failure)

@@ -52,7 +52,7 @@ public:
     /// The session carries no messages any more.
     void sessionEnded();
 
-    /// From time to time: a device that comes into use is not measured any more.
+    /// From time to time: a device that comes into use is not measured any more, and one in use leaves a path that narrows alone.
     void housekeeping();
 
 private:
@@ -60,12 +60,14 @@ private:
         std::uint32_t run = 0;
         MeasurementPlan plan;
         DistributedSystem::MeasurementHandler done;
-        MeasuringLimits limits; ///< asked for, then those agreed on
+        MeasuringLimits agreed; ///< asked for, then those of both ends
+        MeasuringLimits limits; ///< the least that was in force
         bool inUse = false;
         std::optional<session::LineProbing> probing; ///< after the peer's answer
     };
 
     void begin(const protocol::MeasureAnswer& answer);
+    std::uint64_t bulkLimit() const;
     void pump();
     void send(const session::LineProbing::Order& order);
     void finish(const std::string& failure);

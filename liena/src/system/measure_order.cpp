@@ -37,10 +37,12 @@ Result<MeasureOrder> MeasureOrder::parse(std::string_view line)
     const auto peer = DeviceId::fromString(takeWord(line));
     const bool inBounds = read(takeWord(line), 1U, mostSeconds, order.seconds) &&
                           read(takeWord(line), 1U, mostCommands, order.commandsPerSecond) &&
-                          read(takeWord(line), 1U, static_cast<std::uint32_t>(protocol::maximumProbePadding), order.imageBytes) &&
-                          read(takeWord(line), 0.0, mostImages, order.imagesPerSecond);
+                          read(takeWord(line), 0U, static_cast<std::uint32_t>(protocol::maximumPromptPadding), order.commandBytes) &&
+                          read(takeWord(line), 0.0, mostImages, order.imagesPerSecond) &&
+                          read(takeWord(line), 1U, static_cast<std::uint32_t>(protocol::maximumProbePadding), order.imageBytes);
     if (endsInBlank || !measure || !peer || !inBounds || !line.empty())
-        return fail(Errc::InvalidArgument, "this device takes `measure PEER SECONDS COMMANDS IMAGE-BYTES IMAGES`, within their bounds");
+        return fail(Errc::InvalidArgument,
+                    "this device takes `measure PEER SECONDS COMMANDS COMMAND-BYTES IMAGES IMAGE-BYTES`, within their bounds");
     order.peer = *peer;
     return order;
 }
@@ -49,8 +51,8 @@ MeasurementPlan MeasureOrder::plan() const
 {
     constexpr double mostPackets = 100;
     const std::chrono::seconds whole(seconds);
-    const ProbeStream commands{static_cast<double>(commandsPerSecond)};
-    const ProbeStream packets{std::min<double>(commandsPerSecond, mostPackets)};
+    const ProbeStream commands{static_cast<double>(commandsPerSecond), 0, commandBytes};
+    const ProbeStream packets{std::min<double>(commandsPerSecond, mostPackets), 0, commandBytes};
     return {{"paced", whole, commands, packets, {}}, {"beside-images", whole, commands, packets, {imagesPerSecond, 0, imageBytes}}};
 }
 

@@ -115,6 +115,8 @@ void DistributedModule::attached(transport::AttachedConnection connection)
                         encode(protocol::Rejected{token, RejectReason::ProtocolVersion, {"version 1 is spoken here"}}, m_peer.id));
         return;
     }
+    // Nothing but acknowledgements leaves on it; a queue of images the other way must not hold those of commands up.
+    connection.channel->mark(connection.attach.lane > 0 ? m_host.marks().bulk : m_host.marks().prompt);
     if (connection.attach.lane > 0)
         return inSession && m_incoming ? admitBulk(std::move(connection)) : connection.channel->close();
     if (!inSession)

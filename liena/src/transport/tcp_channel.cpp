@@ -78,12 +78,18 @@ void TcpChannel::tune(Traffic traffic, std::uint8_t dscp)
 {
     if (m_closed)
         return;
-    markPackets(m_descriptor, m_remote.address().is_v6(), dscp);
+    mark(dscp);
     if (traffic == Traffic::Prompt) {
         retransmitSoon(m_descriptor);
         set(m_descriptor, SOL_SOCKET, SO_SNDBUF, promptBuffer);
         set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, promptUnsent);
     }
+}
+
+void TcpChannel::mark(std::uint8_t dscp)
+{
+    if (!m_closed)
+        markPackets(m_descriptor, m_remote.address().is_v6(), dscp);
 }
 
 void TcpChannel::pace(double bytesPerSecond, std::size_t burst)

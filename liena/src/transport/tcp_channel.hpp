@@ -80,9 +80,11 @@ public:
     /// What we send on this connection: small messages that must not wait, or much.
     enum class Traffic : std::uint8_t { Prompt, Bulk };
 
-    /// Chooses the kernel's buffers and timers, and marks the packets with a DSCP (RFC 2474); a kernel that refuses one of them goes on
-    /// without.
+    /// Chooses the kernel's buffers and timers, and marks the packets; a kernel that refuses one of them goes on without.
     void tune(Traffic traffic, std::uint8_t dscp);
+
+    /// Gives what leaves, acknowledgements too, this DSCP (RFC 2474).
+    void mark(std::uint8_t dscp);
 
     /// What arrives here may be answered elsewhere: it is acknowledged when reading goes on, after the answer has left. Else reading
     /// sends the acknowledgement first, and the answer waits until that has gone through the network stack.

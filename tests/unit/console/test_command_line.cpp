@@ -92,6 +92,41 @@ private Q_SLOTS:
         QVERIFY2(line.text.contains(reason), qPrintable(line.text));
     }
 
+    void takesWhatTheNetworkThreadAsksFor()
+    {
+        const auto plain = read(QString()).options.network;
+        QVERIFY(plain.realTimePriority == 0 && plain.processors.isEmpty() && !plain.lockMemory && plain.busyPollUs == 0);
+        QVERIFY(plain.commandMark == 46 && plain.imageMark == 34);
+        const auto line = read(QStringLiteral("--realtime-priority 50 --processors 2,3 --lock-memory --card-poll 40 --mark-commands 0 "
+                                              "--mark-images 10"));
+        QVERIFY2(line.outcome == CommandLine::Outcome::Run, qPrintable(line.text));
+        const auto& told = line.options.network;
+        QCOMPARE(told.processors, (QList<int>{2, 3}));
+        QVERIFY(told.realTimePriority == 50 && told.lockMemory && told.cardPollUs == 40 && told.commandMark == 0 && told.imageMark == 10);
+        QCOMPARE(read(QStringLiteral("--busy-poll 50")).options.network.busyPollUs, 50);
+    }
+
+    void refusesWhatTheNetworkThreadCannotHave_data()
+    {
+        QTest::addColumn<QString>("options");
+        QTest::addColumn<QString>("reason");
+        QTest::newRow("priority") << QStringLiteral("--realtime-priority 100") << QStringLiteral("'100': give 1 to 99");
+        QTest::newRow("no priority") << QStringLiteral("--realtime-priority high") << QStringLiteral("'high': give 1 to 99");
+        QTest::newRow("processors") << QStringLiteral("--processors 1,x") << QStringLiteral("--processors '1,x': give their numbers");
+        QTest::newRow("poll") << QStringLiteral("--busy-poll 2000000") << QStringLiteral("'2000000': give 0 to 1000000");
+        QTest::newRow("mark") << QStringLiteral("--mark-commands 64") << QStringLiteral("--mark-commands '64': give 0 to 63");
+        QTest::newRow("mark of images") << QStringLiteral("--mark-images -1") << QStringLiteral("--mark-images '-1': give 0 to 63");
+    }
+
+    void refusesWhatTheNetworkThreadCannotHave()
+    {
+        QFETCH(QString, options);
+        QFETCH(QString, reason);
+        const auto line = read(options);
+        QCOMPARE(line.outcome, CommandLine::Outcome::Mistake);
+        QVERIFY2(line.text.contains(reason), qPrintable(line.text));
+    }
+
     void refusesAMaster_data()
     {
         QTest::addColumn<QString>("options");

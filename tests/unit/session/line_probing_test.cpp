@@ -28,6 +28,8 @@ struct Line {
     };
     std::vector<Echo> onTheWay;
     Instant lineFree = start;
+    Instant changes = Instant::max(); ///< of the limit for images
+    std::uint64_t limitAfter = 0;
 
     Line(MeasurementPlan plan, MeasuringLimits limits = {}) : probing(std::move(plan), limits, start) {}
 
@@ -52,7 +54,13 @@ struct Line {
             if (probing.isOver())
                 break;
             const auto next = std::min_element(onTheWay.begin(), onTheWay.end(), [](const Echo& a, const Echo& b) { return a.at < b.at; });
-            const auto wake = std::max(now, probing.wakeAt());
+            auto wake = std::max(now, probing.wakeAt());
+            if (changes <= wake) {
+                wake = now = std::max(now, changes);
+                changes = Instant::max();
+                probing.limitImages(limitAfter, now);
+                continue;
+            }
             if (next != onTheWay.end() && next->at <= wake) {
                 now = std::max(now, next->at);
                 const auto echo = next->echo;
@@ -191,6 +199,36 @@ private Q_SLOTS:
         const auto& single = line.phase(1);
         QVERIFY(single.prompt.limited);
         QVERIFY2(single.prompt.sent <= 400, qPrintable(QString::number(single.prompt.sent)));
+    }
+
+    void takesAnotherLimitOnItsWay()
+    {
+        const MeasurementPlan plan{{"beside-images", 4s, {100}, {}, {10, 0, 100'000}}, {"again", 2s, {100}, {}, {10, 0, 100'000}}};
+        Line narrower(plan, {0, 1'000'000, 60s});
+        narrower.changes = start + 2s;
+        narrower.limitAfter = 100'000; // one a second
+        QVERIFY(narrower.run());
+        QVERIFY2(narrower.phase(0).images.sent >= 21 && narrower.phase(0).images.sent <= 22,
+                 qPrintable(QString::number(narrower.phase(0).images.sent)));
+        QVERIFY(narrower.phase(0).images.limited && narrower.phase(0).images.perSecond == 1.0);
+        QCOMPARE(narrower.phase(0).prompt.sent, std::uint64_t{400}); // that is the images' own affair
+        QCOMPARE(narrower.phase(1).images.sent, std::uint64_t{2});   // in the next phase, too
+
+        Line wider(plan, {0, 100'000, 60s});
+        wider.changes = start + 2s;
+        wider.limitAfter = 1'000'000;
+        QVERIFY(wider.run());
+        QVERIFY2(wider.phase(0).images.sent >= 21 && wider.phase(0).images.sent <= 23,
+                 qPrintable(QString::number(wider.phase(0).images.sent)));
+        QVERIFY(wider.phase(0).images.limited && wider.phase(0).images.perSecond == 1.0); // its least is what it tells
+        QVERIFY(!wider.phase(1).images.limited);
+
+        Line same(plan, {0, 1'000'000, 60s});
+        same.changes = start + 2s;
+        same.limitAfter = 1'000'000;
+        QVERIFY(same.run());
+        QCOMPARE(same.phase(0).images.sent, std::uint64_t{40});
+        QVERIFY(!same.phase(0).images.limited);
     }
 
     void endsThoughNothingComesBack()

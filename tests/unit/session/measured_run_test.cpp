@@ -49,13 +49,15 @@ private Q_SLOTS:
         QCOMPARE(answer.bulkBytesPerSecond, std::uint64_t{4'000'000});
     }
 
-    void takesATenthOfAKnownRateInUse()
+    void takesATenthOfThePath()
     {
-        const MeasuringLimits asked{500, 60'000'000, 20s};
-        QCOMPARE(grantOf(asked, MeasuringBudget(), true, 12'500'000.0).bulkBytesPerSecond, std::uint64_t{1'250'000});
-        QCOMPARE(grantOf(asked, MeasuringBudget(), true, 1e9).bulkBytesPerSecond, std::uint64_t{4'000'000});
-        QCOMPARE(grantOf(asked, MeasuringBudget(), true, 0.0).bulkBytesPerSecond, std::uint64_t{1}); // 0 would be no limit
-        QCOMPARE(grantOf(asked, MeasuringBudget(), false, 12'500'000.0), asked);
+        const MeasuringBudget budget;
+        constexpr std::uint64_t agreed = 4'000'000;
+        QCOMPARE(shareOfPath(agreed, budget, 12'500'000.0), std::uint64_t{1'250'000});
+        QCOMPARE(shareOfPath(agreed, budget, 1e9), agreed);
+        QCOMPARE(shareOfPath(0, budget, 1e9), std::uint64_t{100'000'000});           // 0 is no limit
+        QCOMPARE(shareOfPath(agreed, budget, 0.0), std::uint64_t{1});                // and is not come to by dividing
+        QCOMPARE(shareOfPath(agreed, budget, std::nullopt), std::uint64_t{250'000}); // of what is assumed
     }
 
     void refusesWhereItIsNotAllowed()

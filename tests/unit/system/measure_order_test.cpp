@@ -12,7 +12,7 @@ class MeasureOrderTest : public QObject {
 private Q_SLOTS:
     void readsAnOrder()
     {
-        const auto order = MeasureOrder::parse("measure 0x00008208 20 500 524288 7.500");
+        const auto order = MeasureOrder::parse("measure 0x00008208 20 500 32 7.500 524288");
         QVERIFY(order);
         QVERIFY(order.value().peer == DeviceId(0x00008208U));
         const auto plan = order.value().plan();
@@ -20,6 +20,8 @@ private Q_SLOTS:
         for (const auto& phase : plan) {
             QCOMPARE(phase.duration, std::chrono::nanoseconds(std::chrono::seconds(20)));
             QCOMPARE(phase.prompt.perSecond, 500.0);
+            QCOMPARE(phase.prompt.bytes, 32U);
+            QCOMPARE(phase.packets.bytes, 32U);
             for (const auto* stream : {&phase.prompt, &phase.packets, &phase.images})
                 QCOMPARE(stream->atOnce, 0U); // none as fast as it goes
         }
@@ -34,25 +36,27 @@ private Q_SLOTS:
         for (const char* line : {"",
                                  "measure",
                                  "measure 0x00008208",
-                                 "measure 0x00008208 20 500 524288",
-                                 "measure 0x00008208 20 500 524288 15 1",
-                                 "measure 0x00008208 20 500 524288 15 ",
-                                 " measure 0x00008208 20 500 524288 15",
-                                 "measure  0x00008208 20 500 524288 15",
-                                 "measure robot 20 500 524288 15",
-                                 "measure 0x00008208 0 500 524288 15",
-                                 "measure 0x00008208 601 500 524288 15",
-                                 "measure 0x00008208 -1 500 524288 15",
-                                 "measure 0x00008208 20 0 524288 15",
-                                 "measure 0x00008208 20 10001 524288 15",
-                                 "measure 0x00008208 20 500 0 15",
-                                 "measure 0x00008208 20 500 8388609 15",
-                                 "measure 0x00008208 20 500 524288 -1",
-                                 "measure 0x00008208 20 500 524288 nan",
-                                 "measure 0x00008208 20 500 524288 inf",
-                                 "measure 0x00008208 20 500 524288 1001",
-                                 "measure 0x00008208 20 500 99999999999999999999 15",
-                                 "Measure 0x00008208 20 500 524288 15",
+                                 "measure 0x00008208 20 500 64 15",
+                                 "measure 0x00008208 20 500 64 15 524288 1",
+                                 "measure 0x00008208 20 500 64 15 524288 ",
+                                 " measure 0x00008208 20 500 64 15 524288",
+                                 "measure  0x00008208 20 500 64 15 524288",
+                                 "measure robot 20 500 64 15 524288",
+                                 "measure 0x00008208 0 500 64 15 524288",
+                                 "measure 0x00008208 601 500 64 15 524288",
+                                 "measure 0x00008208 -1 500 64 15 524288",
+                                 "measure 0x00008208 20 0 64 15 524288",
+                                 "measure 0x00008208 20 10001 64 15 524288",
+                                 "measure 0x00008208 20 500 -1 15 524288",
+                                 "measure 0x00008208 20 500 1025 15 524288",
+                                 "measure 0x00008208 20 500 64 15 0",
+                                 "measure 0x00008208 20 500 64 15 8388609",
+                                 "measure 0x00008208 20 500 64 -1 524288",
+                                 "measure 0x00008208 20 500 64 nan 524288",
+                                 "measure 0x00008208 20 500 64 inf 524288",
+                                 "measure 0x00008208 20 500 64 1001 524288",
+                                 "measure 0x00008208 20 500 64 15 99999999999999999999",
+                                 "Measure 0x00008208 20 500 64 15 524288",
                                  "stop"})
             QTest::newRow(line) << QByteArray(line);
     }

@@ -8,7 +8,12 @@
 #include <boost/asio/steady_timer.hpp>
 
 #include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -17,6 +22,41 @@
 using namespace liena;
 using namespace liena::system;
 using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto grantedToAll = "somebody grants this in the kernel's place";
+
+/// What a user is told who has neither rights nor limits: tried in a process that gives both up.
+QByteArray toldWithoutRights(const RealTimeOptions& options)
+{
+    std::array<int, 2> pipe{};
+    if (::pipe(pipe.data()) != 0)
+        return {};
+    const pid_t child = ::fork();
+    if (child == 0) {
+        constexpr uid_t nobody = 65534;
+        const rlimit none{0, 0};
+        const bool stripped = ::setrlimit(RLIMIT_RTPRIO, &none) == 0 && ::setrlimit(RLIMIT_MEMLOCK, &none) == 0 &&
+                              (::geteuid() != 0 || ::setuid(nobody) == 0);
+        const bool answered = options.lockMemory && ::mlockall(MCL_CURRENT) == 0;
+        const auto done = prepareRealTime(options);
+        const auto told = answered    ? std::string(grantedToAll)
+                          : !stripped ? std::string("it kept its rights")
+                          : done      ? std::string("permitted")
+                                      : done.error().what;
+        (void)!::write(pipe[1], told.data(), told.size());
+        ::_exit(0);
+    }
+    ::close(pipe[1]);
+    QByteArray told(4096, '\0');
+    const auto size = ::read(pipe[0], told.data(), static_cast<std::size_t>(told.size()));
+    ::close(pipe[0]);
+    (void)::waitpid(child, nullptr, 0);
+    return told.left(static_cast<int>(std::max<ssize_t>(size, 0)));
+}
+
+} // namespace
 
 class RealTimeTest : public QObject {
     Q_OBJECT
@@ -51,6 +91,20 @@ private slots:
         const auto done = prepareRealTime({priority, {processor}, false, std::chrono::microseconds(searchUs)});
         QVERIFY(!done);
         QVERIFY2(QString::fromStdString(done.error().what).contains(says), done.error().what.c_str());
+    }
+
+    void saysHowToPermitWhatIsNotPermitted()
+    {
+        const auto priority = toldWithoutRights({50, {}, false, 0us});
+        QVERIFY2(priority.contains("real-time priority 50 is not permitted") && priority.contains("rtprio") &&
+                     priority.contains("LimitRTPRIO="),
+                 priority.constData());
+        QCOMPARE(toldWithoutRights({}), QByteArray("permitted"));
+        const auto memory = toldWithoutRights({0, {}, true, 0us});
+        if (memory == grantedToAll)
+            QSKIP("memory: a sanitizer answers mlockall() in the kernel's place");
+        QVERIFY2(memory.contains("memory cannot be locked") && memory.contains("memlock") && memory.contains("LimitMEMLOCK="),
+                 memory.constData());
     }
 
     void tryingLeavesTheCallersThreadAsItWas()
