@@ -46,6 +46,15 @@ int differingPixels(const QImage& a, const QImage& b, const QRect& area)
     return differing;
 }
 
+int pixelsOf(const QImage& image, const QColor& colour)
+{
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            count += image.pixel(x, y) == colour.rgb() ? 1 : 0;
+    return count;
+}
+
 } // namespace
 
 class TestLiveImage : public QObject {
@@ -67,6 +76,8 @@ private Q_SLOTS:
     void showsRefusalUntilNextPicture();
     void tellsDelayOfFilterAsProcessing();
     void saysLiveOnlyOfWhatIsLive();
+    void saysWhatAReducedPictureLost_data();
+    void saysWhatAReducedPictureLost();
 };
 
 void TestLiveImage::showsExactlyWhatWasSent_data()
@@ -366,6 +377,51 @@ void TestLiveImage::saysLiveOnlyOfWhatIsLive()
     const QImage frozen = pane.grab().copy(corner);
     QVERIFY(frozen != held);
     QVERIFY(frozen != live);
+}
+
+void TestLiveImage::saysWhatAReducedPictureLost_data()
+{
+    QTest::addColumn<int>("rung");
+    QTest::addColumn<double>("rate");
+    QTest::addColumn<int>("encoding");
+    QTest::addColumn<bool>("said");
+    QTest::addColumn<bool>("losing");
+    const int raw = static_cast<int>(PixelEncoding::Raw);
+    const int jpegLs = static_cast<int>(PixelEncoding::JpegLs);
+    const int jpeg = static_cast<int>(PixelEncoding::Jpeg);
+    QTest::newRow("as asked for") << 0 << 15.0 << raw << false << false;
+    QTest::newRow("half the rate") << 1 << 7.5 << raw << true << true;
+    QTest::newRow("lossless") << 2 << 15.0 << jpegLs << true << false;
+    QTest::newRow("lossy") << 4 << 15.0 << jpeg << true << true;
+}
+
+void TestLiveImage::saysWhatAReducedPictureLost()
+{
+    QFETCH(int, rung);
+    QFETCH(double, rate);
+    QFETCH(int, encoding);
+    QFETCH(bool, said);
+    QFETCH(bool, losing);
+    const int quality = static_cast<PixelEncoding>(encoding) == PixelEncoding::Jpeg ? 75 : 0;
+    LivePane pane;
+    QVERIFY(pane.send(samples::frame(1, frameSize, 12, PixelEncoding::Raw)));
+    pane.grab();
+    const QRegion without = pane.view.overlayRegion();
+    const auto frame = samples::frame(2, frameSize, 8, static_cast<PixelEncoding>(encoding), quality);
+    frame->rung = rung;
+    frame->rate = rate;
+    frame->askedRate = 15;
+    pane.now += std::chrono::milliseconds(66);
+    QVERIFY(pane.send(frame));
+    QCOMPARE(pixelsOf(pane.grab(), pane_colours::caution) > 0, losing);
+    const auto plates = [](const QRegion& region) { return std::distance(region.begin(), region.end()); };
+    QCOMPARE(plates(pane.view.overlayRegion()) > plates(without), said);
+    for (const int width : {1200, 480, 320}) { // whole on any pane
+        pane.view.resize(width, 500);
+        QCOMPARE(pixelsOf(pane.grab(), pane_colours::caution) > 0, losing);
+        const QRegion outside = pane.view.overlayRegion() - QRegion(pane.view.pictureRect());
+        QVERIFY2(!said || outside.isEmpty(), qPrintable(QStringLiteral("at a width of %1").arg(width)));
+    }
 }
 
 QTEST_MAIN(TestLiveImage)

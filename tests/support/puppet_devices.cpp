@@ -104,14 +104,32 @@ void PuppetRobot::onInjection(DistributedSystem& system, const Message& message)
         const bool armed = m_state == State::Armed || m_state == State::Engaged;
         const bool permitted = armed && message.get<std::uint32_t>("permit") == m_permit;
         m_injections.insert(number);
-        report.set("injection", number).set("delivered", permitted ? message.get<double>("volume") : 0.0);
-        report.set("state", std::string_view(permitted ? "done" : "refused"));
+        if (permitted && m_injectorStuck)
+            m_injecting = number;
+        report.set("injection", number).set("delivered", permitted && !m_injecting ? message.get<double>("volume") : 0.0);
+        report.set("state", std::string_view(m_injecting ? "running" : permitted ? "done" : "refused"));
+    }
+    system.publish(report);
+}
+
+/// Of one that takes its time.
+void PuppetRobot::tellInjection(DistributedSystem& system)
+{
+    Message report = system.report("InjectionReport").value();
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!m_injecting)
+            return;
+        report.set("injection", *m_injecting).set("state", std::string_view(m_injectorStuck ? "running" : "stopped"));
+        if (!m_injectorStuck)
+            m_injecting.reset();
     }
     system.publish(report);
 }
 
 void PuppetRobot::turn(DistributedSystem& system)
 {
+    tellInjection(system);
     Message status = system.report("RobotStatus").value();
     Message tip = system.report("TipPose").value();
     Message drives = system.report("DriveStatus").value();
@@ -157,6 +175,12 @@ void PuppetRobot::setForce(double newtons)
 {
     const std::lock_guard lock(m_mutex);
     m_force = newtons;
+}
+
+void PuppetRobot::setInjector(bool stuck)
+{
+    const std::lock_guard lock(m_mutex);
+    m_injectorStuck = stuck;
 }
 
 void PuppetRobot::alterStatus(Alter alter)

@@ -31,6 +31,7 @@ public:
     void claim(std::optional<Claim> claim);
     void setSilent(bool silent); ///< its reports end, its session stands
     void setForce(double newtons);
+    void setInjector(bool stuck); ///< an injection that begins while it is runs until it is not
 
     /// Changes each report before it is sent: its own fields, or those of TipPose. Network thread; empty: nothing is changed.
     using Alter = std::function<void(Message&)>;
@@ -54,6 +55,7 @@ private:
     void onPermit(const Message& message);
     void onMotion(const Message& message);
     void onInjection(DistributedSystem& system, const Message& message);
+    void tellInjection(DistributedSystem& system);
 
     mutable std::mutex m_mutex;
     State m_state = State::Hold;
@@ -65,6 +67,8 @@ private:
     double m_position = 800;
     double m_force = 0;
     bool m_silent = false;
+    bool m_injectorStuck = false;
+    std::optional<std::uint32_t> m_injecting; ///< its number
     std::optional<Claim> m_claim;
     Alter m_alterStatus;
     Alter m_alterTip;

@@ -67,6 +67,7 @@ void ScriptedPeer::run()
         if (habits.accepts)
             accept();
         readPackets();
+        hearDelayed();
         for (std::size_t i = 0; habits.reads && i < m_incoming.size(); ++i)
             read(*m_incoming[i]);
         std::erase_if(m_incoming, [](const auto& incoming) { return incoming->link == nullptr; });
@@ -200,6 +201,18 @@ void ScriptedPeer::sendSet()
 
 void ScriptedPeer::hear(const Heartbeat& beat)
 {
+    m_underway.push_back({std::chrono::steady_clock::now() + habits.delay.load(), beat});
+    hearDelayed();
+}
+
+void ScriptedPeer::hearDelayed()
+{
+    for (; !m_underway.empty() && m_underway.front().arrives <= std::chrono::steady_clock::now(); m_underway.pop_front())
+        take(m_underway.front().beat);
+}
+
+void ScriptedPeer::take(const Heartbeat& beat)
+{
     if (beat.sequence <= m_newest.sequence)
         return;
     if (beat.epoch != m_newest.epoch)
@@ -260,6 +273,7 @@ void ScriptedPeer::begin(std::uint64_t token, std::unique_ptr<TlsLink> lane0, co
     m_lane0 = std::move(lane0);
     m_laneClosed = false;
     m_sealKey = m_lane0->datagramKey(token);
+    m_underway.clear();
     m_newest = {};
     m_newestReceived = 0;
     m_packet = 0;

@@ -41,6 +41,8 @@ public:
         std::atomic<bool> accepts{true};   ///< takes connections to its own port
         std::atomic<bool> reads{true};     ///< what the device says on them
         std::atomic<bool> answers{true};   ///< goes on with the dialogue of an opening
+        /// The device's heartbeats are that long on their way to us.
+        std::atomic<std::chrono::milliseconds> delay{std::chrono::milliseconds(0)};
     };
 
     struct Heard {
@@ -142,6 +144,8 @@ private:
     void answer(const wire::Datagram& datagram);
     void sendSet();
     void hear(const wire::Heartbeat& beat);
+    void hearDelayed();
+    void take(const wire::Heartbeat& beat);
     void beat();
     void begin(std::uint64_t token, std::unique_ptr<TlsLink> lane0, const wire::Bytes& first);
     wire::Bytes sealNext(const wire::Bytes& datagram);
@@ -163,6 +167,11 @@ private:
     std::map<std::uint16_t, std::uint32_t> m_sequences;
     wire::Bytes m_sealKey;
     wire::Bytes m_openKey;
+    struct Underway {
+        std::chrono::steady_clock::time_point arrives;
+        wire::Heartbeat beat;
+    };
+    std::deque<Underway> m_underway;
     wire::Heartbeat m_newest;
     std::uint64_t m_newestReceived = 0;
     std::uint64_t m_token = 0;

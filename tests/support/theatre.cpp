@@ -17,7 +17,7 @@ namespace reference = liena::test::reference;
 namespace {
 
 /// With the titles that people know, as in topologies/cerebrovascular.xml.
-std::vector<liena::test::DeviceSpec> devicesOf(bool arm)
+std::vector<liena::test::DeviceSpec> devicesOf(const Theatre::Wishes& wishes)
 {
     const auto titled = [](liena::test::DeviceSpec spec, const std::string& title, const std::string& site) {
         spec.place = "title=\"" + title + "\" site=\"" + site + "\"";
@@ -26,8 +26,10 @@ std::vector<liena::test::DeviceSpec> devicesOf(bool arm)
     std::vector<liena::test::DeviceSpec> devices{titled(reference::cockpit, "Surgeon's cockpit", "surgeon"),
                                                  titled(reference::robot, "Vascular robot", "patient"),
                                                  titled(reference::xray, "C-arm X-ray", "patient")};
-    if (arm)
+    if (wishes.arm)
         devices.push_back(titled(reference::arm, "Robotic arm", "patient"));
+    if (wishes.rival)
+        devices.push_back(titled({"cockpit-2", "0x40018209", reference::cockpit.set}, "Second cockpit", "surgeon"));
     return devices;
 }
 
@@ -37,6 +39,8 @@ std::vector<std::string> linksOf(const Theatre::Wishes& wishes)
     std::vector<std::string> links{"cockpit robot", "cockpit xray" + pictures, "xray robot" + pictures};
     if (wishes.arm)
         links.insert(links.end(), {"cockpit arm", "arm robot"});
+    if (wishes.rival)
+        links.push_back("cockpit-2 robot");
     return links;
 }
 
@@ -64,7 +68,7 @@ Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
 
 } // namespace
 
-Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes.arm), linksOf(wishes), wishes.system), m_wishes(wishes)
+Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes), linksOf(wishes), wishes.system), m_wishes(wishes)
 {
     if (wishes.devices) {
         robot = start("robot");

@@ -31,6 +31,7 @@ public:
         PictureProfile profile = PictureProfile::Coronary;
         bool devices = true;                          ///< as processes; otherwise the test brings its own
         bool arm = true;                              ///< the robotic arm is part of the system
+        bool rival = false;                           ///< a second cockpit has a link to the robot: `cockpit-2`
         liena::test::TestSystem::Options system = {}; ///< timing, for one
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
         QString user;

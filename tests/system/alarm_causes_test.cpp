@@ -9,6 +9,8 @@
 #include <QApplication>
 #include <QFile>
 #include <QTest>
+#include <QThread>
+#include <QTimer>
 
 using namespace console;
 using console::test::PuppetTheatre;
@@ -84,6 +86,18 @@ const std::vector<Cause>& causes()
          }},
         {"13 contrast runs low", C::ContrastLow, AlarmPriority::Low,
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
+        {"13 contrast runs out during an injection", C::ContrastEmpty, AlarmPriority::Medium,
+         [](Stage& s) {
+             s.theatre.releaseAll();
+             s.robot.setInjector(true);
+             s.theatre.hold(Qt::Key_G);
+             (void)QTest::qWaitFor([&s] { return s.theatre.models().instrument.injecting(); }, patience);
+             robotSays(s, [](Message& m) { m.set("contrast_remaining", 0.0); });
+         },
+         [](Stage& s) {
+             s.robot.setInjector(false);
+             truth(s);
+         }},
         {"15 soft limit", C::SoftLimit, AlarmPriority::Low, [](Stage& s) { robotSays(s, [](Message& m) { m.set("limit_switches", 2U); }); },
          truth},
         {"15 hard limit", C::HardLimit, AlarmPriority::Medium,
@@ -102,6 +116,8 @@ const std::vector<Cause>& causes()
          truth},
         {"14 three gray of air kerma", C::AirKerma, AlarmPriority::Low,
          [](Stage& s) { s.xray.alterStatus([](Message& m) { m.set("air_kerma", 3100.0); }); }, truth},
+        {"14 five gray of air kerma", C::AirKerma, AlarmPriority::Medium,
+         [](Stage& s) { s.xray.alterStatus([](Message& m) { m.set("air_kerma", 5100.0); }); }, truth},
         {"five minutes of fluoroscopy", C::FluoroscopyTime, AlarmPriority::Low,
          [](Stage& s) { s.xray.alterStatus([](Message& m) { m.set("fluoroscopy_time", 301.0); }); }, truth},
     };
@@ -146,6 +162,52 @@ private Q_SLOTS:
         const bool forAWhile = cause.condition == C::LinkUnsteady || cause.condition == C::DeadlineMissed;
         if (!forAWhile)
             QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(cause.condition) == nullptr, qPrintable(stage.theatre.story()), patience);
+    }
+
+    /// 17: other work takes the time of the console's own thread.
+    void picturesThatAreNotPaintedInTimeAreAnAlarm()
+    {
+        Stage& stage = *m_stage;
+        stage.theatre.hold(Qt::Key_F);
+        const auto live = [&stage] { return stage.theatre.models().picture.reading(std::chrono::steady_clock::now()).shownPerSecond > 12; };
+        QTRY_VERIFY2_WITH_TIMEOUT(live() && stage.alarm(C::PaintingBehind) == nullptr, qPrintable(stage.theatre.story()), patience);
+        QTimer work;
+        QObject::connect(&work, &QTimer::timeout, &work, [] { QThread::msleep(200); });
+        work.start(0);
+        QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PaintingBehind) != nullptr, qPrintable(stage.theatre.story()), patience);
+        QCOMPARE(stage.alarm(C::PaintingBehind)->priority, AlarmPriority::Low); // nothing is armed
+        work.stop();
+        QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PaintingBehind) == nullptr, qPrintable(stage.theatre.story()), patience);
+        stage.theatre.releaseAll();
+    }
+
+    /// 8 and 16: a line on which half a second passes until the robot hears.
+    void aLineThatIsSlowOneWayIsTwoAlarms()
+    {
+        Theatre theatre(puppetWishes());
+        auto role = liena::test::roleOf(theatre.files, "robot", "cockpit");
+        role.heartbeat = std::chrono::milliseconds(20);
+        liena::test::ScriptedPeer robot(role);
+        robot.open();
+        const auto told = [&theatre](C condition) {
+            for (const auto& one : theatre.models().alarms.alarms())
+                if (one.condition == condition && one.present)
+                    return one.priority == AlarmPriority::Low;
+            return false;
+        };
+        const auto compared = [&theatre] {
+            const auto* link = theatre.models().sessions.linkTo(theatre.files.idOf("robot").value());
+            return link != nullptr && link->state == LinkState::Open && link->figures.clockOffset.has_value();
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(compared(), qPrintable(theatre.story()), patience);
+        QVERIFY(!told(C::CommandRoundTrip) && !told(C::ClockUncertain));
+        robot.habits.delay = std::chrono::milliseconds(500); // this profile: 400 ms there and back, clocks to within 200 ms
+        QTRY_VERIFY2_WITH_TIMEOUT(told(C::CommandRoundTrip), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(told(C::ClockUncertain), qPrintable(theatre.story()), patience);
+        QCOMPARE(theatre.link("robot"), LinkState::Open);
+        robot.habits.delay = std::chrono::milliseconds(0);
+        QTRY_VERIFY2_WITH_TIMEOUT(!told(C::CommandRoundTrip) && !told(C::ClockUncertain), qPrintable(theatre.story()), patience);
+        robot.close();
     }
 
     /// 10: a firewall begins to drop UDP, and the session goes on by TCP.

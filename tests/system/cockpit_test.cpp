@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 using namespace console;
@@ -48,6 +49,55 @@ QByteArray keptAlarms(const Theatre& theatre)
                QStringLiteral("/alarms-%1.jsonl").arg(theatre.models().sessions.self()->idText()));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
+
+/// A second cockpit with nobody at it: it never stops asking the robot to retract, under whatever permit the robot tells.
+class Rival {
+public:
+    explicit Rival(Theatre& theatre)
+        : m_robot(theatre.files.idOf("robot")),
+          m_device(theatre.files.settingsOf("cockpit-2"), [this](liena::DistributedSystem& system) { build(system); })
+    {
+        (void)m_device->openChannel(m_robot);
+    }
+
+    std::atomic<bool> arms{false}; ///< else it gives back what it has
+
+private:
+    void build(liena::DistributedSystem& system)
+    {
+        const auto subscribed = system.subscribe("RobotStatus", [this, &system](const liena::Message& status) {
+            m_permit = status.get<std::uint32_t>("permit");
+            const auto state = status.get<std::string_view>("state");
+            if (arms ? state == "Ready" : m_armed)
+                request(system, arms ? "arm" : "release");
+            m_armed = arms;
+        });
+        if (!subscribed)
+            throw std::runtime_error(subscribed.error().what);
+        system.every(std::chrono::milliseconds(10), [this, &system] {
+            auto command = system.command(m_robot, "MotionCommand");
+            if (!command)
+                return;
+            command.value().set("permit", m_permit).set("sequence", ++m_sequence).set("engaged", true).set("guidewire_velocity", -10.0);
+            (void)system.send(m_robot, std::move(command.value()));
+        });
+    }
+
+    void request(liena::DistributedSystem& system, std::string_view what)
+    {
+        auto command = system.command(m_robot, "PermitRequest");
+        if (!command)
+            return;
+        command.value().set("request", what).set("permit", m_permit);
+        (void)system.send(m_robot, std::move(command.value()));
+    }
+
+    liena::DeviceId m_robot;
+    std::uint32_t m_permit = 0;
+    std::uint32_t m_sequence = 0;
+    bool m_armed = false;
+    liena::test::TestDevice m_device; ///< last: its thread uses all of the above
+};
 
 } // namespace
 
@@ -201,6 +251,51 @@ private Q_SLOTS:
         QVERIFY(theatre.click(QStringLiteral("Re-open channel"), theatre.window().findChild<DiagnosisSheet*>()));
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().emergencyStopToken != 0, qPrintable(theatre.story()), patience);
         QTRY_VERIFY_WITH_TIMEOUT(!alarm(), patience);
+    }
+
+    void twoConsolesNeverMoveOneRobot()
+    {
+        auto wanted = wishes();
+        wanted.rival = true;
+        Theatre theatre(wanted);
+        QVERIFY(theatre.openAll());
+        Rival rival(theatre);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().refusedCommands > 10, qPrintable(theatre.story()), patience); // it asks
+        QVERIFY2(theatre.makeReady(), qPrintable(theatre.story()));
+
+        // The other one has it: here nobody arms, and nothing that is held here moves it.
+        rival.arms = true;
+        const auto taken = [&theatre] { return theatre.robotStatus().state == RobotState::Engaged; };
+        QTRY_VERIFY2_WITH_TIMEOUT(taken(), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.phase() == PermitPhase::Standby, qPrintable(theatre.story()), patience);
+        bool armed = false;
+        const auto watch = QObject::connect(&theatre.models().permit, &PermitModel::phaseChanged, &theatre.window(),
+                                            [&armed](PermitPhase, PermitPhase to) { armed = armed || to != PermitPhase::Standby; });
+        const auto applied = theatre.robotStatus().appliedCommands;
+        theatre.hold(Qt::Key_R);
+        theatre.hold(Qt::Key_D);
+        theatre.hold(Qt::Key_Up);
+        const double position = theatre.robotStatus().guidewirePosition;
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().appliedCommands > applied + 150, qPrintable(theatre.story()), patience);
+        QVERIFY2(!armed && theatre.robotStatus().guidewirePosition <= position, qPrintable(theatre.story()));
+        QObject::disconnect(watch);
+        theatre.releaseAll();
+
+        // It gives the robot back: now it is ours, and what the other one goes on asking for is refused.
+        rival.arms = false;
+        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+        const auto refused = theatre.robotStatus().refusedCommands;
+        double last = theatre.robotStatus().guidewirePosition;
+        bool retracted = false;
+        const auto follows = QObject::connect(&theatre.models().instrument, &InstrumentState::robotChanged, &theatre.window(), [&] {
+            const double now = theatre.robotStatus().guidewirePosition;
+            retracted = retracted || now < last;
+            last = now;
+        });
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().refusedCommands > refused + 100, qPrintable(theatre.story()), patience);
+        QVERIFY2(!retracted && theatre.phase() == PermitPhase::Engaged, qPrintable(theatre.story()));
+        QObject::disconnect(follows);
+        theatre.releaseAll();
     }
 
     void theSecondPersonDecidesWhetherTheRobotCanBeArmed()
