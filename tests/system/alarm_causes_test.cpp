@@ -88,7 +88,8 @@ const std::vector<Cause>& causes()
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
         {"13 contrast runs out during an injection", C::ContrastEmpty, AlarmPriority::Medium,
          [](Stage& s) {
-             s.theatre.releaseAll();
+             s.theatre.release(Qt::Key_Up);
+             s.theatre.release(Qt::Key_D);
              s.robot.setInjector(true);
              s.theatre.hold(Qt::Key_G);
              (void)QTest::qWaitFor([&s] { return s.theatre.models().instrument.injecting(); }, patience);
@@ -167,15 +168,16 @@ private Q_SLOTS:
     /// 17: other work takes the time of the console's own thread.
     void picturesThatAreNotPaintedInTimeAreAnAlarm()
     {
-        Stage& stage = *m_stage;
+        Stage stage; // in which nothing was armed
+        QVERIFY(stage.theatre.openAll());
         stage.theatre.hold(Qt::Key_F);
         const auto live = [&stage] { return stage.theatre.models().picture.reading(std::chrono::steady_clock::now()).shownPerSecond > 12; };
         QTRY_VERIFY2_WITH_TIMEOUT(live() && stage.alarm(C::PaintingBehind) == nullptr, qPrintable(stage.theatre.story()), patience);
         QTimer work;
         QObject::connect(&work, &QTimer::timeout, &work, [] { QThread::msleep(200); });
-        work.start(0);
+        work.start(250);
         QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PaintingBehind) != nullptr, qPrintable(stage.theatre.story()), patience);
-        QCOMPARE(stage.alarm(C::PaintingBehind)->priority, AlarmPriority::Low); // nothing is armed
+        QCOMPARE(stage.alarm(C::PaintingBehind)->priority, AlarmPriority::Low);
         work.stop();
         QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PaintingBehind) == nullptr, qPrintable(stage.theatre.story()), patience);
         stage.theatre.releaseAll();

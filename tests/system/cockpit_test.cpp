@@ -68,9 +68,11 @@ private:
         const auto subscribed = system.subscribe("RobotStatus", [this, &system](const liena::Message& status) {
             m_permit = status.get<std::uint32_t>("permit");
             const auto state = status.get<std::string_view>("state");
-            if (arms ? state == "Ready" : m_armed)
+            const bool armed = state == "Armed" || state == "Engaged";
+            m_armed = armed ? m_armed + 1 : 0;
+            if (arms ? state == "Ready" : armed && m_mine)
                 request(system, arms ? "arm" : "release");
-            m_armed = arms;
+            m_mine = arms || (m_mine && armed);
         });
         if (!subscribed)
             throw std::runtime_error(subscribed.error().what);
@@ -78,7 +80,9 @@ private:
             auto command = system.command(m_robot, "MotionCommand");
             if (!command)
                 return;
-            command.value().set("permit", m_permit).set("sequence", ++m_sequence).set("engaged", true).set("guidewire_velocity", -10.0);
+            const bool engaged = m_armed > 3; // the first command of a permit is neutral
+            command.value().set("permit", m_permit).set("sequence", ++m_sequence).set("engaged", engaged);
+            command.value().set("guidewire_velocity", engaged || m_armed == 0 ? -10.0 : 0.0);
             (void)system.send(m_robot, std::move(command.value()));
         });
     }
@@ -95,7 +99,8 @@ private:
     liena::DeviceId m_robot;
     std::uint32_t m_permit = 0;
     std::uint32_t m_sequence = 0;
-    bool m_armed = false;
+    int m_armed = 0;                  ///< reports, one after another
+    bool m_mine = false;              ///< it may be
     liena::test::TestDevice m_device; ///< last: its thread uses all of the above
 };
 
@@ -266,7 +271,7 @@ private Q_SLOTS:
         // The other one has it: here nobody arms, and nothing that is held here moves it.
         rival.arms = true;
         const auto taken = [&theatre] { return theatre.robotStatus().state == RobotState::Engaged; };
-        QTRY_VERIFY2_WITH_TIMEOUT(taken(), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(taken(), qPrintable(theatre.story() + theatre.robot->output()), patience);
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.phase() == PermitPhase::Standby, qPrintable(theatre.story()), patience);
         bool armed = false;
         const auto watch = QObject::connect(&theatre.models().permit, &PermitModel::phaseChanged, &theatre.window(),
