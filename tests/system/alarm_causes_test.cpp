@@ -25,14 +25,22 @@ namespace {
 
 constexpr int patience = Theatre::patience;
 
+const Alarm* present(const Theatre& theatre, C condition)
+{
+    for (const auto& one : theatre.models().alarms.alarms())
+        if (one.condition == condition && one.present)
+            return &one;
+    return nullptr;
+}
+
+bool isPresent(const Theatre& theatre, C condition, AlarmPriority priority)
+{
+    const auto* alarm = present(theatre, condition);
+    return alarm != nullptr && alarm->priority == priority;
+}
+
 struct Stage : PuppetTheatre {
-    const Alarm* alarm(C condition) const
-    {
-        for (const auto& one : theatre.models().alarms.alarms())
-            if (one.condition == condition && one.present)
-                return &one;
-        return nullptr;
-    }
+    const Alarm* alarm(C condition) const { return present(theatre, condition); }
 };
 
 struct Cause {
@@ -191,12 +199,7 @@ private Q_SLOTS:
         role.heartbeat = std::chrono::milliseconds(20);
         liena::test::ScriptedPeer robot(role);
         robot.open();
-        const auto told = [&theatre](C condition) {
-            for (const auto& one : theatre.models().alarms.alarms())
-                if (one.condition == condition && one.present)
-                    return one.priority == AlarmPriority::Low;
-            return false;
-        };
+        const auto told = [&theatre](C condition) { return isPresent(theatre, condition, AlarmPriority::Low); };
         const auto compared = [&theatre] {
             const auto* link = theatre.models().sessions.linkTo(theatre.files.idOf("robot").value());
             return link != nullptr && link->state == LinkState::Open && link->figures.clockOffset.has_value();
@@ -220,12 +223,7 @@ private Q_SLOTS:
         role.heartbeat = std::chrono::milliseconds(20);
         liena::test::ScriptedPeer robot(role);
         robot.open();
-        const auto lost = [&theatre] {
-            for (const auto& one : theatre.models().alarms.alarms())
-                if (one.condition == C::PacketsLost && one.present)
-                    return one.priority == AlarmPriority::Low;
-            return false;
-        };
+        const auto lost = [&theatre] { return isPresent(theatre, C::PacketsLost, AlarmPriority::Low); };
         const auto passing = [&theatre] {
             const auto* link = theatre.models().sessions.linkTo(theatre.files.idOf("robot").value());
             return link != nullptr && link->state == LinkState::Open && link->figures.packetsPass;
@@ -259,12 +257,7 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(&theatre.window()));
         QTest::keyClick(&theatre.window(), Qt::Key_F2);
         QVERIFY(theatre.click(QStringLiteral("Open all")));
-        const auto differs = [&theatre] {
-            for (const auto& one : theatre.models().alarms.alarms())
-                if (one.condition == C::SystemDiffers && one.present)
-                    return one.priority == AlarmPriority::Medium;
-            return false;
-        };
+        const auto differs = [&theatre] { return isPresent(theatre, C::SystemDiffers, AlarmPriority::Medium); };
         QTRY_VERIFY2_WITH_TIMEOUT(differs(), qPrintable(theatre.story()), patience);
         QCOMPARE(theatre.link("robot"), LinkState::Closed);
         QTest::keyClick(&theatre.window(), Qt::Key_F1);
