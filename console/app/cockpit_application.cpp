@@ -51,9 +51,8 @@ bool CockpitApplication::prepare(QString* error)
         return *error = tr("the recording that comes with LiENa is missing; name one with --recording"), false;
     if (!m_hand.prepare(error) || !m_pictures.prepare(error))
         return false;
-    LinkSettings settings{m_options.topology,    m_options.device, m_options.registry,  m_options.store,
-                          m_options.certificate, m_options.key,    m_options.authority, m_options.measureOnRequest,
-                          m_options.network};
+    LinkSettings settings{m_options.topology, m_options.device,    m_options.registry,         m_options.store,  m_options.certificate,
+                          m_options.key,      m_options.authority, m_options.measureOnRequest, m_options.network};
     m_link = SystemLink::create(settings, m_models, m_pictures.pipeline(), error);
     if (!m_link)
         return false;
