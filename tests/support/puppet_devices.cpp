@@ -19,6 +19,17 @@ constexpr double commandLength = 0.002; ///< s
 constexpr milliseconds pedalLease{400};
 constexpr std::uint16_t edge = 64;
 constexpr int vesselRows = 3;
+constexpr int stripRows = 9;
+
+void stamp(std::vector<std::byte>& pixels, std::uint32_t number)
+{
+    using Strip = PuppetXray::StampStrip;
+    constexpr int width = int(Strip::barWidth * edge);
+    constexpr int first = int(Strip::middle * edge) - stripRows / 2;
+    for (int row = first; row < first + stripRows; ++row)
+        for (int column = 0; column < Strip::bits * width; ++column)
+            pixels[std::size_t(row * edge + column)] = std::byte((number >> unsigned(column / width) & 1U) != 0 ? 255 : 0);
+}
 
 void orThrow(const Result<void>& result)
 {
@@ -268,6 +279,10 @@ void PuppetXray::sendPicture(DistributedSystem& system)
         }
         const auto age = m_pictures == Pictures::Old ? milliseconds(1000) : milliseconds(5);
         frame.set("frame", ++m_frame).set("acquisition", m_press);
+        if (m_pictures == Pictures::Stamped) {
+            stamp(m_pixels, m_frame);
+            m_taken[m_frame] = std::chrono::steady_clock::now() - age;
+        }
         frame.set("capture_ns", Timestamp::now().ns - static_cast<std::uint64_t>(std::chrono::nanoseconds(age).count()));
         frame.set("source", std::string_view(m_pictures == Pictures::Recorded ? "recorded" : "simulated"));
         frame.set("rows", edge).set("columns", edge).set("bits_stored", 8).set("window_centre", 128.0).set("window_width", 256.0);
@@ -294,6 +309,13 @@ void PuppetXray::show(Pictures pictures)
 {
     const std::lock_guard lock(m_mutex);
     m_pictures = pictures;
+}
+
+std::optional<std::chrono::steady_clock::time_point> PuppetXray::takenAt(std::uint32_t frame) const
+{
+    const std::lock_guard lock(m_mutex);
+    const auto found = m_taken.find(frame);
+    return found != m_taken.end() ? std::optional(found->second) : std::nullopt;
 }
 
 void PuppetXray::alterStatus(std::function<void(Message&)> alter)

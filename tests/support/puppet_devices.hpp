@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -87,13 +88,25 @@ public:
         None,     ///< beam on, and nothing comes
         Repeated, ///< new numbers and times, the same bytes
         Recorded,
-        Old,    ///< taken a second before they are sent
-        Filled, ///< good, with contrast in a vessel across the middle
+        Old,     ///< taken a second before they are sent
+        Filled,  ///< good, with contrast in a vessel across the middle
+        Stamped, ///< good, with its number written into its pixels: StampStrip
+    };
+
+    /// Where a stamped picture bears the lowest bits of its number: upright bars of equal width from its left, white for 1, the lowest
+    /// first.
+    struct StampStrip {
+        static constexpr int bits = 12;
+        static constexpr double barWidth = 5.0 / 64; ///< of the picture's width
+        static constexpr double middle = 22.0 / 64;  ///< of its height
     };
 
     explicit PuppetXray(Settings settings);
 
     void show(Pictures pictures);
+
+    /// When a picture was taken; nothing for one that was not stamped.
+    std::optional<std::chrono::steady_clock::time_point> takenAt(std::uint32_t frame) const;
 
     /// Changes each AcquisitionStatus before it is sent. Network thread; empty: nothing is changed.
     void alterStatus(std::function<void(Message&)> alter);
@@ -111,6 +124,7 @@ private:
     std::chrono::steady_clock::time_point m_commandedAt;
     std::uint32_t m_press = 0;
     std::uint32_t m_frame = 0;
+    std::map<std::uint32_t, std::chrono::steady_clock::time_point> m_taken; ///< stamped ones, by number
     std::mt19937 m_random{1};
     std::vector<std::byte> m_pixels;
     TestDevice m_device; ///< last
