@@ -73,6 +73,8 @@ void PreferenceDesk::apply()
         shown.noiseReduction = p.noiseReduction;
     if (p.edge != m_inForce.edge)
         shown.edge = p.edge;
+    if (p.edgeMethod != m_inForce.edgeMethod)
+        shown.edgeMethod = p.edgeMethod;
     m_pictures.display().set(shown);
     m_inForce = p;
     m_view->setPreferences(p);

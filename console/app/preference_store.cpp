@@ -25,6 +25,8 @@ constexpr std::array<const char*, brightnessCount> brightnessWords{"dim", "usual
 constexpr std::array<const char*, 2> spanWords{"60s", "10min"};
 constexpr std::array<const char*, 5> windowWords{"as-sent", "automatic", "full-range", "narrow", "wide"}; // as in WindowChoice
 
+constexpr std::array<const char*, 2> methodWords{"unsharp-mask", "multi-scale"}; // as in EdgeMethod
+
 constexpr std::array<const char*, pulseRates.size()> rateWords{"7.5", "15", "30"}; // as in pulseRates
 
 /// Reads entries one by one, and says of each that makes no sense which it is.
@@ -84,6 +86,7 @@ constexpr const char* folderKey = "picture-folder";
 constexpr const char* windowKey = "window";
 constexpr const char* noiseKey = "noise-reduction";
 constexpr const char* edgeKey = "edge";
+constexpr const char* methodKey = "edge-method";
 constexpr const char* rateKey = "pulse-rate";
 constexpr const char* patientSideKey = "patient-side";
 
@@ -104,6 +107,7 @@ Preferences readEntries(QSettings& settings, QStringList& troubles)
     p.window = WindowChoice(entries.choice(windowKey, windowWords, int(p.window)));
     p.noiseReduction = entries.number(noiseKey, 0, 100, p.noiseReduction);
     p.edge = entries.number(edgeKey, 0, 100, p.edge);
+    p.edgeMethod = EdgeMethod(entries.choice(methodKey, methodWords, int(p.edgeMethod)));
     p.pulseRate = pulseRates.at(std::size_t(entries.choice(rateKey, rateWords, placeOf(p.pulseRate))));
     p.patientSide = entries.text(patientSideKey);
     const Preferences bounded = withinBounds(p);
@@ -125,6 +129,7 @@ void writeEntries(QSettings& settings, const Preferences& p)
     set(windowKey, QString::fromLatin1(windowWords.at(std::size_t(p.window))));
     set(noiseKey, p.noiseReduction);
     set(edgeKey, p.edge);
+    set(methodKey, QString::fromLatin1(methodWords.at(std::size_t(p.edgeMethod))));
     set(rateKey, QString::fromLatin1(rateWords.at(std::size_t(placeOf(p.pulseRate)))));
     set(patientSideKey, p.patientSide);
 }

@@ -155,7 +155,10 @@ const cv::Mat& DisplayChain::enhanced(const DisplaySettings& settings, DisplayPi
         m_stored.convertTo(m_work, CV_32F);
     if (settings.edge > 0) {
         const NoiseModel noise = filtered ? m_noise.scaled(varianceShare(m_k)) : estimateNoise(m_work);
-        m_edge.apply(m_work, settings.edge, noise);
+        if (settings.edgeMethod == EdgeMethod::MultiScale)
+            m_multiScale.apply(m_work, settings.edge, noise);
+        else
+            m_edge.apply(m_work, settings.edge, noise);
     }
     fractionBits = storedBits - picture.about.bitsStored;
     m_work.convertTo(m_quantised, CV_16U, std::ldexp(1.0, fractionBits));

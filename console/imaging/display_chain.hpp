@@ -4,6 +4,7 @@
 #include "imaging/display_picture.hpp"
 #include "imaging/edge_enhancement.hpp"
 #include "imaging/image_pool.hpp"
+#include "imaging/multi_scale_enhancement.hpp"
 #include "imaging/temporal_filter.hpp"
 #include "imaging/window_level.hpp"
 
@@ -49,6 +50,7 @@ private:
     double m_k = 1;
     TemporalFilter m_temporal;
     EdgeEnhancement m_edge;
+    MultiScaleEnhancement m_multiScale;
     WindowLevelTable m_table;
     AutoWindow m_autoWindow;
     std::optional<GreyWindow> m_automatic; ///< of the present picture

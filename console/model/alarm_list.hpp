@@ -121,6 +121,7 @@ public:
     /// Silences the sound for that long; a new high alarm ends it.
     void pauseAudio(Instant now, qint64 wallMs = 0, const QString& who = {});
     void resumeAudio(qint64 wallMs);
+    std::chrono::seconds audioPauseLength() const { return m_audioPause; }
     std::optional<Duration> audioPauseLeft(Instant now) const;
 
     const std::deque<AlarmLogEntry>& log() const { return m_log; } ///< oldest first

@@ -49,6 +49,17 @@ QString word(WindowChoice choice)
     return QStringLiteral("?");
 }
 
+QString word(EdgeMethod method)
+{
+    switch (method) {
+    case EdgeMethod::UnsharpMask:
+        return Text::tr("unsharp mask");
+    case EdgeMethod::MultiScale:
+        return Text::tr("multi-scale");
+    }
+    return QStringLiteral("?");
+}
+
 QString word(ShutterShape shape)
 {
     switch (shape) {

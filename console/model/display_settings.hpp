@@ -40,13 +40,21 @@ QString word(WindowChoice choice);
 enum class ShutterShape : std::uint8_t { None, Circle, Rectangle };
 QString word(ShutterShape shape);
 
+/// How edges are enhanced.
+enum class EdgeMethod : std::uint8_t {
+    UnsharpMask, ///< details of a wire's width
+    MultiScale,  ///< weak details of every size
+};
+QString word(EdgeMethod method);
+
 struct DisplaySettings {
     WindowChoice window = WindowChoice::AsSent;
     GreyWindow fixed; ///< for WindowChoice::Fixed
     VoiFunction function = VoiFunction::Linear;
-    bool inverted = false;                     ///< Presentation LUT Shape INVERSE
-    int noiseReduction = 0;                    ///< 0 … 100 %: strength of the temporal filter
-    int edge = 0;                              ///< 0 … 100 %: Display Filter Percentage (0028,9411); 0 = none
+    bool inverted = false;  ///< Presentation LUT Shape INVERSE
+    int noiseReduction = 0; ///< 0 … 100 %: strength of the temporal filter
+    int edge = 0;           ///< 0 … 100 %: Display Filter Percentage (0028,9411); 0 = none
+    EdgeMethod edgeMethod = EdgeMethod::UnsharpMask;
     ShutterShape shutter = ShutterShape::None; ///< the largest that fits into the picture
 
     bool operator==(const DisplaySettings&) const = default;

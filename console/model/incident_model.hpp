@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <chrono>
 #include <deque>
 #include <optional>
 #include <utility>
@@ -26,7 +27,8 @@ struct PromptSurroundings {
     bool tipLive = false;
     bool tipKnown = false;
     QString patientSide; ///< how a person there is called; empty: not set up
-    int lostLinks = 0;   ///< this console's links in stand-by
+    std::chrono::seconds audioPause{60};
+    int lostLinks = 0; ///< this console's links in stand-by
     int ownLinks = 0;
 };
 
@@ -47,6 +49,7 @@ struct PromptContent {
     QString tryFirst;
     QString lastTry;        ///< why the last re-opening failed; empty
     QString folded;         ///< the one line of the chip
+    QString silence;        ///< `Silence 60 s`
     bool decided = true;    ///< an incident stands: there is something to do about it
     bool healed = false;    ///< there is nothing left to do but to close the sheet
     bool canReopen = false; ///< this console is one end of the pair

@@ -62,6 +62,7 @@ DisplaySettings beginningOf(const Preferences& preferences)
     settings.window = preferences.window;
     settings.noiseReduction = preferences.noiseReduction;
     settings.edge = preferences.edge;
+    settings.edgeMethod = preferences.edgeMethod;
     return withinBounds(settings);
 }
 

@@ -35,8 +35,9 @@ struct Preferences {
     WindowChoice window = WindowChoice::AsSent; ///< what the console begins with; never Fixed
     int noiseReduction = 0;                     ///< %
     int edge = 0;                               ///< %
-    double pulseRate = 15;                      ///< one of pulseRates
-    QString patientSide;                        ///< how a person there is called, as the prompt shows it; empty: not set up
+    EdgeMethod edgeMethod = EdgeMethod::UnsharpMask;
+    double pulseRate = 15; ///< one of pulseRates
+    QString patientSide;   ///< how a person there is called, as the prompt shows it; empty: not set up
 
     bool operator==(const Preferences&) const = default;
 };

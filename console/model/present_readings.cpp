@@ -104,6 +104,7 @@ PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
     if (around.pictureSeen && !around.pictureLive)
         around.frozenSinceWallMs = qint64(picture.captureNs / 1000000U);
     around.patientSide = models.patientSide;
+    around.audioPause = models.alarms.audioPauseLength();
     around.tipLive = models.instrument.tipFresh(now);
     around.tipKnown = models.instrument.tip().known();
     for (const LinkNode& link : models.sessions.links()) {

@@ -283,6 +283,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     }
     content.lastTry = incident.reopenFailure;
     content.folded = Text::tr("%1, %2").arg(content.headline, runningTime(now - incident.since));
+    content.silence = Text::tr("Silence %1 s").arg(around.audioPause.count());
     content.canReopen = incident.peer != 0;
     content.lostLinks = around.lostLinks;
     if (incident.stage != LossStage::Lost)

@@ -58,8 +58,8 @@ QWidget* DiagnosisSheet::makeHead()
     m_directions = plainLabel({}, TextRole::Body, head);
     m_directions->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_directions->setWordWrap(true);
-    m_silence = new SheetButton(tr("Silence"), SheetButton::Enter::Ignored, head);
-    m_silence->setAccessibleName(tr("Pause the alarm sound, or let it sound again: F9"));
+    m_silence = new SheetButton({}, SheetButton::Enter::Ignored, head);
+    m_silence->setAccessibleName(tr("Pause the alarm sound: F9"));
     m_save = new SheetButton(tr("Save report"), SheetButton::Enter::Ignored, head);
     m_save->setAccessibleName(tr("Save what this sheet says as a file"));
     auto* second = new QHBoxLayout;
@@ -222,6 +222,7 @@ void DiagnosisSheet::setContent(const IncidentRecord& incident, const PromptCont
     m_directions->setText(content.directions);
     m_patient->setText(content.patient);
     setInk(m_patient, content.holdConfirmed ? colour::text : colour::bright);
+    m_silence->setText(content.silence);
     m_call->setText(content.call);
     m_call->setVisible(!content.call.isEmpty());
     m_rollCall->setLines(content.rollCall);

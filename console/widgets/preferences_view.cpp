@@ -161,6 +161,10 @@ void PreferencesView::addPictures(QVBoxLayout* column)
                            "less is mixed in where the age limit leaves no room."),
                         numbers(strengths, tr("%1 %")));
     m_edge = addChoice(column, tr("Edges"), tr("Enhancement of edges that pictures begin with."), numbers(strengths, tr("%1 %")));
+    m_edgeMethod = addChoice(column, tr("Edges by"),
+                             tr("The unsharp mask raises what is as wide as a wire, multi-scale raises weak detail of every size and takes "
+                                "more of this computer. Neither raises noise."),
+                             {word(EdgeMethod::UnsharpMask), word(EdgeMethod::MultiScale)});
     connect(m_folder, &QLineEdit::editingFinished, this,
             [this] { ask([this](Preferences& p) { p.pictureFolder = m_folder->text().trimmed(); }); });
     connect(m_rate, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.pulseRate = pulseRates.at(std::size_t(i)); }); });
@@ -168,6 +172,7 @@ void PreferencesView::addPictures(QVBoxLayout* column)
     connect(m_noise, &ChoiceRow::chosen, this,
             [this](int i) { ask([i](Preferences& p) { p.noiseReduction = strengths.at(std::size_t(i)); }); });
     connect(m_edge, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.edge = strengths.at(std::size_t(i)); }); });
+    connect(m_edgeMethod, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.edgeMethod = EdgeMethod(i); }); });
 }
 
 QLineEdit* PreferencesView::addText(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QString& whenEmpty,
@@ -231,6 +236,7 @@ void PreferencesView::setPreferences(const Preferences& preferences)
     m_window->setValue(int(preferences.window), word(preferences.window));
     m_noise->setValue(placeOf(strengths, preferences.noiseReduction), tr("%1 %").arg(preferences.noiseReduction));
     m_edge->setValue(placeOf(strengths, preferences.edge), tr("%1 %").arg(preferences.edge));
+    m_edgeMethod->setValue(int(preferences.edgeMethod), word(preferences.edgeMethod));
 }
 
 void PreferencesView::setReadOnly(const QString& why)
@@ -238,7 +244,7 @@ void PreferencesView::setReadOnly(const QString& why)
     m_readOnly = !why.isEmpty();
     m_state->setText(m_readOnly ? why : tr("Kept for you on this computer. Nothing here changes how the robot moves."));
     setInk(m_state, m_readOnly ? colour::bright : colour::secondary);
-    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge})
+    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge, m_edgeMethod})
         row->setReadOnly(m_readOnly);
     m_folder->setReadOnly(m_readOnly);
     m_patientSide->setReadOnly(m_readOnly);

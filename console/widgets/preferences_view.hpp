@@ -60,6 +60,7 @@ private:
     ChoiceRow* m_window = nullptr;
     ChoiceRow* m_noise = nullptr;
     ChoiceRow* m_edge = nullptr;
+    ChoiceRow* m_edgeMethod = nullptr;
     ChoiceRow* m_rate = nullptr;
     QLineEdit* m_folder = nullptr;
     QLineEdit* m_patientSide = nullptr;

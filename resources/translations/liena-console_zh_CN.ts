@@ -873,20 +873,16 @@
         <translation>关闭此提示单</translation>
     </message>
     <message>
-        <source>Silence</source>
-        <translation>静音</translation>
-    </message>
-    <message>
-        <source>Pause the alarm sound, or let it sound again: F9</source>
-        <translation>暂停报警声，或恢复：F9</translation>
-    </message>
-    <message>
         <source>Save report</source>
         <translation>保存报告</translation>
     </message>
     <message>
         <source>Save what this sheet says as a file</source>
         <translation>把此面板的内容保存为文件</translation>
+    </message>
+    <message>
+        <source>Pause the alarm sound: F9</source>
+        <translation>暂停报警声：F9</translation>
     </message>
 </context>
 <context>
@@ -968,6 +964,14 @@
     <message>
         <source>square shutter</source>
         <translation>方形遮光器</translation>
+    </message>
+    <message>
+        <source>unsharp mask</source>
+        <translation>反锐化掩模</translation>
+    </message>
+    <message>
+        <source>multi-scale</source>
+        <translation>多尺度</translation>
     </message>
 </context>
 <context>
@@ -3476,6 +3480,14 @@
         <source>name and telephone number</source>
         <translation>姓名和电话号码</translation>
     </message>
+    <message>
+        <source>Edges by</source>
+        <translation>边缘增强方法</translation>
+    </message>
+    <message>
+        <source>The unsharp mask raises what is as wide as a wire, multi-scale raises weak detail of every size and takes more of this computer. Neither raises noise.</source>
+        <translation>反锐化掩模增强导丝粗细的细节；多尺度增强各种大小的微弱细节，占用更多计算资源。两者都不放大噪声。</translation>
+    </message>
 </context>
 <context>
     <name>console::ProgramFacts</name>
@@ -3913,6 +3925,10 @@
     <message>
         <source>Began %1, incident %2</source>
         <translation>开始于 %1，事件 %2</translation>
+    </message>
+    <message>
+        <source>Silence %1 s</source>
+        <translation>静音 %1 秒</translation>
     </message>
 </context>
 <context>

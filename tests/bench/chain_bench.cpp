@@ -86,11 +86,12 @@ void temporalFilter(benchmark::State& state)
 }
 BENCHMARK(temporalFilter)->Unit(benchmark::kMillisecond);
 
-void edgeEnhancement(benchmark::State& state)
+template <typename Enhancement>
+void enhancement(benchmark::State& state)
 {
     const cv::Mat sent = floating(tissue(1));
     const NoiseModel noise = estimateNoise(sent);
-    EdgeEnhancement enhancement;
+    Enhancement enhancement;
     cv::Mat picture;
     for (auto _ : state) {
         sent.copyTo(picture);
@@ -98,7 +99,8 @@ void edgeEnhancement(benchmark::State& state)
         benchmark::DoNotOptimize(picture.data);
     }
 }
-BENCHMARK(edgeEnhancement)->Unit(benchmark::kMillisecond);
+BENCHMARK(enhancement<EdgeEnhancement>)->Name("edgeEnhancement")->Unit(benchmark::kMillisecond);
+BENCHMARK(enhancement<MultiScaleEnhancement>)->Name("multiScaleEnhancement")->Unit(benchmark::kMillisecond);
 
 // A window that changes with every picture, as AUTO's does: the table is computed anew.
 void windowTable(benchmark::State& state)

@@ -93,10 +93,10 @@ private Q_SLOTS:
         stage.cockpit.openAll();
         stage.cockpit.loseRobot();
         QSignalSpy paused(&stage.window, &CockpitWindow::audioPauseRequested);
-        QTest::mouseClick(button(stage, QStringLiteral("Silence")), Qt::LeftButton);
+        QTest::mouseClick(button(stage, QStringLiteral("Silence 60 s")), Qt::LeftButton);
         QCOMPARE(paused.count(), 1);
         stage.cockpit.models.alarms.pauseAudio(std::chrono::steady_clock::now(), 1, {});
-        QTest::mouseClick(button(stage, QStringLiteral("Silence")), Qt::LeftButton);
+        QTest::mouseClick(button(stage, QStringLiteral("Silence 60 s")), Qt::LeftButton);
         QCOMPARE(paused.count(), 1); // pressed once more, it does not let the alarms sound again
     }
 

@@ -103,10 +103,12 @@ private Q_SLOTS:
         stage.choose(QStringLiteral("Audio pause: 120 s"));
         stage.choose(QStringLiteral("Trends: 10 min"));
         stage.choose(QStringLiteral("Noise reduction: 40 %"));
+        stage.choose(QStringLiteral("Edges by: multi-scale"));
         stage.choose(QStringLiteral("Brightness: dim"));
         stage.choose(QStringLiteral("X-ray pulses: 30 /s"));
         QVERIFY(stage.window.findChild<TrendsPane*>()->span() == TrendSpan::TenMinutes);
         QCOMPARE(stage.pictures.display().settings().noiseReduction, 40);
+        QCOMPARE(stage.pictures.display().settings().edgeMethod, EdgeMethod::MultiScale);
         QVERIFY(theme::brightness() == Brightness::Dim);
         QCOMPARE(stage.cockpit.models.xray.requestedRate(), 30.0);
         stage.cockpit.models.alarms.pauseAudio(stage.cockpit.now);

@@ -57,6 +57,7 @@ private Q_SLOTS:
     void beginsFilterAnew();
     void redrawsWithoutFilteringTwice();
     void takesFilterAwayAndNeverPretendsIt();
+    void enhancesEdgesByTheMethodChosen();
     void neverShowsWhatWasRefused();
     void usesPicturesAgain();
     void leavesPicturesAloneThatAreHeld();
@@ -250,6 +251,21 @@ void TestDisplayChain::takesFilterAwayAndNeverPretendsIt()
     other.show(*flatFrame(1, 1000), {});
     QVERIFY(other.chain.redraw(filtered(60), redrawn));
     QCOMPARE(redrawn.treatment.k, 1.0);
+}
+
+void TestDisplayChain::enhancesEdgesByTheMethodChosen()
+{
+    Run run;
+    const auto frame = samples::frame(1, size, 12, PixelEncoding::Raw);
+    DisplaySettings settings;
+    const QImage plain = run.show(*frame, settings).image;
+    settings.edge = 100;
+    const QImage unsharp = run.show(*frame, settings).image;
+    settings.edgeMethod = EdgeMethod::MultiScale;
+    const QImage multiScale = run.show(*frame, settings).image;
+    QVERIFY(unsharp != plain && multiScale != plain && multiScale != unsharp);
+    settings.edge = 0;
+    QCOMPARE(run.show(*frame, settings).image, plain); // no method does anything at nothing
 }
 
 void TestDisplayChain::neverShowsWhatWasRefused()

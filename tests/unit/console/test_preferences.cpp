@@ -43,6 +43,7 @@ Preferences unusual()
     p.window = WindowChoice::Wide;
     p.noiseReduction = 40;
     p.edge = 30;
+    p.edgeMethod = EdgeMethod::MultiScale;
     p.pulseRate = 7.5;
     return p;
 }
@@ -84,6 +85,7 @@ private Q_SLOTS:
         QTest::newRow("span") << QByteArray("trend-span=12h") << QStringLiteral("trend-span");
         QTest::newRow("window by hand") << QByteArray("window=fixed") << QStringLiteral("window");
         QTest::newRow("noise") << QByteArray("noise-reduction=-5") << QStringLiteral("noise-reduction");
+        QTest::newRow("edge method") << QByteArray("edge-method=magic") << QStringLiteral("edge-method");
         QTest::newRow("language") << QByteArray("language=tlh") << QStringLiteral("language");
         QTest::newRow("patient side") << QByteArray("patient-side=\"a\\x1b[2Jb\"") << QStringLiteral("patient-side");
         QTest::newRow("folder") << QByteArray("picture-folder=\"a\\x1b[2Jb\"") << QStringLiteral("picture-folder");
