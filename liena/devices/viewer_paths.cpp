@@ -5,7 +5,7 @@
 
 namespace liena::devices {
 
-ViewerPaths::ViewerPaths(const std::vector<DeviceId>& viewers)
+ViewerPaths::ViewerPaths(const std::vector<DeviceId>& viewers, std::uint16_t pictures) : m_pictures(pictures)
 {
     for (const DeviceId viewer : viewers)
         m_superseded[viewer] = 0;
@@ -23,7 +23,7 @@ std::vector<PathReading> ViewerPaths::read(const std::vector<LinkStatus>& links,
             continue;
         const auto gone = lost.find(link.peer);
         const std::uint64_t replaced = link.messagesSuperseded > before ? link.messagesSuperseded - before : 0;
-        readings.push_back({link.bulkRate, replaced + (gone != lost.end() ? gone->second : 0)});
+        readings.push_back({link.bulkRateOf(m_pictures), replaced + (gone != lost.end() ? gone->second : 0)});
     }
     return readings;
 }

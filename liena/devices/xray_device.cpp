@@ -36,7 +36,7 @@ XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink l
       m_source(std::move(options.source)),
       m_encoder(options.encoding, options.quality),
       m_ladder(options.encoding, options.quality, options.reduction),
-      m_paths(m_viewers),
+      m_paths(m_viewers, system.report("XrayFrame").value().definition().number), // create() has asked for it
       m_links(options.links ? std::move(options.links) : [&system] { return system.links(); })
 {
     m_machine.fixPulseRate(m_source->ownRate());

@@ -220,7 +220,7 @@ void addBenchCommand(CLI::App& app, int& exitCode)
     command->add_option("--folder", options->folder, "With --live: where the device offers its status")->capture_default_str();
     command->add_option("--profile", options->profile, "What the procedure asks: a name, or a file")->capture_default_str();
     command->add_option("--seconds", options->seconds, "Of the paced phases; the others take half of it")
-        ->check(CLI::Range(1, 600))
+        ->check(CLI::Range(1, 250)) // all phases together stay within what a device grants, MeasuringLimits::longest
         ->capture_default_str();
     command->add_option("--commands", options->commands, "Commands a second; default as the profile says")->check(CLI::Range(1.0, 10000.0));
     command->add_option("--command-bytes", options->commandBytes, "Bytes of a command")->check(CLI::Range(0, 1024))->capture_default_str();

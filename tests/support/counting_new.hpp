@@ -8,11 +8,11 @@
 namespace liena::test {
 
 /// Called for each request that may not fail silently; the program says what it does.
-void heapAsked();
+void heapAsked(std::size_t bytes);
 
 inline void* askHeap(std::size_t size)
 {
-    heapAsked();
+    heapAsked(size);
     if (void* memory = std::malloc(size > 0 ? size : 1))
         return memory;
     throw std::bad_alloc();

@@ -1,5 +1,5 @@
-// The control path makes no request to the C++ heap: each of the two network threads' is counted while messages pass between two devices.
-// What OpenSSL takes with malloc for its records is not counted.
+// The control path makes no request to the C++ heap and takes no lock, and a picture that is kept is not copied: what is asked for is
+// counted while messages pass between two devices. What OpenSSL takes with malloc for its records is not counted.
 #include "support/counting_new.hpp"
 #include "test_system.hpp"
 
@@ -7,20 +7,47 @@
 #include <QFile>
 #include <QTest>
 
+#include <dlfcn.h>
+#include <pthread.h>
+
+#include <algorithm>
 #include <atomic>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace {
 
+constexpr std::size_t pictureBytes = std::size_t{1} << 20U;
+
 thread_local bool isNetworkThread = false;
+thread_local bool watchesLocks = false;
 std::atomic<bool> counting = false;
 std::atomic<std::uint64_t> allocations = 0;
+std::atomic<std::uint64_t> pictureAllocations = 0; ///< of a picture's size, by any thread
+std::atomic<std::uint64_t> locks = 0;
 
 } // namespace
 
-void liena::test::heapAsked()
+void liena::test::heapAsked(std::size_t bytes)
 {
-    if (isNetworkThread && counting)
+    if (!counting)
+        return;
+    if (isNetworkThread)
         ++allocations;
+    if (bytes >= pictureBytes)
+        ++pictureAllocations;
+}
+
+/// In the C library's place, and then on to it.
+extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept
+{
+    static const auto lock = reinterpret_cast<int (*)(pthread_mutex_t*)>(::dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+    if (watchesLocks)
+        ++locks;
+    return lock(mutex);
 }
 
 using namespace liena;
@@ -41,6 +68,10 @@ constexpr auto armSet =
   <message number="0x0201" name="State" role="report" priority="status" title="The other way">
     <field name="number" type="uint32" title="Counts"/>
     <field name="force" type="float32[6]" title="Any"/>
+  </message>
+  <message number="0x0202" name="Picture" role="report" priority="bulk" title="In many segments">
+    <field name="number" type="uint32" title="Counts"/>
+    <field name="pixels" type="bytes" max-length="4000000" title="Any"/>
   </message>
 </message-set>
 )";
@@ -132,6 +163,116 @@ private slots:
         const auto expected = quiet * static_cast<double>(beats() - busyFrom);
         qInfo("%.0f allocations beside %u messages, %.0f expected without them", asked, received.load() - first, expected);
         QVERIFY2(asked < 1.5 * expected + counted / 10.0, qPrintable(QString::number(asked)));
+    }
+
+    void commandsLeaveTheNetworkThreadWithoutALock()
+    {
+        constexpr std::uint32_t enough = 100;
+        TestSystem system({arm, desk}, {"arm desk"});
+        const auto armId = system.idOf("arm");
+        std::atomic<bool> sending = false;
+        std::atomic<std::uint32_t> sent = 0;
+        std::atomic<std::uint64_t> seenOnTheBoard = 0;
+        TestDevice armDevice(settingsOf(system, "arm"));
+        TestDevice deskDevice(settingsOf(system, "desk"), [&](DistributedSystem& device) {
+            device.every(std::chrono::milliseconds(1), [&] {
+                if (!sending || sent == enough)
+                    return;
+                watchesLocks = true;
+                const bool left =
+                    device.send(armId, std::move(device.command(armId, "Steer").value().set(std::size_t{0}, sent + 1))).has_value();
+                watchesLocks = false;
+                sent += left ? 1 : 0;
+                const auto before = locks.load();
+                watchesLocks = true;
+                (void)device.links();
+                watchesLocks = false;
+                seenOnTheBoard += locks.exchange(before) - before;
+            });
+        });
+        QVERIFY(deskDevice->openChannel(armId));
+        QTRY_VERIFY(deskDevice.state(armId) == SessionState::Open);
+        QTRY_VERIFY(deskDevice->links().front().packetsHeardByPeer > 0); // by TCP the socket's own lock would be counted
+        sending = true;
+        QTRY_VERIFY_WITH_TIMEOUT(sent == enough, 30000);
+        QCOMPARE(locks.load(), std::uint64_t{0});
+        QVERIFY(seenOnTheBoard >= enough); // it is counted, so it would have been
+    }
+
+    void aPictureThatIsKeptIsNotCopiedAndItsBufferIsUsedAgain()
+    {
+        constexpr std::uint32_t before = 6;
+        constexpr std::uint32_t counted = 20;
+        TestSystem system({arm, desk}, {"arm desk"});
+        const auto armId = system.idOf("arm");
+        const auto deskId = system.idOf("desk");
+        const auto pixels = std::make_shared<const std::vector<std::byte>>(pictureBytes, std::byte{7});
+        std::atomic<std::uint32_t> wanted = 0;
+        std::atomic<const std::byte*> lookedAt = nullptr;
+        std::mutex mutex;
+        std::shared_ptr<const Message> newest;
+        TestDevice armDevice(settingsOf(system, "arm"), [&](DistributedSystem& device) {
+            device.every(std::chrono::milliseconds(1), [&, next = std::uint32_t{0}]() mutable {
+                if (next == wanted)
+                    return;
+                auto made = device.report("Picture");
+                made.value().set(std::size_t{0}, ++next).lend(std::size_t{1}, pixels, *pixels);
+                (void)device.send(deskId, std::move(made.value()));
+            });
+        });
+        TestDevice deskDevice(settingsOf(system, "desk"), [&](DistributedSystem& device) {
+            const auto keep = [&](std::shared_ptr<const Message> message) {
+                const std::lock_guard lock(mutex);
+                newest = std::move(message);
+            };
+            QVERIFY(device.subscribe("Picture", [&](const Message& message) { lookedAt = message.fieldBytes().data(); }));
+            QVERIFY(device.subscribeToKeep("Picture", keep));
+            QVERIFY(!device.subscribeToKeep("Picture", keep)); // whose would it be?
+            QVERIFY(!device.subscribeToKeep("Nothing", keep));
+        });
+        const auto taken = [&] {
+            const std::lock_guard lock(mutex);
+            return std::exchange(newest, nullptr);
+        };
+        QVERIFY(deskDevice->openChannel(armId));
+        QTRY_VERIFY(deskDevice.state(armId) == SessionState::Open && armDevice.state(deskId) == SessionState::Open);
+        for (std::uint32_t number = 1; number <= before + counted; ++number) {
+            if (number > before)
+                counting = true;
+            wanted = number;
+            std::shared_ptr<const Message> picture;
+            QTRY_VERIFY_WITH_TIMEOUT(picture || (picture = taken()), 10000); // it is asked more than once
+            QCOMPARE(picture->get<std::uint32_t>(std::size_t{0}), number);
+            QVERIFY(picture->fieldBytes().data() == lookedAt);
+            QVERIFY(std::ranges::equal(picture->get<std::span<const std::byte>>(std::size_t{1}), *pixels));
+        } // this thread lets go of it
+        counting = false;
+        QVERIFY2(pictureAllocations < counted / 4, qPrintable(QString::number(pictureAllocations)));
+    }
+
+    void aPictureMayBeKeptLongerThanTheSystem()
+    {
+        TestSystem system({arm, desk}, {"arm desk"});
+        const auto deskId = system.idOf("desk");
+        std::atomic<bool> heard = false;
+        std::shared_ptr<const Message> kept;
+        {
+            TestDevice armDevice(settingsOf(system, "arm"));
+            TestDevice deskDevice(settingsOf(system, "desk"), [&](DistributedSystem& device) {
+                QVERIFY(device.subscribeToKeep("Picture", [&](std::shared_ptr<const Message> message) {
+                    kept = std::move(message);
+                    heard = true;
+                }));
+            });
+            QVERIFY(deskDevice->openChannel(system.idOf("arm")));
+            QTRY_VERIFY(armDevice.state(deskId) == SessionState::Open);
+            const std::vector<std::byte> pixels(pictureBytes, std::byte{7});
+            auto picture = armDevice->report("Picture");
+            picture.value().set("pixels", std::span<const std::byte>(pixels));
+            QVERIFY(armDevice->send(deskId, std::move(picture.value())));
+            QTRY_VERIFY(heard);
+        }
+        QCOMPARE(kept->get<std::span<const std::byte>>("pixels").size(), pictureBytes);
     }
 };
 

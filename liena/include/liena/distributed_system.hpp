@@ -28,6 +28,7 @@ namespace liena {
 class DistributedSystem {
 public:
     using MessageHandler = std::function<void(const Message&)>;
+    using KeepingHandler = std::function<void(std::shared_ptr<const Message>)>;
     using EventHandler = std::function<void(const SessionEvent&)>;
     using MeasurementHandler = std::function<void(const Measurement&)>;
 
@@ -43,6 +44,11 @@ public:
     /// `handler` gets every message of that name, from any peer, on the network thread; it does not go to the cache then.
     /// An error if neither our set (commands) nor a linked peer's set (reports) in the register has that name.
     Result<void> subscribe(std::string_view message, MessageHandler handler);
+
+    /// The same for whoever keeps messages, as images for a thread of their own: nothing is copied, the bytes stay where they were put
+    /// together. Any thread may read and let go of it, also after this object is gone; the buffer of a long one is then used again. One per
+    /// name, called after those that only look.
+    Result<void> subscribeToKeep(std::string_view message, KeepingHandler handler);
 
     /// Every SessionEvent on the network thread; the cache gets it as well.
     void subscribe(EventHandler handler);

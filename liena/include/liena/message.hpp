@@ -24,6 +24,10 @@
 
 namespace liena {
 
+namespace protocol {
+class BoundMessage;
+}
+
 /// The encoded fields. Messages of the control path fit the inline part, so they need no allocation.
 using FieldBytes = boost::container::small_vector<std::byte, 192>;
 
@@ -134,6 +138,7 @@ public:
 
 private:
     friend class MessageAccess;
+    friend class protocol::BoundMessage;
     Message(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition, FieldBytes&& fields);
 
     // Most numbers stand at places that are known beforehand: those are read and written here, all else behind a call.

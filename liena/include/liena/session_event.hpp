@@ -90,6 +90,12 @@ struct SessionEvent {
 
 std::string_view toString(SessionEvent::Kind kind);
 
+/// One kind of bulk message to a peer, and what of the path is its own.
+struct BulkStream {
+    std::uint16_t number = 0; ///< of the message
+    double rate = 0;          ///< bytes per second that it can count on
+};
+
 /// The live figures of one link, a copy of one moment.
 struct LinkStatus {
     DeviceId peer;
@@ -114,12 +120,13 @@ struct LinkStatus {
     std::uint8_t bulkLanes = 0;       ///< connections of ours for bulk
     std::uint8_t bulkLanesIn = 0;     ///< the peer's
     std::uint8_t bulkWorkers = 0;     ///< threads of this device that work on bulk now, for all links together
-    /// Bytes per second that bulk to this peer can count on; nothing until the path has been filled or measured. A source may step up by
-    /// it, so it rises again after a path has healed, also while less than this is sent.
+    /// Bytes per second that all bulk to this peer together can count on; nothing until the path has been filled or measured. It rises
+    /// again after a path has healed, also while less than this is sent. A source steps up and down by its own: see bulkRateOf().
     std::optional<double> bulkRate;
-    std::uint64_t bulkQueuedBytes = 0; ///< of bulk that waits here or is under way to the peer's kernel
-    std::uint32_t epoch = 0;           ///< ours, of what we receive
-    std::uint32_t peerEpoch = 0;       ///< the peer's, as last heard; 0 before the first heartbeat
+    std::vector<BulkStream> bulkStreams; ///< that were used within the last 2 s, as far as the rate of each is known
+    std::uint64_t bulkQueuedBytes = 0;   ///< of bulk that waits here or is under way to the peer's kernel
+    std::uint32_t epoch = 0;             ///< ours, of what we receive
+    std::uint32_t peerEpoch = 0;         ///< the peer's, as last heard; 0 before the first heartbeat
     std::uint32_t interruptions = 0;
     std::uint8_t packetsHeard = 0;       ///< by UDP in the last 8 heartbeat periods, at most 255
     std::uint8_t packetsHeardByPeer = 0; ///< the same as the peer last said it; 0: the datagram path to it does not work
@@ -127,6 +134,15 @@ struct LinkStatus {
     bool fromPeerConnected = false;
     IncidentId incident = 0;                         ///< of this pair; 0 when there is none
     std::optional<std::chrono::nanoseconds> latency; ///< median of the last 200 ms (a slower heartbeat: of its period), ± clockUncertainty
+
+    /// What messages of this number can count on, beside the other bulk to this peer that flows now; nothing while that is not known.
+    std::optional<double> bulkRateOf(std::uint16_t number) const
+    {
+        for (const auto& stream : bulkStreams)
+            if (stream.number == number)
+                return stream.rate;
+        return bulkRate ? std::optional(*bulkRate / static_cast<double>(bulkStreams.size() + 1)) : std::nullopt;
+    }
 };
 
 /// Messages of one kind that were not delivered here for one cause, since the start.

@@ -20,8 +20,8 @@ struct PacketMarks {
     std::uint8_t bulk = 34;   ///< images: AF41 (RFC 2597)
 };
 
-/// What the network thread asks of the operating system; all off by default, and create() fails with what is missing when it is not
-/// permitted. docs/OPERATING.md says what each is good for.
+/// What the network thread asks of the operating system; all but `attention` off by default, and create() fails with what is missing when
+/// it is not permitted. docs/OPERATING.md says what each is good for.
 struct RealTimeOptions {
     int priority = 0;                    ///< SCHED_FIFO, 1 to 99; 0: an ordinary thread
     std::vector<int> processors;         ///< that it may run on; empty: all
@@ -30,6 +30,10 @@ struct RealTimeOptions {
     /// That the kernel asks the network card itself before the thread sleeps (SO_BUSY_POLL): for this device's sockets, and of no use for
     /// peers on the same computer.
     std::chrono::microseconds cardSearch{0};
+    /// That the thread stays awake in a dialogue: while prompt messages follow each other within 150 us it looks for the next one for up to
+    /// 100 us, since waking up takes longer than all else of a round trip. That is a processor's time for as long as the dialogue lasts,
+    /// and none otherwise. False: it sleeps whenever it has nothing to do. Of no effect beside `search`.
+    bool attention = true;
 };
 
 struct Settings {

@@ -1,32 +1,48 @@
 // What other threads may see of the sessions: copies of one moment, written by the network thread.
 #pragma once
 
+#include "cache/inheriting_mutex.hpp"
 #include "liena/message_set.hpp"
 #include "liena/session_event.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace liena::cache {
 
+/// Under the lock pointers are exchanged and copied, nothing else: neither the network thread nor a reader ever waits while the other
+/// copies figures or asks for memory.
 class LinkBoard {
 public:
     void show(const LinkStatus& status)
     {
+        auto shown = std::make_shared<const LinkStatus>(status);
         const std::lock_guard lock(m_mutex);
-        m_links.insert_or_assign(status.peer, status);
+        const auto [entry, isNew] = m_links.try_emplace(status.peer);
+        entry->second.swap(shown); // what was shown before goes after the lock
+        if (isNew)
+            m_linkCount.store(m_links.size(), std::memory_order_relaxed);
     }
 
     std::vector<LinkStatus> links() const
     {
-        const std::lock_guard lock(m_mutex);
+        std::vector<std::shared_ptr<const LinkStatus>> shown;
+        shown.reserve(m_linkCount.load(std::memory_order_relaxed)); // all are shown before the network thread runs
+        {
+            const std::lock_guard lock(m_mutex);
+            for (const auto& [peer, status] : m_links)
+                shown.push_back(status);
+        }
         std::vector<LinkStatus> all;
-        for (const auto& [peer, status] : m_links)
-            all.push_back(status);
+        all.reserve(shown.size());
+        for (const auto& status : shown)
+            all.push_back(*status);
         return all;
     }
 
@@ -35,74 +51,77 @@ public:
     {
         const std::lock_guard lock(m_mutex);
         return static_cast<std::size_t>(
-            std::count_if(m_links.begin(), m_links.end(), [](const auto& entry) { return carriesMessages(entry.second.state); }));
+            std::count_if(m_links.begin(), m_links.end(), [](const auto& entry) { return carriesMessages(entry.second->state); }));
     }
 
     std::optional<LinkStatus> link(DeviceId peer) const
     {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_links.find(peer);
-        return found != m_links.end() ? std::optional(found->second) : std::nullopt;
+        const auto shown = copyOf(m_links, peer);
+        return shown ? std::optional(*shown) : std::nullopt;
     }
 
     void showDrops(DeviceId peer, std::vector<DropCount> drops)
     {
+        auto shown = std::make_shared<const std::vector<DropCount>>(std::move(drops));
         const std::lock_guard lock(m_mutex);
-        m_drops.insert_or_assign(peer, std::move(drops));
+        m_drops[peer].swap(shown);
     }
 
     std::vector<DropCount> drops(DeviceId peer) const
     {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_drops.find(peer);
-        return found != m_drops.end() ? found->second : std::vector<DropCount>();
+        const auto shown = copyOf(m_drops, peer);
+        return shown ? *shown : std::vector<DropCount>();
     }
 
     void showIncidents(std::vector<Incident> incidents)
     {
+        auto shown = std::make_shared<const std::vector<Incident>>(std::move(incidents));
         const std::lock_guard lock(m_mutex);
-        m_incidents = std::move(incidents);
+        m_incidents.swap(shown);
     }
 
-    std::vector<Incident> incidents() const
-    {
-        const std::lock_guard lock(m_mutex);
-        return m_incidents;
-    }
-
-    bool standsBy() const
-    {
-        const std::lock_guard lock(m_mutex);
-        return !m_incidents.empty();
-    }
+    std::vector<Incident> incidents() const { return *incidentsShown(); }
+    bool standsBy() const { return !incidentsShown()->empty(); }
 
     void showSet(DeviceId device, std::shared_ptr<const MessageSet> set)
     {
         const std::lock_guard lock(m_mutex);
-        m_sets.insert_or_assign(device, std::move(set));
+        m_sets[device].swap(set);
     }
 
     /// Whether `set` is that of the device.
     bool hasSet(DeviceId device, const MessageSet& set) const
     {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_sets.find(device);
-        return found != m_sets.end() && found->second && (found->second.get() == &set || found->second->hash() == set.hash());
+        const auto known = this->set(device);
+        return known && (known.get() == &set || known->hash() == set.hash());
     }
 
-    std::shared_ptr<const MessageSet> set(DeviceId device) const
-    {
-        const std::lock_guard lock(m_mutex);
-        const auto found = m_sets.find(device);
-        return found != m_sets.end() ? found->second : nullptr;
-    }
+    std::shared_ptr<const MessageSet> set(DeviceId device) const { return copyOf(m_sets, device); }
 
 private:
-    mutable std::mutex m_mutex;
-    std::map<DeviceId, LinkStatus> m_links;
-    std::map<DeviceId, std::vector<DropCount>> m_drops;
-    std::vector<Incident> m_incidents;
-    std::map<DeviceId, std::shared_ptr<const MessageSet>> m_sets;
+    template <typename T>
+    using Shown = std::map<DeviceId, std::shared_ptr<const T>>;
+
+    template <typename T>
+    std::shared_ptr<const T> copyOf(const Shown<T>& shown, DeviceId device) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = shown.find(device);
+        return found != shown.end() ? found->second : nullptr;
+    }
+
+    std::shared_ptr<const std::vector<Incident>> incidentsShown() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_incidents;
+    }
+
+    mutable InheritingMutex m_mutex;
+    Shown<LinkStatus> m_links;
+    std::atomic<std::size_t> m_linkCount = 0;
+    Shown<std::vector<DropCount>> m_drops;
+    std::shared_ptr<const std::vector<Incident>> m_incidents = std::make_shared<const std::vector<Incident>>(); ///< never null
+    Shown<MessageSet> m_sets;
 };
 
 } // namespace liena::cache

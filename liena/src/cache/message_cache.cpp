@@ -117,7 +117,7 @@ void MessageCacheAccess::dropOldest(MessageCache::State& state, std::deque<Messa
     state.messages.erase(at);
 }
 
-void MessageCacheAccess::notify(MessageCache::State& state, std::unique_lock<std::mutex>& lock)
+void MessageCacheAccess::notify(MessageCache::State& state, std::unique_lock<cache::InheritingMutex>& lock)
 {
     if (std::exchange(state.notified, true) || !state.notify)
         return;

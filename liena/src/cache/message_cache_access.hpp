@@ -1,6 +1,7 @@
 // The network thread's side of the message cache.
 #pragma once
 
+#include "cache/inheriting_mutex.hpp"
 #include "liena/message_cache.hpp"
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 namespace liena {
 
 struct MessageCache::State {
-    mutable std::mutex mutex;
+    mutable cache::InheritingMutex mutex;
     std::function<void()> notify;
     std::deque<SessionEvent> events;
     std::deque<Message> messages;
@@ -35,7 +36,7 @@ private:
     static void noteLost(MessageCache::State& state, const Message& message);
     static void makeRoom(MessageCache::State& state, const Message& message);
     static void dropOldest(MessageCache::State& state, std::deque<Message>::iterator at);
-    static void notify(MessageCache::State& state, std::unique_lock<std::mutex>& lock);
+    static void notify(MessageCache::State& state, std::unique_lock<cache::InheritingMutex>& lock);
 };
 
 } // namespace liena

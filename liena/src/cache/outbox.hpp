@@ -4,6 +4,7 @@
 #include "liena/device_id.hpp"
 #include "liena/message.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <mutex>
@@ -12,6 +13,7 @@
 
 namespace liena::cache {
 
+/// The bounds are those of each priority by itself: a command or a stop is never refused because images wait. All leave in one order.
 class Outbox {
 public:
     struct Letter {
@@ -27,17 +29,20 @@ public:
     /// `wake` is called under no lock when the outbox was empty.
     explicit Outbox(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
-    /// False when the outbox is full.
+    /// False when too many of the message's priority wait.
     bool put(DeviceId target, Message message)
     {
         const auto size = message.encodedSize();
+        const auto priority = static_cast<std::size_t>(message.definition().priority);
         bool first = false;
         {
             const std::lock_guard lock(m_mutex);
-            if (m_letters.size() >= mostLetters || (m_bytes + size > mostBytes && !m_letters.empty()))
+            auto& load = m_loads.at(priority);
+            if (load.letters >= mostLetters || (load.bytes + size > mostBytes && load.letters > 0))
                 return false;
             first = m_letters.empty();
-            m_bytes += size;
+            ++load.letters;
+            load.bytes += size;
             m_letters.push_back({target, std::move(message)});
         }
         if (first)
@@ -50,13 +55,19 @@ public:
     {
         const std::lock_guard lock(m_mutex);
         letters.swap(m_letters);
-        m_bytes = 0;
+        m_loads = {};
     }
 
 private:
+    /// What waits of one priority.
+    struct Load {
+        std::size_t letters = 0;
+        std::size_t bytes = 0;
+    };
+
     std::mutex m_mutex;
     Letters m_letters;
-    std::size_t m_bytes = 0;
+    std::array<Load, 4> m_loads{}; ///< by priority
     std::function<void()> m_wake;
 };
 

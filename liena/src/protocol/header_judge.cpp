@@ -85,7 +85,7 @@ HeaderJudgement judgeApplication(const Ends& ends, std::uint8_t lane, const Data
         return refuse(tooLong(*definition));
     if (definition->priority == Priority::Control && header.moreSegments)
         return refuse(fmt::format("{} is a control message in several segments", definition->name));
-    return {HeaderVerdict::Take, definition->maximumSize(), {}};
+    return {HeaderVerdict::Take, definition->maximumSize(), {}, definition};
 }
 
 HeaderJudgement judgePacketApplication(const Ends& ends, const DatagramHeader& header)
@@ -99,7 +99,7 @@ HeaderJudgement judgePacketApplication(const Ends& ends, const DatagramHeader& h
         return skip("a command or control message that is broadcast");
     if (header.length > definition->maximumSize())
         return refuse(tooLong(*definition));
-    return {HeaderVerdict::Take, definition->maximumSize(), {}};
+    return {HeaderVerdict::Take, definition->maximumSize(), {}, definition};
 }
 
 } // namespace

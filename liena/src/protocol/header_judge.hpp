@@ -28,6 +28,8 @@ struct HeaderJudgement {
     HeaderVerdict verdict = HeaderVerdict::Take;
     std::size_t maximum = 0; ///< of the whole message in bytes, when it is taken
     std::string why;         ///< when it is not
+    /// Of an application's message that is taken: inside the sets that were asked.
+    const MessageDefinition* definition = nullptr;
 };
 
 /// On a lane of a session.

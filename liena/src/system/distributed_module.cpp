@@ -28,6 +28,7 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
       m_peer(std::move(peer)),
       m_link(std::move(link)),
       m_machine(settingsOf(host, m_peer, m_link)),
+      m_ends{m_peer.id, host.ownDevice().id, host.ownSet().get(), nullptr},
       m_laneZero(host.io(), m_peer, host.identity(), {8192, 32768, transport::TcpChannel::Traffic::Prompt, host.marks().prompt},
                  {[this] { laneZeroUp(); },
                   [this](const transport::ConnectionFailure& failure) {
@@ -355,7 +356,7 @@ void DistributedModule::showDrops()
 {
     std::vector<DropCount> drops;
     m_books.forEachDrop([&](const std::string& cause, std::uint32_t number, std::uint64_t count) {
-        const auto* definition = ends().definitionOf(static_cast<std::uint16_t>(number));
+        const auto* definition = definitionOf(static_cast<std::uint16_t>(number));
         drops.push_back({cause, definition != nullptr ? definition->name : "", count});
     });
     m_host.showDrops(m_peer.id, std::move(drops));

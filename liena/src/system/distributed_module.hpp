@@ -80,6 +80,10 @@ public:
     const TopologyDevice& peer() const { return m_peer; }
     const LinkTiming& timing() const { return m_link.timing; }
     std::shared_ptr<const MessageSet> peerSet() const { return m_peerSet; }
+
+    /// What the application makes commands from: the register's set until a session brings one. The link board shows it to other threads.
+    const std::shared_ptr<const MessageSet>& knownSet() const { return m_knownSet; }
+    void setKnown(std::shared_ptr<const MessageSet> set) { m_knownSet = std::move(set); }
     LinkStatus status() const;
 
     /// Ends everything at once, without a word.
@@ -99,7 +103,8 @@ private:
     void laneLost(std::uint8_t lane, const std::string& detail) override;
 
     tasks::Judgement violation(const std::string& detail);
-    protocol::Ends ends() const;
+    void hearFrom(std::shared_ptr<const MessageSet> set);
+    const MessageDefinition* definitionOf(std::uint16_t number) const;
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
     void receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned);
     bool passesGuard(const MessageDefinition& definition, const protocol::DatagramHeader& header, std::span<const std::byte> part,
@@ -160,7 +165,10 @@ private:
     TopologyDevice m_peer;
     TopologyLink m_link;
     session::SessionMachine m_machine;
-    std::shared_ptr<const MessageSet> m_peerSet; ///< pinned or learnt; null while unknown
+    std::shared_ptr<const MessageSet> m_peerSet;  ///< pinned or learnt; null while unknown
+    std::shared_ptr<const MessageSet> m_knownSet; ///< before a session, too
+    protocol::Ends m_ends;
+    const MessageDefinition* m_judged = nullptr; ///< of the header that was judged last; inside one of the sets of m_ends
 
     tasks::OutputLane m_laneZero;
     tasks::BulkLanes m_bulk;

@@ -107,15 +107,32 @@ Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings se
     return std::unique_ptr<DistributedSystem>(new DistributedSystem(std::move(state)));
 }
 
-Result<void> DistributedSystem::subscribe(std::string_view message, MessageHandler handler)
+Result<void> DistributedSystem::State::checkKnown(std::string_view message) const
 {
     const auto knows = [&](const std::shared_ptr<const MessageSet>& set) { return set && set->find(message) != nullptr; };
-    const auto& peers = m_state->modules;
-    const bool known = knows(m_state->ownMessageSet) ||
-                       std::any_of(peers.begin(), peers.end(), [&](const auto& peer) { return knows(m_state->registry.find(peer.first)); });
+    const bool known = knows(ownMessageSet) ||
+                       std::any_of(modules.begin(), modules.end(), [&](const auto& peer) { return knows(registry.find(peer.first)); });
     if (!known)
         return fail(Errc::UnknownMessage, fmt::format("no message set of this device or of a linked one has a message {}", message));
-    m_state->messageHandlers[std::string(message)].push_back(std::move(handler));
+    return ok();
+}
+
+Result<void> DistributedSystem::subscribe(std::string_view message, MessageHandler handler)
+{
+    auto known = m_state->checkKnown(message);
+    if (known)
+        m_state->subscriptions[std::string(message)].handlers.push_back(std::move(handler));
+    return known;
+}
+
+Result<void> DistributedSystem::subscribeToKeep(std::string_view message, KeepingHandler handler)
+{
+    if (auto known = m_state->checkKnown(message); !known)
+        return known;
+    auto& keeper = m_state->subscriptions[std::string(message)].keeper;
+    if (keeper)
+        return fail(Errc::InvalidArgument, fmt::format("{} is kept by another subscription already: there can be one", message));
+    keeper = std::move(handler);
     return ok();
 }
 
@@ -134,7 +151,7 @@ void DistributedSystem::stop() { m_state->stop(); }
 
 const SystemTopology& DistributedSystem::topology() const { return m_state->topology; }
 const TopologyDevice& DistributedSystem::self() const { return m_state->ownTopologyDevice; }
-std::shared_ptr<const MessageSet> DistributedSystem::messageSet(DeviceId device) const { return m_state->board.set(device); }
+std::shared_ptr<const MessageSet> DistributedSystem::messageSet(DeviceId device) const { return m_state->knownSet(device); }
 MessageCache& DistributedSystem::cache() { return m_state->messageCache; }
 std::vector<LinkStatus> DistributedSystem::links() const { return m_state->board.links(); }
 std::vector<Incident> DistributedSystem::incidents() const { return m_state->board.incidents(); }
@@ -280,7 +297,7 @@ Result<Message> DistributedSystem::report(std::string_view name) const
 
 Result<Message> DistributedSystem::command(DeviceId target, std::string_view name) const
 {
-    auto set = m_state->board.set(target);
+    auto set = m_state->knownSet(target);
     if (!set)
         return fail(Errc::NotYet, fmt::format("the message set of {} is not known before its first session", target.toString()));
     const auto* definition = set->find(name);
@@ -289,6 +306,30 @@ Result<Message> DistributedSystem::command(DeviceId target, std::string_view nam
     return Message(std::move(set), *definition);
 }
 
+/// The network thread asks its own modules, and takes no lock.
+std::shared_ptr<const MessageSet> DistributedSystem::State::knownSet(DeviceId device) const
+{
+    if (!isNetworkThread() || stopped)
+        return board.set(device);
+    if (device == ownTopologyDevice.id)
+        return ownMessageSet;
+    const auto* one = module(device);
+    return one != nullptr ? one->knownSet() : nullptr;
+}
+
+namespace {
+
+/// A null set is none's.
+bool isSame(const MessageSet* known, const MessageSet& set) { return known != nullptr && (known == &set || known->hash() == set.hash()); }
+
+std::string belongsElsewhere(const MessageDefinition& definition, DeviceId owner)
+{
+    return fmt::format("{} does not belong to the message set of {}", definition.name, owner.toString());
+}
+
+} // namespace
+
+/// From other threads than the network thread.
 Result<void> DistributedSystem::State::checkSend(DeviceId target, const Message& message) const
 {
     if (const auto linked = linkedPeer(target); !linked)
@@ -298,9 +339,7 @@ Result<void> DistributedSystem::State::checkSend(DeviceId target, const Message&
     const auto& definition = message.definition();
     const auto owner = definition.role == Role::Command ? target : ownTopologyDevice.id;
     if (!board.hasSet(owner, message.messageSet()))
-        return fail(Errc::UnknownMessage, fmt::format("{} does not belong to the message set of {}", definition.name, owner.toString()));
-    if (isNetworkThread())
-        return ok(); // the module says the rest
+        return fail(Errc::UnknownMessage, belongsElsewhere(definition, owner));
     const auto status = board.link(target);
     const bool control = definition.priority == Priority::Control;
     if (!carriesMessages(status->state) && (control || status->state != SessionState::Reconnecting))
@@ -310,12 +349,27 @@ Result<void> DistributedSystem::State::checkSend(DeviceId target, const Message&
     return ok();
 }
 
+/// On the network thread: no lock, and the module says what the board says to others.
+Result<void> DistributedSystem::State::sendFromHere(DeviceId target, Message&& message)
+{
+    auto* one = stopped ? nullptr : module(target);
+    if (one == nullptr)
+        return linkedPeer(target).as_failure();
+    if (message.fault())
+        return boost::outcome_v2::failure(*message.fault());
+    const auto& definition = message.definition();
+    const bool isCommand = definition.role == Role::Command;
+    if (!isSame(isCommand ? one->knownSet().get() : ownMessageSet.get(), message.messageSet()))
+        return fail(Errc::UnknownMessage, belongsElsewhere(definition, isCommand ? target : ownTopologyDevice.id));
+    return one->send(std::move(message));
+}
+
 Result<void> DistributedSystem::send(DeviceId target, Message message)
 {
+    if (m_state->isNetworkThread())
+        return m_state->sendFromHere(target, std::move(message));
     if (auto allowed = m_state->checkSend(target, message); !allowed)
         return allowed;
-    if (m_state->isNetworkThread())
-        return m_state->module(target)->send(std::move(message));
     if (!m_state->outbox.put(target, std::move(message)))
         return fail(Errc::QueueFull, "too many messages wait for the network thread");
     return ok();
@@ -323,14 +377,15 @@ Result<void> DistributedSystem::send(DeviceId target, Message message)
 
 std::size_t DistributedSystem::publish(Message message)
 {
-    const auto open = m_state->board.openLinks();
     if (message.fault() || message.definition().role != Role::Report || m_state->stopped)
         return 0;
-    if (m_state->isNetworkThread())
+    if (m_state->isNetworkThread()) {
+        const auto open = m_state->openSessions();
         m_state->publishNow(std::move(message));
-    else if (open == 0 || !m_state->outbox.put(DeviceId::broadcast(), std::move(message)))
-        return 0;
-    return open;
+        return open;
+    }
+    const auto open = m_state->board.openLinks();
+    return open > 0 && m_state->outbox.put(DeviceId::broadcast(), std::move(message)) ? open : 0;
 }
 
 void DistributedSystem::audit(std::string_view event, std::string_view who, std::string_view text)

@@ -12,12 +12,40 @@ void DistributedSystem::State::deliver(Message&& message)
 {
     if (message.definition().priority != Priority::Bulk)
         attention.heard();
-    const auto found = messageHandlers.find(message.name());
-    if (found == messageHandlers.end())
+    const auto found = subscriptions.find(message.name());
+    if (found == subscriptions.end())
         return MessageCacheAccess::put(messageCache, std::move(message));
-    for (const auto& handler : found->second)
+    const auto& subscription = found->second;
+    for (const auto& handler : subscription.handlers)
         handler(message);
+    if (subscription.keeper)
+        return subscription.keeper(kept(std::move(message)));
     partialBudget.recycle(MessageAccess::takeFields(message));
+}
+
+/// Its buffer comes back from whichever thread lets go of it last.
+std::shared_ptr<const Message> DistributedSystem::State::kept(Message&& message)
+{
+    struct Kept {
+        Message message;
+        std::shared_ptr<cache::ReturnedBuffers> returned;
+
+        Kept(Message&& given, std::shared_ptr<cache::ReturnedBuffers> back) : message(std::move(given)), returned(std::move(back)) {}
+        ~Kept() { returned->put(MessageAccess::takeFields(message)); }
+        Kept(const Kept&) = delete;
+        Kept& operator=(const Kept&) = delete;
+    };
+    auto both = std::make_shared<Kept>(std::move(message), returned);
+    const auto* inside = &both->message;
+    return {std::move(both), inside};
+}
+
+void DistributedSystem::State::takeReturned()
+{
+    returned->take(returnedHere);
+    for (auto& used : returnedHere)
+        partialBudget.recycle(std::move(used));
+    returnedHere.clear();
 }
 
 void DistributedSystem::State::drainOutbox()
@@ -66,6 +94,13 @@ void DistributedSystem::State::publishNow(Message message)
     }
     if (last != nullptr)
         (void)last->send(std::move(message));
+}
+
+/// The network thread's sessions that carry messages.
+std::size_t DistributedSystem::State::openSessions() const
+{
+    return static_cast<std::size_t>(
+        std::count_if(modules.begin(), modules.end(), [](const auto& entry) { return carriesMessages(entry.second->state()); }));
 }
 
 bool DistributedSystem::State::isInUse() const

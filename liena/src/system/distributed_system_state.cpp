@@ -7,6 +7,7 @@
 #include "system/card_search.hpp"
 #include "system/real_time.hpp"
 #include "system/status_line.hpp"
+#include "transport/packet_mark.hpp"
 
 #include <boost/asio/post.hpp>
 
@@ -52,8 +53,10 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
     for (const auto* link : topology.linksOf(ownTopologyDevice.id)) {
         const auto& peer = *topology.find(link->otherEnd(ownTopologyDevice.id));
         auto made = std::make_unique<system::DistributedModule>(*this, peer, *link);
-        if (auto set = registry.find(peer.id))
+        if (auto set = registry.find(peer.id)) {
+            made->setKnown(set);
             board.showSet(peer.id, std::move(set));
+        }
         board.show(made->status());
         shortestSuspect = std::min(shortestSuspect, link->timing.suspect);
         modules.emplace(peer.id, std::move(made));
@@ -83,6 +86,8 @@ void DistributedSystem::State::start()
     log(LogLevel::Info, "listening",
         fmt::format("{} ({}) listening on {}:{}", ownTopologyDevice.name, ownTopologyDevice.id.toString(), ownTopologyDevice.host,
                     ownTopologyDevice.port));
+    if (const auto why = transport::whyUnmarked(server.address().is_v6(), {settings.marks.prompt, settings.marks.bulk}))
+        log(LogLevel::Warning, "packets-unmarked", *why);
     record({.event = "start",
             .text = fmt::format("{}, topology {} {}", settings.software, topology.name(), topology.hash().toHex().substr(0, 12))});
     server.start();
@@ -164,7 +169,7 @@ bool DistributedSystem::State::allClosed() const
     });
 }
 
-system::DistributedModule* DistributedSystem::State::module(DeviceId peer)
+system::DistributedModule* DistributedSystem::State::module(DeviceId peer) const
 {
     const auto found = modules.find(peer);
     return found != modules.end() ? found->second.get() : nullptr;
@@ -206,6 +211,7 @@ void DistributedSystem::State::housekeeping()
     watchAudit();
     const auto now = std::chrono::steady_clock::now();
     elasticWork.balance(now);
+    takeReturned();
     partialBudget.trim(now);
     for (auto& [peer, one] : modules)
         one->housekeeping();
@@ -276,6 +282,8 @@ std::shared_ptr<const MessageSet> DistributedSystem::State::setOf(DeviceId peer,
     }
     if (!known || known->hash() != set || known->deviceType() != peer.deviceType())
         return nullptr;
+    if (auto* one = module(peer))
+        one->setKnown(known);
     board.showSet(peer, known);
     return known;
 }

@@ -6,6 +6,7 @@
 #include "cache/link_board.hpp"
 #include "cache/message_cache_access.hpp"
 #include "cache/outbox.hpp"
+#include "cache/returned_buffers.hpp"
 #include "liena/distributed_system.hpp"
 #include "session/stall_watch.hpp"
 #include "session/stand_by_ledger.hpp"
@@ -51,10 +52,16 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void stop();
     bool isNetworkThread() const { return std::this_thread::get_id() == threadId.load(); }
 
-    system::DistributedModule* module(DeviceId peer);
+    system::DistributedModule* module(DeviceId peer) const;
     Result<DeviceId> linkedPeer(DeviceId peer) const;
     void recordCommand(std::string_view event, std::optional<DeviceId> peer, IncidentId incident, std::string_view reason);
+    std::shared_ptr<const MessageSet> knownSet(DeviceId device) const;
     Result<void> checkSend(DeviceId target, const Message& message) const;
+    Result<void> sendFromHere(DeviceId target, Message&& message);
+    std::size_t openSessions() const;
+    Result<void> checkKnown(std::string_view message) const;
+    std::shared_ptr<const Message> kept(Message&& message);
+    void takeReturned();
     void sendNow(DeviceId target, Message&& message);
     void publishNow(Message message);
     void drainOutbox();
@@ -134,6 +141,9 @@ struct DistributedSystem::State final : public system::ModuleHost {
     cache::Outbox::Letters letters; ///< those in hand; its memory is used again
     std::atomic<bool> stopped = false;
     std::atomic<std::thread::id> threadId{};
+    /// Shared, since the application may keep messages for longer than this object lives.
+    std::shared_ptr<cache::ReturnedBuffers> returned = std::make_shared<cache::ReturnedBuffers>();
+    std::vector<FieldBytes> returnedHere; ///< those in hand; its memory is used again
 
     // The network thread's, after start()
     protocol::PartialBudget partialBudget; ///< what the context still holds at its end gives back to it
@@ -150,7 +160,11 @@ struct DistributedSystem::State final : public system::ModuleHost {
     base::CauseBooks holdsHeard{64}; ///< for the log
     session::StallWatch stallWatch;
     std::chrono::nanoseconds shortestSuspect = std::chrono::nanoseconds::max(); ///< of our links: a shorter gap concerns no session
-    std::map<std::string, std::vector<MessageHandler>, std::less<>> messageHandlers;
+    struct Subscription {
+        std::vector<MessageHandler> handlers;
+        KeepingHandler keeper; ///< comes last; there may be none
+    };
+    std::map<std::string, Subscription, std::less<>> subscriptions; ///< by the name of the message
     std::vector<EventHandler> eventHandlers;
     struct Periodic {
         std::chrono::nanoseconds period;

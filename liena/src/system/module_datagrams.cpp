@@ -23,7 +23,8 @@ void DistributedModule::packetHeard(std::span<std::byte> packet)
     const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
     if (dialogue && header.message.number != protocol::Heartbeat::number)
         return; // ruling A6: nothing else may travel yet, and nothing is counted
-    const auto judgement = protocol::judgeInPacket(ends(), header, part.size());
+    const auto judgement = protocol::judgeInPacket(m_ends, header, part.size());
+    m_judged = judgement.definition;
     if (judgement.verdict == protocol::HeaderVerdict::Refuse)
         return packetViolation(judgement.why, header);
     if (judgement.verdict == protocol::HeaderVerdict::Skip)

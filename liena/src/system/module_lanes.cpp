@@ -188,7 +188,7 @@ void DistributedModule::handshakeHeard(session::ConnectionNumber number, const p
         input.notAdmitted = admitted.error().what;
     input.standing = m_host.standingOf(m_peer.id, input.handshake.set);
     if (input.standing == session::SetStanding::Held)
-        m_peerSet = m_host.setOf(m_peer.id, input.handshake.set);
+        hearFrom(m_host.setOf(m_peer.id, input.handshake.set));
     handle(input);
 }
 

@@ -18,7 +18,18 @@ session::LifePath pathOf(std::uint8_t lane) { return lane == 0 ? session::LifePa
 
 } // namespace
 
-protocol::Ends DistributedModule::ends() const { return {m_peer.id, m_host.ownDevice().id, m_host.ownSet().get(), m_peerSet.get()}; }
+void DistributedModule::hearFrom(std::shared_ptr<const MessageSet> set)
+{
+    m_judged = nullptr; // it may be one of the set that goes
+    m_peerSet = std::move(set);
+    m_ends.peerSet = m_peerSet.get();
+}
+
+/// What was judged last is most often what is asked for next.
+const MessageDefinition* DistributedModule::definitionOf(std::uint16_t number) const
+{
+    return m_judged != nullptr && m_judged->number == number ? m_judged : m_ends.definitionOf(number);
+}
 
 tasks::Judgement DistributedModule::violation(const std::string& detail)
 {
@@ -28,7 +39,8 @@ tasks::Judgement DistributedModule::violation(const std::string& detail)
 
 tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::DatagramHeader& header)
 {
-    const auto judgement = protocol::judgeOnLane(ends(), lane, header);
+    const auto judgement = protocol::judgeOnLane(m_ends, lane, header);
+    m_judged = judgement.definition;
     if (judgement.verdict == HeaderVerdict::Refuse)
         return violation(judgement.why);
     if (judgement.verdict == HeaderVerdict::Take && header.message.number == protocol::Probe::number && !admitsProbe(lane, header))
@@ -87,7 +99,7 @@ void DistributedModule::commitHeard(const protocol::HandshakeCommit& commit, boo
 {
     const auto standing = m_host.standingOf(m_peer.id, commit.set);
     if (standing == session::SetStanding::Held)
-        m_peerSet = m_host.setOf(m_peer.id, commit.set);
+        hearFrom(m_host.setOf(m_peer.id, commit.set));
     handle(session::CommitHeard{commit, diagnosis, previous, standing});
 }
 
@@ -108,7 +120,7 @@ void DistributedModule::setLearnt(std::uint64_t token, const Sha256& set, const 
     if (!dialogue || token != m_machine.token())
         return;
     if (heard.standing == session::SetStanding::Held)
-        m_peerSet = m_host.setOf(m_peer.id, set);
+        hearFrom(m_host.setOf(m_peer.id, set));
     handle(heard);
     if (m_incoming)
         m_incoming->start();
@@ -116,7 +128,7 @@ void DistributedModule::setLearnt(std::uint64_t token, const Sha256& set, const 
 
 void DistributedModule::receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned)
 {
-    const auto* definition = ends().definitionOf(header.message.number);
+    const auto* definition = definitionOf(header.message.number);
     if (definition == nullptr) // the peer's set changed while the body was awaited
         return drop("unknown message number", header.message.number);
     const auto state = m_machine.state();
@@ -175,8 +187,11 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
     m_books.delivered(latency);
     if (definition.priority != Priority::Status)
         m_usedSince = true;
-    auto bytes =
-        owned != nullptr && definition.recordSize() == 0 ? std::move(*owned) : FieldBytes(fields.data(), fields.data() + fields.size());
+    FieldBytes copied;
+    const bool owns = owned != nullptr && definition.recordSize() == 0;
+    if (!owns)
+        copied.assign(fields.data(), fields.data() + fields.size());
+    auto& bytes = owns ? *owned : copied;
     auto message = MessageAccess::fromFields(header.message.isCommand() ? m_host.ownSet() : m_peerSet, definition, std::move(bytes));
     MessageAccess::setMeta(message, header.message.origin, header.target, header.timestamp);
     MessageAccess::setArrival(message, now.mono, latency);
@@ -207,7 +222,7 @@ void DistributedModule::laneLost(std::uint8_t lane, const std::string& detail)
 void DistributedModule::drop(const std::string& cause, std::uint16_t number, const std::string& detail)
 {
     // Numbers that nothing defines share one entry: a peer must not be able to fill the books.
-    const auto* definition = ends().definitionOf(number);
+    const auto* definition = definitionOf(number);
     const auto count = m_books.dropped(cause, definition != nullptr ? number : std::uint16_t{0}, m_host.now().mono);
     if (!count)
         return;

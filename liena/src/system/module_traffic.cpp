@@ -126,6 +126,7 @@ LinkStatus DistributedModule::status() const
     status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queuedMessages());
     status.bulkQueuedBytes = m_bulk.queuedBytes();
     status.bulkRate = m_bulk.knownRate();
+    status.bulkStreams = m_bulk.streamRates(m_host.now().mono);
     status.bulkLanes = static_cast<std::uint8_t>(m_bulk.connected());
     status.bulkLanesIn = static_cast<std::uint8_t>(m_incomingBulk.size());
     status.bulkWorkers = static_cast<std::uint8_t>(m_host.workers().count());

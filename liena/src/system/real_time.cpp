@@ -21,6 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr auto whichThereAre = "`nproc --all` and `taskset -p $$` say which there are";
 constexpr auto longestSearch = 1s; // longer is a processor of its own, and then that is what it needs
 
 Result<void> checkValues(const RealTimeOptions& options)
@@ -59,9 +60,14 @@ Result<void> takeProcessors(const std::vector<int>& processors)
     for (const int processor : processors)
         CPU_SET(processor, &set);
     if (const int error = ::pthread_setaffinity_np(::pthread_self(), sizeof set, &set); error != 0)
-        return fail(Errc::InvalidArgument, fmt::format("none of the chosen processors may be used here ({}): `nproc --all` and "
-                                                       "`taskset -p $$` say which there are",
-                                                       std::strerror(error)));
+        return fail(Errc::InvalidArgument,
+                    fmt::format("none of the chosen processors may be used here ({}): {}", std::strerror(error), whichThereAre));
+    cpu_set_t taken; // the kernel leaves out those that this process may not use
+    if (::pthread_getaffinity_np(::pthread_self(), sizeof taken, &taken) != 0)
+        return ok();
+    for (const int processor : processors)
+        if (!CPU_ISSET(processor, &taken))
+            return fail(Errc::InvalidArgument, fmt::format("processor {} may not be used here: {}", processor, whichThereAre));
     return ok();
 }
 
@@ -77,9 +83,9 @@ bool hasOneProcessor()
     return ::sched_getaffinity(0, sizeof set, &set) == 0 && CPU_COUNT(&set) == 1;
 }
 
-void runWithAttention(boost::asio::io_context& context, tasks::Attention& attention)
+void runWithAttention(boost::asio::io_context& context, bool staysAwake, tasks::Attention& attention)
 {
-    const bool sleepsAlways = hasOneProcessor();
+    const bool sleepsAlways = !staysAwake || hasOneProcessor();
     while (!context.stopped()) {
         if (attention.isAwake() && !sleepsAlways)
             context.poll();
@@ -121,7 +127,7 @@ void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& o
 {
     (void)takeThread(options); // it was permitted when it was tried
     if (options.search <= 0us) {
-        runWithAttention(context, attention);
+        runWithAttention(context, options.attention, attention);
         return;
     }
     auto worked = std::chrono::steady_clock::now();

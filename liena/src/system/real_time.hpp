@@ -16,7 +16,7 @@ namespace liena::system {
 Result<void> prepareRealTime(const RealTimeOptions& options);
 
 /// The network thread's life: takes priority and processors, then works until the context is stopped. While `attention` is awake it does
-/// not sleep, unless it has one processor only: then whoever is to answer needs that.
+/// not sleep, unless the options forbid it or it has one processor only: then whoever is to answer needs that.
 void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options, tasks::Attention& attention);
 
 /// For a thread that the network thread makes and that must not stand in its way: threads inherit their priority.

@@ -159,6 +159,18 @@ std::optional<double> BulkLanes::knownRate() const
     return sum;
 }
 
+std::vector<BulkStream> BulkLanes::streamRates(Instant now) const
+{
+    std::vector<PlacedStream> inUse;
+    for (const auto& [number, stream] : m_streams)
+        if (now - stream.lastUsed < pauseLimit || !m_lanes[stream.place]->queue().empty())
+            inUse.push_back({number, stream.place});
+    std::vector<std::optional<double>> rates;
+    for (const auto& lane : m_lanes)
+        rates.push_back(lane->knownRate());
+    return ratesOf(inUse, rates);
+}
+
 OutputQueue::Left BulkLanes::left() const
 {
     OutputQueue::Left sum;

@@ -4,6 +4,7 @@
 #include "tasks/arrival_limit.hpp"
 #include "tasks/load_balancer.hpp"
 #include "tasks/output_lane.hpp"
+#include "tasks/stream_rates.hpp"
 #include "transport/timer.hpp"
 
 #include <chrono>
@@ -57,6 +58,9 @@ public:
 
     /// Bytes per second that the lanes together are known to carry.
     std::optional<double> knownRate() const;
+
+    /// The streams that were used lately, each with what it can count on, as far as that is known.
+    std::vector<BulkStream> streamRates(std::chrono::steady_clock::time_point now) const;
 
     /// What left whole on all lanes, and the largest message of each, added.
     OutputQueue::Left left() const;

@@ -4,7 +4,6 @@
 #include "tasks/path_rate.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace liena::tasks {
 
@@ -30,21 +29,36 @@ void FairShare::enter(PathRate& rate)
 
 void FairShare::leave(PathRate& rate) { std::erase(m_busy, &rate); }
 
+/// What one lane is of its session.
+double FairShare::partOf(const PathRate& rate) const
+{
+    return 1.0 / static_cast<double>(std::ranges::count(m_busy, rate.session(), &PathRate::session));
+}
+
+/// Each lane is judged by what its session would have if all lanes of that were as fast.
 void FairShare::even(const PathRate& met)
 {
     if (m_busy.size() < 2)
         return;
-    const double sum = std::accumulate(m_busy.begin(), m_busy.end(), 0.0, [](double so, const auto* rate) { return so + rate->steady(); });
-    const double mean = sum / static_cast<double>(m_busy.size());
-    auto* fastest = *std::ranges::max_element(m_busy, {}, &PathRate::steady);
-    const auto below = std::ranges::count_if(m_busy, [mean](const auto* rate) { return rate->steady() < mean; });
-    if (below == 0 || !waitAlike(met, *fastest))
+    double sum = 0;
+    double sessions = 0;
+    for (const auto* rate : m_busy) {
+        sum += rate->steady();
+        sessions += partOf(*rate);
+    }
+    const double mean = sum / sessions;
+    const auto ofSession = [this](const PathRate* rate) { return rate->steady() / partOf(*rate); };
+    auto* fastest = *std::ranges::max_element(m_busy, {}, ofSession);
+    double below = 0;
+    for (const auto* rate : m_busy)
+        below += ofSession(rate) < mean ? partOf(*rate) : 0;
+    if (below <= 0 || !waitAlike(met, *fastest))
         return;
-    const double given = part * (fastest->steady() - mean);
+    const double given = part * (fastest->steady() - mean * partOf(*fastest));
     fastest->shift(-given);
     for (auto* rate : m_busy)
-        if (rate->steady() < mean)
-            rate->shift(std::min(given / static_cast<double>(below), rate->steady() * mostRaise));
+        if (ofSession(rate) < mean)
+            rate->shift(std::min(given * partOf(*rate) / below, rate->steady() * mostRaise));
 }
 
 } // namespace liena::tasks

@@ -1,4 +1,4 @@
-// Bulk lanes of any session that leave by one interface come to even rates where they wait in one queue.
+// Sessions whose bulk leaves by one interface come to even rates where it waits in one queue.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,8 @@ class PathRate;
 
 /// Pure. Each lane finds its rate by itself, and two that grow and yield in proportion keep whatever proportion they met in. So
 /// whenever one of them meets a queue, the fastest that waits as long gives a part of its excess to those below the mean: the sum stays.
-/// Who waits for less or more than the others has a bottleneck of its own, and is left alone.
+/// Who waits for less or more than the others has a bottleneck of its own, and is left alone. It is the sessions that come to even rates,
+/// and within each its lanes: who has four streams gets no more than who has one.
 class FairShare {
 public:
     /// From now on the lane has something to send. Each call but the first of several changes nothing.
@@ -23,6 +24,8 @@ public:
     void even(const PathRate& met);
 
 private:
+    double partOf(const PathRate& rate) const;
+
     std::vector<PathRate*> m_busy;
 };
 

@@ -58,8 +58,11 @@ void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
     }
     m_queue->restart();
     m_paced = m_settings.traffic == transport::TcpChannel::Traffic::Bulk && !channel->isLocal();
-    m_rate.shareWith(m_paced && m_settings.interfaces != nullptr ? m_settings.interfaces->of(channel->localAddress()) : nullptr);
-    m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, m_settings, m_paced ? &m_rate : nullptr,
+    m_rate.shareWith(m_paced && m_settings.interfaces != nullptr ? m_settings.interfaces->of(channel->localAddress()) : nullptr, m_peer.id);
+    auto settings = m_settings;
+    if (channel->isLocal())
+        settings.patientBatch = settings.batch; // who waits there waits for a processor
+    m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, settings, m_paced ? &m_rate : nullptr,
                                                 [this](const std::string& detail, bool identity) { lost(detail, identity); });
     m_task->sendFirst(m_attach);
     m_handlers.up();

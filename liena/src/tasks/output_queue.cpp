@@ -47,18 +47,39 @@ bool OutputQueue::push(Entry&& entry)
     std::size_t freed = 0;
     for (const auto at : gone)
         freed += stream.waiting[at].part().size();
-    if (!session && (m_count - gone.size() >= m_limits.messages || m_bytes - freed + size > m_limits.bytes))
+    if (!session && (ofRank.bounded.messages - gone.size() >= m_limits.messages || ofRank.bounded.bytes - freed + size > m_limits.bytes))
         return false; // and what it would have replaced still leaves
     if (stream.waiting.empty())
         append(ofRank.turns, &stream);
-    ++m_count;
-    m_bytes += size;
+    enters(entry, size);
     Waiting place;
     append(stream.waiting, std::move(place));
     stream.waiting.back().entry = std::move(entry); // a message is moved once
     for (auto at = gone.rbegin(); at != gone.rend(); ++at)
         drop(stream, *at, Fate::Superseded);
     return true;
+}
+
+void OutputQueue::enters(const Entry& entry, std::size_t size)
+{
+    ++m_count;
+    m_bytes += size;
+    if (entry.message.header.message.isSessionManagement())
+        return;
+    auto& bounded = m_classes[static_cast<std::size_t>(entry.rank)].bounded;
+    ++bounded.messages;
+    bounded.bytes += size;
+}
+
+void OutputQueue::leaves(const Entry& entry, std::size_t size)
+{
+    --m_count;
+    m_bytes -= size;
+    if (entry.message.header.message.isSessionManagement())
+        return;
+    auto& bounded = m_classes[static_cast<std::size_t>(entry.rank)].bounded;
+    --bounded.messages;
+    bounded.bytes -= size;
 }
 
 /// The places of those that `entry` takes the place of, in ascending order.
@@ -124,6 +145,7 @@ bool OutputQueue::expire(Class& from, std::size_t maximumSegment, std::chrono::s
     return false;
 }
 
+/// A control message leaves in one segment, however small those of others are: the peer refuses one that was cut (protocol section 3).
 template <typename Out>
 void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
 {
@@ -134,7 +156,8 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
     if (!front.begun && front.entry.message.part.size() >= OutputBatch::longBody)
         front.begun = std::make_shared<const FieldBytes>(std::move(front.entry.message.part));
     const auto part = front.part();
-    const auto segment = front.encoder.next(front.entry.message.header, part, maximumSegment);
+    const auto longest = front.entry.rank == Rank::Control ? protocol::maximumBody : maximumSegment;
+    const auto segment = front.encoder.next(front.entry.message.header, part, longest);
     place(out, segment, segment.isLent ? std::shared_ptr<const void>(front.entry.message.lent) : front.begun);
     stream.credit -= static_cast<std::ptrdiff_t>(segment.size());
     if (segment.last) {
@@ -142,8 +165,7 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
             m_left.bytes += part.size();
             m_left.largest = std::max(m_left.largest, part.size());
         }
-        m_bytes -= part.size();
-        --m_count;
+        leaves(front.entry, part.size());
         stream.waiting.pop_front();
     }
     if (stream.waiting.empty()) {
@@ -171,8 +193,7 @@ bool OutputQueue::isExpired(const Waiting& waiting, std::chrono::steady_clock::t
 void OutputQueue::drop(Stream& stream, std::size_t at, Fate fate)
 {
     const auto dropped = stream.waiting.begin() + static_cast<std::ptrdiff_t>(at);
-    m_bytes -= dropped->part().size();
-    --m_count;
+    leaves(dropped->entry, dropped->part().size());
     const auto entry = std::move(dropped->entry);
     stream.waiting.erase(dropped);
     m_report(entry, fate);

@@ -28,10 +28,12 @@ Rank rankOf(Priority priority);
 /// Network thread. A message in several segments may be passed by a higher class between them.
 ///
 /// The streams (message numbers) of the classes status and bulk take turns by deficit round robin (Shreedhar and Varghese, SIGCOMM 1995),
-/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, and control, are one stream each: the
-/// sequence of all control messages of a session is what the peer's guard checks.
+/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, and control, are one stream each. The
+/// dialogues of session management count on its order, and what a hand does is to happen in the order in which it did it, whichever
+/// messages say so: these are few and small, and none waits long for another.
 class OutputQueue {
 public:
+    /// Of each class by itself, so that no command and no stop is refused for what waits behind it.
     struct Limits {
         std::size_t messages = 4096;
         std::size_t bytes = std::size_t{64} << 20U;
@@ -58,10 +60,11 @@ public:
         : m_report(std::move(report)), m_abandoning(std::move(abandoning)), m_limits(limits)
     {}
 
-    /// False when the queue is full; session management always fits.
+    /// False when its class is full; session management always fits.
     bool push(Entry&& entry);
 
-    /// Appends the next segment to `out`, with a body of at most `maximumSegment` bytes; false when nothing waits.
+    /// Appends the next segment to `out`, with a body of at most `maximumSegment` bytes, but a control message whole; false when nothing
+    /// waits.
     bool appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, OutputBatch& out);
     bool appendNext(std::size_t maximumSegment, std::chrono::steady_clock::time_point now, std::vector<std::byte>& out);
 
@@ -103,9 +106,14 @@ private:
         Ring<Waiting> waiting;
         std::ptrdiff_t credit = 0; ///< bytes that it may still send in this turn
     };
+    struct Load {
+        std::size_t messages = 0;
+        std::size_t bytes = 0;
+    };
     struct Class {
         std::map<std::uint16_t, Stream> streams; ///< by message number
         Ring<Stream*> turns;                     ///< those with something to send, the next one first
+        Load bounded;                            ///< what waits of it; not session management
     };
 
     static bool isExpired(const Waiting& waiting, std::chrono::steady_clock::time_point now);
@@ -116,6 +124,8 @@ private:
     void take(Class& from, std::size_t maximumSegment, Out& out);
     template <typename Out>
     bool expire(Class& from, std::size_t maximumSegment, std::chrono::steady_clock::time_point now, Out& out);
+    void enters(const Entry& entry, std::size_t size);
+    void leaves(const Entry& entry, std::size_t size);
     void drop(Stream& stream, std::size_t at, Fate fate);
     static void endTurn(Class& of);
     static Places superseded(const Stream& stream, const Entry& entry);

@@ -47,11 +47,12 @@ double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<d
 
 PathRate::~PathRate() { shareWith(nullptr); }
 
-void PathRate::shareWith(std::shared_ptr<FairShare> share)
+void PathRate::shareWith(std::shared_ptr<FairShare> share, DeviceId session)
 {
     if (m_share)
         m_share->leave(*this);
     m_share = std::move(share);
+    m_session = session;
 }
 
 void PathRate::restart()

@@ -1,6 +1,7 @@
 // How fast bulk may leave so that no queue builds on the path: control then finds it empty.
 #pragma once
 
+#include "liena/device_id.hpp"
 #include "tasks/fair_share.hpp"
 #include "transport/path_facts.hpp"
 
@@ -37,8 +38,9 @@ public:
     PathRate(const PathRate&) = delete;
     PathRate& operator=(const PathRate&) = delete;
 
-    /// With whom it shares the interface; null: with nobody.
-    void shareWith(std::shared_ptr<FairShare> share);
+    /// With whom it shares the interface, and on behalf of the session with which device; null: with nobody.
+    void shareWith(std::shared_ptr<FairShare> share, DeviceId session = {});
+    DeviceId session() const { return m_session; }
 
     /// While something is being sent: at each write that begins or ends, and now and then during one.
     void observe(const transport::PathFacts& facts, Instant now);
@@ -139,6 +141,7 @@ private:
     void growInDoubt(Instant now);
 
     std::shared_ptr<FairShare> m_share;
+    DeviceId m_session;
     Nanoseconds m_waiting{};
     double m_rate = first;
     std::optional<double> m_limit;

@@ -47,6 +47,7 @@ void TransmissionTask::wake()
     const auto now = std::chrono::steady_clock::now();
     fill(now);
     if (m_buffers->batch.empty()) {
+        m_waits = false;
         if (m_rate != nullptr)
             m_rate->pause(now);
         return;
@@ -65,10 +66,10 @@ void TransmissionTask::wake()
 void TransmissionTask::fill(std::chrono::steady_clock::time_point now)
 {
     auto segment = m_settings.segment;
-    auto batch = m_settings.batch;
+    auto batch = m_waits ? m_settings.patientBatch : m_settings.batch;
     if (m_rate != nullptr) {
         segment = std::min(segment, m_rate->segment());
-        batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, batch);
+        batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, m_settings.batch);
     }
     while (m_buffers->batch.size() < batch && m_queue->appendNext(segment, now, m_buffers->batch)) {
     }
@@ -108,6 +109,7 @@ void TransmissionTask::watchPace(std::chrono::steady_clock::time_point now)
 void TransmissionTask::bytesWritten()
 {
     m_writing = false;
+    m_waits = m_waits || m_channel->hadToWait();
     m_buffers->batch.clear();
     wake();
 }

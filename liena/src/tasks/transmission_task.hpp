@@ -26,6 +26,7 @@ public:
         std::uint8_t dscp = 0;
         transport::WorkerThreads* workers = nullptr; ///< that may do the work; null: the network thread does
         InterfaceShares* interfaces = nullptr;       ///< of a lane that is paced; outlives it
+        std::size_t patientBatch = 8192;             ///< instead of `batch` while writes have to wait: behind it a command waits, too
     };
     using Lost = std::function<void(const std::string& detail, bool identity)>;
 
@@ -77,6 +78,7 @@ private:
     bool m_looking = false;
     Lost m_lost;
     bool m_writing = false;
+    bool m_waits = false; ///< a write had to, and something waited ever since
     std::uint64_t m_bytesSent = 0;
 };
 

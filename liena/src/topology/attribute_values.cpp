@@ -1,6 +1,8 @@
 // The grammar of ruling B13 for values; numbers are read in full or not at all.
 #include "topology/attribute_values.hpp"
 
+#include "topology/ascii.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,9 +12,6 @@
 namespace liena {
 
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 template <typename T>
 std::optional<T> wholeNumber(std::string_view text, int base = 10)

@@ -1,6 +1,8 @@
 // Syntax of addresses and DNS names (RFC 1123); only the C library's address parsing, no resolver.
 #include "topology/host_name.hpp"
 
+#include "topology/ascii.hpp"
+
 #include <arpa/inet.h>
 #include <netinet/in.h>
 
@@ -15,9 +17,8 @@ namespace {
 constexpr std::size_t longestName = 253;
 constexpr std::size_t longestLabel = 63;
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 char lowered(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-bool isLabelCharacter(char c) { return isDigit(c) || (lowered(c) >= 'a' && lowered(c) <= 'z') || c == '-'; }
+bool isLabelCharacter(char c) { return isDigit(c) || isLetter(c) || c == '-'; }
 
 std::optional<HostName> version4(const in_addr& address, std::string& why)
 {

@@ -5,15 +5,16 @@
 #include <sys/socket.h>
 
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
 
 namespace liena::transport {
 
-/// A system that does not permit it goes on without a mark.
-inline void markPackets(int socket, bool v6, std::uint8_t dscp)
-{
-    constexpr int ecnBits = 2; // below the DSCP in that byte (RFC 3168)
-    const int value = dscp << ecnBits;
-    (void)::setsockopt(socket, v6 ? IPPROTO_IPV6 : IPPROTO_IP, v6 ? IPV6_TCLASS : IP_TOS, &value, sizeof value);
-}
+/// False on a system that does not permit it: all goes on without a mark.
+bool markPackets(int socket, bool v6, std::uint8_t dscp);
+
+/// Why packets of this computer cannot bear one of these marks, tried on a socket that sends nothing; nothing when they can.
+std::optional<std::string> whyUnmarked(bool v6, std::initializer_list<std::uint8_t> marks);
 
 } // namespace liena::transport

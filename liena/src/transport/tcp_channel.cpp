@@ -4,6 +4,7 @@
 #include "security/tls_identity.hpp"
 #include "transport/close_on_exec.hpp"
 #include "transport/packet_mark.hpp"
+#include "transport/prompt_buffer.hpp"
 #include "transport/worker_threads.hpp"
 
 #include <boost/asio/post.hpp>
@@ -26,8 +27,6 @@ using asio::ip::tcp;
 
 namespace {
 
-constexpr int promptUnsent = 16 * 1024; // bytes in the kernel that are not on the wire yet: behind them the next message waits
-constexpr int promptBuffer = 256 * 1024;
 constexpr int mostBulkUnsent = 128 * 1024;
 constexpr std::size_t networkStep = 16 * 1024 + 64; // bytes, about, in one turn of the network thread: a segment and a header
 constexpr std::size_t workerStep = 1024 * 1024;
@@ -81,8 +80,9 @@ void TcpChannel::tune(Traffic traffic, std::uint8_t dscp)
     mark(dscp);
     if (traffic == Traffic::Prompt) {
         retransmitSoon(m_descriptor);
-        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, promptBuffer);
-        set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, promptUnsent);
+        m_buffer = PromptBuffer::smallest;
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, m_buffer);
+        set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, PromptBuffer::unsent);
     }
 }
 
@@ -183,6 +183,7 @@ void TcpChannel::write(Parts parts, Keeper keeper)
 {
     m_parts = parts;
     m_done = 0;
+    m_waited = false;
     m_writing.keeper = std::move(keeper);
     m_writing.active = true;
     if (m_stepInFlight)
@@ -286,8 +287,21 @@ void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
 {
     if (m_answersFirst && &way == &m_reading)
         acknowledge(m_descriptor);
+    if (&way == &m_writing && need == StreamEnd::Need::Writable) {
+        m_waited = true;
+        fitBuffer();
+    }
     m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
                         Ready{shared_from_this(), &way});
+}
+
+void TcpChannel::fitBuffer()
+{
+    const auto facts = m_buffer != 0 ? readPathFacts(m_descriptor) : std::nullopt;
+    if (!facts)
+        return;
+    if (const int next = PromptBuffer::next(m_buffer, *facts); std::exchange(m_buffer, next) != next)
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, next);
 }
 
 void TcpChannel::later(Way& way) { asio::post(m_io, Ready{shared_from_this(), &way}); }

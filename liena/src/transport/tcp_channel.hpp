@@ -66,6 +66,9 @@ public:
 
     void setListener(Listener* listener) { m_listener = listener; }
 
+    /// The last write met a kernel that had no room: the path takes longer than we do.
+    bool hadToWait() const { return m_waited; }
+
     /// From now on worker threads do the steps, whenever there are some; `workers` outlives the connection.
     void shareWork(WorkerThreads& workers) { m_workers = &workers; }
 
@@ -138,6 +141,7 @@ private:
     void stepFinished(Way& way, const Step& done);
     void settle(Way& way, const Step& done);
     void awaitNeed(Way& way, StreamEnd::Need need);
+    void fitBuffer();
     void later(Way& way);
     void lose(const StreamEnd::Failure& failure);
     void end();
@@ -155,6 +159,8 @@ private:
     Parts m_parts;
     std::size_t m_done = 0;  ///< bytes of m_parts that have left
     std::size_t m_burst = 0; ///< for the next write
+    int m_buffer = 0;        ///< that the kernel has been given, where messages must not wait; 0: as it likes
+    bool m_waited = false;   ///< during the last write
     WorkerThreads* m_workers = nullptr;
     std::uint64_t m_mark = 0;
     Listener* m_listener = nullptr;

@@ -45,6 +45,8 @@ private slots:
     void eventsAreBounded();
     void outboxWakesOncePerBurst();
     void outboxRefusesWhatDoesNotFit();
+    void outboxTakesStopsAndCommandsWhateverWaits_data();
+    void outboxTakesStopsAndCommandsWhateverWaits();
     void outboxKeepsTheOrder();
     void boardShowsTheNewest();
     void boardShowsIncidentsAndSets();
@@ -224,6 +226,32 @@ void CacheTest::outboxRefusesWhatDoesNotFit()
     QCOMPARE(put, Outbox::mostBytes / image.fieldBytes().size());
     taken(outbox);
     QVERIFY(outbox.put(robot, image));
+}
+
+void CacheTest::outboxTakesStopsAndCommandsWhateverWaits_data()
+{
+    QTest::addColumn<bool>("images");
+    QTest::newRow("images of 64 MiB") << true;
+    QTest::newRow("so many reports") << false;
+}
+
+void CacheTest::outboxTakesStopsAndCommandsWhateverWaits()
+{
+    QFETCH(const bool, images);
+    Outbox outbox([] {});
+    const auto other = images ? picture(1000000) : make("Log", xray, 1);
+    while (outbox.put(robot, other))
+        continue;
+    std::size_t fitted = 0;
+    for (const char* name : {"Stop", "Move", "Stop", "Move"})
+        fitted += outbox.put(robot, sampleMessage(m_set, name)) ? 1 : 0;
+    QCOMPARE(fitted, std::size_t{4});
+    QVERIFY(!outbox.put(robot, other));
+    // Each of them is bounded, too.
+    while (outbox.put(robot, sampleMessage(m_set, "Move")))
+        QVERIFY(++fitted <= Outbox::mostLetters + 2);
+    QCOMPARE(fitted, Outbox::mostLetters + 2);
+    QVERIFY(outbox.put(robot, sampleMessage(m_set, "Stop")));
 }
 
 void CacheTest::outboxKeepsTheOrder()

@@ -1,25 +1,17 @@
 // The picture ladder before paths of virtual time: full quality within five seconds of healing, and never to and fro.
-#include "picture_ladder.hpp"
+#include "picture_costs.hpp"
 
 #include <QTest>
 
 #include <random>
 
 using namespace liena::devices;
+using liena::test::shareOf;
 using namespace std::chrono_literals;
 
 namespace {
 
 constexpr double rawBytes = 512 * 512 * 2;
-
-double shareOf(const PictureRung& rung)
-{
-    if (rung.encoding == Encoding::Raw)
-        return 1;
-    if (rung.encoding == Encoding::JpegLs)
-        return 0.28; // of the computed fluoroscopy, 12 bits in two bytes; so are the next
-    return rung.quality >= 90 ? 0.07 : rung.quality >= 75 ? 0.041 : 0.028;
-}
 
 /// What the source is told of its path.
 enum class Told {

@@ -93,6 +93,15 @@ private slots:
         QVERIFY2(QString::fromStdString(done.error().what).contains(says), done.error().what.c_str());
     }
 
+    void namesTheProcessorThatIsNotHereBesideOneThatIs()
+    {
+        RealTimeOptions options;
+        options.processors = {::sched_getcpu(), 1000};
+        const auto done = prepareRealTime(options);
+        QVERIFY(!done);
+        QVERIFY2(done.error().what.find("processor 1000 may not be used here") != std::string::npos, done.error().what.c_str());
+    }
+
     void saysHowToPermitWhatIsNotPermitted()
     {
         const auto priority = toldWithoutRights({50, {}, false, 0us});
@@ -156,13 +165,16 @@ private slots:
     void attentiveThreadWorksSleepsAgainAndEnds_data()
     {
         QTest::addColumn<std::vector<int>>("processors");
-        QTest::newRow("all processors") << std::vector<int>{};
-        QTest::newRow("one, on which it always sleeps") << std::vector<int>{0};
+        QTest::addColumn<bool>("staysAwake");
+        QTest::newRow("all processors") << std::vector<int>{} << true;
+        QTest::newRow("one, on which it always sleeps") << std::vector<int>{0} << true;
+        QTest::newRow("all processors, told to sleep always") << std::vector<int>{} << false;
     }
 
     void attentiveThreadWorksSleepsAgainAndEnds()
     {
         QFETCH(const std::vector<int>, processors);
+        QFETCH(const bool, staysAwake);
         boost::asio::io_context context;
         boost::asio::steady_timer timer(context);
         liena::tasks::Attention attention;
@@ -181,9 +193,9 @@ private slots:
             });
         };
         boost::asio::post(context, answer);
-        std::thread([&] { runNetworkThread(context, {0, processors, false, 0us}, attention); }).join();
+        std::thread([&] { runNetworkThread(context, {0, processors, false, 0us, 0us, staysAwake}, attention); }).join();
         QVERIFY(steps > liena::tasks::Attention::enough);
-        QCOMPARE(awakeWhenDue, processors.size() == 1); // one processor slept through, and judges at the timer
+        QCOMPARE(awakeWhenDue, !staysAwake || processors.size() == 1); // slept through, and judged at the timer
         QVERIFY(!attention.isAwake());
     }
 };

@@ -130,7 +130,7 @@ double fairness(const std::vector<double>& parts)
 }
 
 /// One flow after the other begins, each finding what the earlier ones left.
-double fairnessOf(Bottleneck& bottleneck)
+std::vector<double> partsOf(Bottleneck& bottleneck)
 {
     PathRate::Instant now{1h};
     for (auto& flow : bottleneck.flows) {
@@ -142,8 +142,10 @@ double fairnessOf(Bottleneck& bottleneck)
     bottleneck.longestWait = {};
     for (const auto end = now + 10s; now < end; now += step)
         bottleneck.tick(now);
-    return fairness(bottleneck.parts());
+    return bottleneck.parts();
 }
+
+double fairnessOf(Bottleneck& bottleneck) { return fairness(partsOf(bottleneck)); }
 
 } // namespace
 
@@ -170,6 +172,33 @@ private slots:
                               std::make_shared<FairShare>());
         const double index = fairnessOf(bottleneck);
         QVERIFY2(index > 0.85, qPrintable(QString::number(index)));
+        QVERIFY2(bottleneck.longestWait < 8ms, qPrintable(QString::number(bottleneck.longestWait.count())));
+    }
+
+    void sessionsBeforeOneQueueComeToEvenRatesWhateverTheirLanes_data()
+    {
+        QTest::addColumn<std::vector<unsigned>>("sessions"); // of the lanes, in the order in which they begin
+        QTest::newRow("one lane after three") << std::vector{1U, 1U, 1U, 2U};
+        QTest::newRow("one lane before three") << std::vector{2U, 1U, 1U, 1U};
+        QTest::newRow("two of one beside one each of two") << std::vector{1U, 2U, 3U, 1U};
+    }
+
+    void sessionsBeforeOneQueueComeToEvenRatesWhateverTheirLanes()
+    {
+        QFETCH(const std::vector<unsigned>, sessions);
+        const auto share = std::make_shared<FairShare>();
+        Bottleneck bottleneck(gigabit, 1ms, sessions.size(), share);
+        for (std::size_t i = 0; i < sessions.size(); ++i)
+            bottleneck.flows[i]->rate.shareWith(share, liena::DeviceId(sessions[i]));
+        const auto parts = partsOf(bottleneck);
+        std::map<unsigned, double> ofSession;
+        for (std::size_t i = 0; i < sessions.size(); ++i)
+            ofSession[sessions[i]] += parts[i];
+        std::vector<double> shares;
+        for (const auto& [session, part] : ofSession)
+            shares.push_back(part);
+        const double index = fairness(shares); // lanes at even rates: 0.8 and 0.89
+        QVERIFY2(index > 0.93, qPrintable(QString::number(index)));
         QVERIFY2(bottleneck.longestWait < 8ms, qPrintable(QString::number(bottleneck.longestWait.count())));
     }
 

@@ -1,62 +1,13 @@
-// Order, history, lifespan and bounds of what waits to leave on a lane.
-#include "support/hex.hpp"
-#include "tasks/output_queue.hpp"
+// Order, history and lifespan of what waits to leave on a lane.
+#include "unit/tasks/text_lane.hpp"
 
 #include <QTest>
 
 using namespace liena;
-using namespace liena::protocol;
 using namespace liena::tasks;
 using namespace liena::test;
 using namespace std::chrono_literals;
 using Fate = OutputQueue::Fate;
-
-namespace {
-
-constexpr std::chrono::steady_clock::time_point now{1h};
-
-struct Lane {
-    std::vector<std::pair<std::uint16_t, Fate>> reports;
-    OutputQueue queue;
-
-    explicit Lane(OutputQueue::Limits limits = {})
-        : queue([this](const OutputQueue::Entry& entry, Fate fate) { reports.emplace_back(entry.message.header.message.number, fate); },
-                [](const DatagramHeader& begun) {
-                    return EncodedMessage{{{begun.message.origin, 0x0051}, begun.target, Timestamp{2}},
-                                          {static_cast<std::byte>('A'), static_cast<std::byte>(begun.message.number)}};
-                },
-                limits)
-    {}
-
-    static OutputQueue::Entry entry(std::uint16_t number, Rank rank, const std::string& text, std::uint32_t history = 0,
-                                    DeviceId target = DeviceId(0x40018208U))
-    {
-        OutputQueue::Entry made{{{{DeviceId(0x20010208U), number}, target, Timestamp{1}}, {}}, rank, history, std::nullopt, {}};
-        const auto bytes = bytesOfText(text);
-        made.message.part.assign(bytes.begin(), bytes.end());
-        return made;
-    }
-
-    bool push(std::uint16_t number, Rank rank, const std::string& text, std::uint32_t history = 0)
-    {
-        return queue.push(entry(number, rank, text, history));
-    }
-
-    /// The body of the next segment, with `+` behind it when more follow; `-` when nothing waits.
-    std::string next(std::size_t maximum = 100, std::chrono::steady_clock::time_point at = now)
-    {
-        std::vector<std::byte> out;
-        if (!queue.appendNext(maximum, at, out))
-            return out.empty() ? "-" : "(bytes without a segment)";
-        const auto header = decodeHeader(std::span<const std::byte, headerSize>(out.data(), headerSize));
-        const auto body = std::span(out).subspan(headerSize);
-        if (header.length != body.size())
-            return "(another length)";
-        return std::string(reinterpret_cast<const char*>(body.data()), body.size()) + (header.moreSegments ? "+" : "");
-    }
-};
-
-} // namespace
 
 class OutputQueueTest : public QObject {
     Q_OBJECT
@@ -64,7 +15,7 @@ class OutputQueueTest : public QObject {
 private slots:
     void ranksAsPrioritiesSay();
     void higherClassLeavesFirst();
-    void firstComesFirstWithinAClass();
+    void streamKeepsItsOrder();
     void higherClassPassesBetweenSegments();
     void streamsOfAClassTakeTurns();
     void smallMessagesShareATurn();
@@ -77,10 +28,8 @@ private slots:
     void expiredIsNotSent();
     void messageThatHasBegunIsAbandonedWhenItExpires();
     void messageThatHasBegunIsAbandonedWhenItIsDiscarded();
-    void fullQueueRefuses_data();
-    void fullQueueRefuses();
-    void refusedMessageSupersedesNothing();
-    void sessionManagementAlwaysFits();
+    void controlMessageLeavesInOneSegment_data();
+    void controlMessageLeavesInOneSegment();
     void countsBytesAndMessages();
     void restartSendsCutMessageFromItsBeginning();
     void discardsOneClass();
@@ -105,7 +54,7 @@ void OutputQueueTest::higherClassLeavesFirst()
         QCOMPARE(lane.next(), std::string(expected));
 }
 
-void OutputQueueTest::firstComesFirstWithinAClass()
+void OutputQueueTest::streamKeepsItsOrder()
 {
     Lane lane;
     for (const char* text : {"a", "b", "c"})
@@ -153,7 +102,7 @@ void OutputQueueTest::smallMessagesShareATurn()
     QCOMPARE(lane.next(500), large.substr(500));
 }
 
-/// The peer's guard drops a control message that comes after one with a higher sequence.
+/// What a hand did happens in the order in which it did it, whichever messages say so.
 void OutputQueueTest::controlKeepsTheOrderOfAllItsMessages()
 {
     Lane lane;
@@ -260,45 +209,29 @@ void OutputQueueTest::messageThatHasBegunIsAbandonedWhenItIsDiscarded()
     QCOMPARE(lane.next(), std::string("-"));
 }
 
-void OutputQueueTest::fullQueueRefuses_data()
+void OutputQueueTest::controlMessageLeavesInOneSegment_data()
 {
-    QTest::addColumn<quint64>("messages");
-    QTest::addColumn<quint64>("bytes");
-    QTest::newRow("of messages") << quint64{2} << quint64{1000};
-    QTest::newRow("of bytes") << quint64{1000} << quint64{5};
+    QTest::addColumn<int>("size");
+    QTest::newRow("empty") << 0;
+    QTest::newRow("as a segment") << 100;
+    QTest::newRow("longer than a segment") << 101;
+    QTest::newRow("as long as it may be") << 32'767;
 }
 
-void OutputQueueTest::fullQueueRefuses()
+void OutputQueueTest::controlMessageLeavesInOneSegment()
 {
-    QFETCH(quint64, messages);
-    QFETCH(quint64, bytes);
-    Lane lane({messages, bytes});
-    QVERIFY(lane.push(0x0200, Rank::Status, "ab"));
-    QVERIFY(lane.push(0x0200, Rank::Status, "cd"));
-    QVERIFY(!lane.push(0x0104, Rank::Safety, "ef"));
-    QVERIFY(lane.reports.empty());
-    QCOMPARE(lane.next(), std::string("ab"));
-    QVERIFY(lane.push(0x0200, Rank::Status, "ef"));
-}
-
-void OutputQueueTest::refusedMessageSupersedesNothing()
-{
-    Lane lane({10, 4});
-    QVERIFY(lane.push(0x0200, Rank::Status, "ab", 1));
-    QVERIFY(!lane.push(0x0200, Rank::Status, "longer", 1));
-    QVERIFY(lane.reports.empty());
-    QCOMPARE(lane.next(), std::string("ab"));
-    QVERIFY(lane.push(0x0200, Rank::Status, "abcd", 1));
-    QVERIFY(lane.push(0x0200, Rank::Status, "efgh", 1)); // it takes the place of the one it supersedes
-    QCOMPARE(lane.next(), std::string("efgh"));
-}
-
-void OutputQueueTest::sessionManagementAlwaysFits()
-{
-    Lane lane({1, 4});
-    QVERIFY(lane.push(0x0200, Rank::Status, "abcd"));
-    QVERIFY(lane.push(0x0010, Rank::Safety, "heartbeat"));
-    QCOMPARE(lane.next(), std::string("heartbeat"));
+    QFETCH(const int, size);
+    const std::string settings(static_cast<std::size_t>(size), 'c');
+    const std::string report(150, 's');
+    Lane lane;
+    lane.push(0x0200, Rank::Status, report);
+    QCOMPARE(lane.next(), report.substr(0, 100) + "+");
+    lane.push(0x0106, Rank::Control, settings);
+    lane.push(0x0101, Rank::Control, "move");
+    QVERIFY(lane.next() == settings);
+    QCOMPARE(lane.next(), std::string("move"));
+    QCOMPARE(lane.next(), report.substr(100));
+    QVERIFY(lane.queue.empty() && lane.queue.bytes() == 0);
 }
 
 void OutputQueueTest::countsBytesAndMessages()

@@ -1,15 +1,16 @@
 // The rate of bulk on a path in virtual time: a bottleneck with a queue before it.
 #include "tasks/path_rate.hpp"
 
+#include "support/virtual_path.hpp"
+
 #include <QTest>
 
 #include <algorithm>
-#include <deque>
-#include <random>
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
 using Nanoseconds = std::chrono::nanoseconds;
+using Path = liena::test::VirtualPath;
 
 namespace {
 
@@ -19,131 +20,6 @@ QByteArray millisecondsOf(Nanoseconds time, const char* what)
 {
     return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
 }
-
-/// A sender at the rate's pace, a bottleneck, and the kernel's smoothed view of the round trip.
-class Path {
-public:
-    Path(double bytesPerSecond, Nanoseconds idleRoundTrip) : capacity(bytesPerSecond), m_idle(idleRoundTrip), m_smoothed(idleRoundTrip) {}
-
-    void run(Nanoseconds time, bool busy = true)
-    {
-        if (!busy)
-            rate.pause(m_now);
-        for (const auto end = m_now + time; m_now < end; m_now += step) {
-            const double seconds = std::chrono::duration<double>(step).count();
-            const double offered = busy ? std::clamp(m_window - (m_entered - m_delivered), 0.0, rate.rate() * seconds) : 0;
-            const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds);
-            const double taken = std::min(offered, deepest() + carried - m_queue);
-            m_queue += taken - carried;
-            m_entered += taken;
-            m_entries.push_back({m_now, m_entered});
-            m_left += carried;
-            while (m_entries.size() > 1 && m_entries.front().total < m_left)
-                m_entries.pop_front();
-            m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at, carried, carried / seconds});
-            acknowledge();
-            m_sent += offered;
-            longestWait = std::max(longestWait, waiting());
-            late += waiting() > tooLong ? step : Nanoseconds::zero();
-            if (busy)
-                observe();
-        }
-    }
-
-    /// What was carried a round trip ago is known now.
-    void acknowledge()
-    {
-        for (; !m_onItsWay.empty() && m_onItsWay.front().known <= m_now; m_onItsWay.pop_front()) {
-            const auto& news = m_onItsWay.front();
-            if (news.bytes <= 0)
-                continue;
-            m_delivered += news.bytes;
-            m_window += news.bytes; // slow start
-            m_deliveryRate = news.rate;
-            // An eighth for each acknowledgement, which comes for two packets: on a slow path that takes its time.
-            for (m_unacknowledged += news.bytes; m_unacknowledged >= acknowledged; m_unacknowledged -= acknowledged)
-                m_smoothed += ((m_idle + news.waiting + carrying(acknowledged) + unrest()) - m_smoothed) / 8;
-        }
-    }
-
-    /// As on a wireless or a busy way: what overtakes nothing is late together.
-    Nanoseconds unrest()
-    {
-        if (mostUnrest > Nanoseconds::zero() && m_sinceUnrest++ % lateTogether == 0)
-            m_unrest = Nanoseconds(static_cast<Nanoseconds::rep>(m_random() % static_cast<std::uint64_t>(mostUnrest.count())));
-        return m_unrest;
-    }
-
-    void observe()
-    {
-        m_closed += receiverLimits ? step : Nanoseconds::zero();
-        rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered), m_deliveryRate,
-                      m_closed, 0},
-                     m_now);
-    }
-
-    void forget()
-    {
-        longestWait = late = Nanoseconds::zero();
-        m_sent = 0;
-    }
-    Nanoseconds carrying(double bytes) const
-    {
-        return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(bytes / capacity));
-    }
-    Nanoseconds waiting() const { return carrying(m_queue); }
-    double sent() const { return m_sent; }
-
-    /// As a new connection.
-    void startSlowly() { m_window = 14'600; }
-
-    PathRate rate;
-    double capacity;
-    bool stalled = false;
-    bool receiverLimits = false;
-    Nanoseconds mostUnrest{};  ///< so much later may acknowledgements come, whatever is sent
-    unsigned lateTogether = 1; ///< so many of them by the same
-    Nanoseconds tooLong = 2ms;
-    Nanoseconds longestWait{};
-    Nanoseconds late{}; ///< time in which what entered had to wait too long
-
-private:
-    struct News {
-        PathRate::Instant known;
-        Nanoseconds waiting{};
-        double bytes = 0;
-        double rate = 0;
-    };
-
-    /// A switch has half a megabyte or so, a faster one more.
-    double deepest() const { return std::max(512e3, capacity * 0.005); }
-
-    struct Entry {
-        PathRate::Instant at;
-        double total = 0;
-    };
-
-    static constexpr Nanoseconds step = 250us;
-    static constexpr double acknowledged = 2896; ///< bytes, at once
-
-    Nanoseconds m_idle;
-    Nanoseconds m_smoothed;
-    PathRate::Instant m_now{1h};
-    double m_queue = 0;
-    double m_entered = 0;
-    double m_left = 0;
-    std::deque<Entry> m_entries; ///< of what waits: since when
-    double m_delivered = 0;
-    double m_window = 1e12; ///< bytes that TCP lets be under way
-    double m_unacknowledged = 0;
-    double m_deliveryRate = 0;
-    std::deque<News> m_onItsWay;
-    double m_sent = 0;
-    Nanoseconds m_closed{};
-    Nanoseconds m_unrest{};
-    unsigned m_sinceUnrest = 0;
-    std::mt19937_64 m_random{1};
-};
 
 } // namespace
 

@@ -1,0 +1,181 @@
+// What a command waits for where status fills the path: what the kernel has, and one segment. The peer that does not read plays the path.
+#include "protocol/datagram.hpp"
+#include "tasks/transmission_task.hpp"
+#include "transport/prompt_buffer.hpp"
+
+#include <boost/asio/ip/tcp.hpp>
+
+#include <QTest>
+
+#include <sys/socket.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+using namespace liena;
+using namespace liena::tasks;
+using namespace liena::transport;
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+
+namespace {
+
+constexpr std::uint16_t state = 0x0200;
+constexpr std::uint16_t motion = 0x0101;
+constexpr std::size_t segment = 8192;
+
+/// One lane, and a peer that reads when it is told to.
+struct NarrowPath {
+    asio::io_context io{1};
+    OutputQueue queue{[](const OutputQueue::Entry&, OutputQueue::Fate) {},
+                      [](const protocol::DatagramHeader&) { return protocol::EncodedMessage(); }};
+    tcp::socket peer{io};
+    int descriptor = -1; ///< of our end
+    std::shared_ptr<TcpChannel> channel;
+    std::unique_ptr<TransmissionTask> task;
+    std::vector<std::byte> received;
+
+    NarrowPath()
+    {
+        tcp::acceptor acceptor(io);
+        acceptor.open(tcp::v4());
+        acceptor.set_option(tcp::acceptor::receive_buffer_size(4096));
+        acceptor.bind(tcp::endpoint(asio::ip::address_v4::loopback(), 0));
+        acceptor.listen();
+        tcp::socket here(io);
+        here.connect(acceptor.local_endpoint());
+        acceptor.accept(peer);
+        descriptor = here.native_handle();
+        channel = std::make_shared<TcpChannel>(std::move(here));
+        task = std::make_unique<TransmissionTask>(channel, queue, TransmissionTask::Settings{.segment = segment, .batch = 4 * segment},
+                                                  nullptr, [](const std::string&, bool) {});
+    }
+    ~NarrowPath() { task->close(); }
+
+    void push(std::uint16_t number, Rank rank, std::size_t size)
+    {
+        OutputQueue::Entry entry{{{{DeviceId(0x20010208U), number}, DeviceId(0x40018208U), Timestamp{1}}, {}}, rank, 0, std::nullopt, {}};
+        entry.message.part.resize(size);
+        queue.push(std::move(entry));
+        task->wake();
+    }
+
+    /// Writes until the kernel takes no more.
+    void sendOn()
+    {
+        while (io.poll() > 0)
+            continue;
+    }
+
+    /// At most so many bytes of what has come.
+    void read(std::size_t most)
+    {
+        std::array<std::byte, 4096> room;
+        while (most > 0) {
+            const auto got = ::recv(peer.native_handle(), room.data(), std::min(most, room.size()), MSG_DONTWAIT);
+            if (got <= 0)
+                return;
+            const auto bytes = std::span(room).first(static_cast<std::size_t>(got));
+            received.insert(received.end(), bytes.begin(), bytes.end());
+            most -= bytes.size();
+        }
+    }
+
+    /// All that the kernel has was read; nothing of ours was added meanwhile.
+    bool isEmptied()
+    {
+        read(~std::size_t{0});
+        return channel->unacknowledged() == 0;
+    }
+
+    /// Where the first message of that number begins.
+    std::optional<std::size_t> placeOf(std::uint16_t number) const
+    {
+        using protocol::headerSize;
+        for (std::size_t at = 0; at + headerSize <= received.size();) {
+            const auto header = protocol::decodeHeader(std::span<const std::byte, headerSize>(received.data() + at, headerSize));
+            if (header.message.number == number)
+                return at;
+            at += headerSize + header.length;
+        }
+        return std::nullopt;
+    }
+
+    int sendBuffer() const
+    {
+        int bytes = 0;
+        socklen_t size = sizeof bytes;
+        return ::getsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, &size) == 0 ? bytes : -1;
+    }
+};
+
+} // namespace
+
+class NarrowPathTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void kernelHoldsLittle()
+    {
+        NarrowPath path;
+        QCOMPARE(path.sendBuffer(), 2 * PromptBuffer::smallest); // it counts what it needs itself, and doubles it for that
+        for (int i = 0; i < 100; ++i)
+            path.push(state, Rank::Status, segment);
+        path.sendOn();
+        QCOMPARE(path.sendBuffer(), 2 * PromptBuffer::smallest); // more room would only be filled
+        QTRY_VERIFY(path.isEmptied());
+        QVERIFY2(path.received.size() <= 2 * PromptBuffer::smallest, qPrintable(QString::number(path.received.size())));
+    }
+
+    void commandWaitsForOneSegment_data()
+    {
+        QTest::addColumn<int>("size");
+        QTest::newRow("behind long reports") << static_cast<int>(segment);
+        QTest::newRow("behind short ones") << 64;
+    }
+
+    void commandWaitsForOneSegment()
+    {
+        QFETCH(const int, size);
+        NarrowPath path;
+        for (int left = 1'000'000; left > 0; left -= size)
+            path.push(state, Rank::Status, static_cast<std::size_t>(size));
+        for (int i = 0; i < 20; ++i) {
+            path.sendOn();
+            path.read(10'000);
+        }
+        path.sendOn();
+        const auto committed = static_cast<std::size_t>(path.task->bytesSent());
+        path.push(motion, Rank::Control, 60);
+        QTRY_VERIFY(path.isEmptied());
+        const auto kernelHad = path.received.size();
+        QVERIFY(kernelHad < committed);
+        constexpr std::size_t across = 64 + protocol::headerSize; // a short one may stand across a segment's end
+        QVERIFY2(committed - kernelHad <= segment + across, qPrintable(QString::number(committed - kernelHad)));
+        QTRY_VERIFY((path.sendOn(), path.read(~std::size_t{0}), path.placeOf(motion).has_value()));
+        QCOMPARE(*path.placeOf(motion), committed);
+    }
+
+    void writesAreLargeAgainWhenNothingWaits()
+    {
+        NarrowPath path;
+        for (int i = 0; i < 100; ++i)
+            path.push(state, Rank::Status, segment);
+        QTRY_VERIFY((path.sendOn(), path.isEmptied() && path.queue.empty()));
+        path.sendOn();
+        const auto before = path.task->bytesSent();
+        path.push(state, Rank::Status, segment); // it leaves at once, and while it does the others come
+        for (int i = 0; i < 10; ++i)
+            path.push(state, Rank::Status, segment);
+        QCOMPARE(path.task->bytesSent() - before, std::uint64_t{segment + protocol::headerSize});
+        QTRY_VERIFY((path.io.poll_one(), path.task->bytesSent() - before > segment + protocol::headerSize));
+        QCOMPARE(path.task->bytesSent() - before, std::uint64_t{5 * (segment + protocol::headerSize)});
+    }
+};
+
+QTEST_GUILESS_MAIN(NarrowPathTest)
+#include "narrow_path_test.moc"

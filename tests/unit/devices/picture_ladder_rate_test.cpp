@@ -1,0 +1,143 @@
+// The picture ladder and the rate of its lane together, on one path of virtual time: what the one sends is all that the other learns from.
+#include "picture_costs.hpp"
+#include "support/virtual_path.hpp"
+
+#include <QTest>
+
+using namespace liena::devices;
+using namespace liena::test;
+using namespace std::chrono_literals;
+using Nanoseconds = std::chrono::nanoseconds;
+
+namespace {
+
+constexpr Nanoseconds lifespan = 500ms; // of XrayFrame
+constexpr Nanoseconds step = 250us;
+
+/// An X-ray system whose lane keeps the newest of two that wait, and gives up a picture that is too old.
+class Source {
+public:
+    Source(double bytesPerSecond, Nanoseconds roundTrip, double picturesPerSecond)
+        : path(bytesPerSecond, roundTrip), m_asked(picturesPerSecond), m_rawBytes(bytesPerSecond * 0.0168) // a quarter of the path at 15 /s
+    {}
+
+    void run(Nanoseconds time)
+    {
+        for (const auto end = m_now + time; m_now < end; m_now += step) {
+            if (m_now >= m_nextPulse)
+                pulse();
+            send();
+        }
+    }
+
+    PictureLadder ladder{Encoding::Raw, 0, Reduction::Lossy};
+    VirtualPath path;
+    int changes = 0;
+    std::optional<Nanoseconds> fullSince;
+
+    Nanoseconds now() const { return m_now; }
+
+private:
+    struct Picture {
+        double bytes = 0; ///< that have not left
+        Nanoseconds taken{};
+    };
+
+    void pulse()
+    {
+        const PathReading reading{path.rate.known(), std::exchange(m_withheld, 0)};
+        const SteadyTime time(1h + m_now);
+        changes += ladder.update(time, m_asked, {&reading, 1}) ? 1 : 0;
+        if (ladder.step() > 0)
+            fullSince.reset();
+        else if (!fullSince)
+            fullSince = m_now;
+        measure(time, ladder.rung());
+        if (const auto other = ladder.toMeasure(time))
+            measure(time, *other);
+        if (m_waiting)
+            ++m_withheld;
+        m_waiting = Picture{m_rawBytes * shareOf(ladder.rung()), m_now};
+        m_nextPulse = m_now + std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(ladder.rung().divisor / m_asked));
+    }
+
+    void measure(SteadyTime time, const PictureRung& rung)
+    {
+        ladder.measured(time, rung, static_cast<std::size_t>(m_rawBytes * shareOf(rung)), static_cast<std::size_t>(m_rawBytes));
+    }
+
+    void send()
+    {
+        if (m_leaving && m_now - m_leaving->taken > lifespan) {
+            m_leaving.reset();
+            ++m_withheld;
+        }
+        if (!m_leaving)
+            m_leaving = std::exchange(m_waiting, std::nullopt);
+        const double before = path.sent();
+        path.run(step, m_leaving.has_value());
+        if (m_leaving && (m_leaving->bytes -= path.sent() - before) <= 0)
+            m_leaving.reset();
+    }
+
+    double m_asked;
+    double m_rawBytes;
+    Nanoseconds m_now{};
+    Nanoseconds m_nextPulse{};
+    std::optional<Picture> m_leaving;
+    std::optional<Picture> m_waiting;
+    std::uint64_t m_withheld = 0;
+};
+
+} // namespace
+
+class PictureLadderRateTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void fullQualityIsBackWithinFiveSecondsOfHealing_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<double>("rate");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int roundTrip : {200, 2000, 40000})
+                for (const double rate : {15.0, 30.0})
+                    QTest::addRow("%g Mbit/s, %d us, %g /s", megabits, roundTrip, rate) << megabits << roundTrip << rate;
+    }
+
+    void fullQualityIsBackWithinFiveSecondsOfHealing()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, roundTripUs);
+        QFETCH(double, rate);
+        Source source(megabits * 125'000, std::chrono::microseconds(roundTripUs), rate);
+        source.run(20s);
+        source.changes = 0;
+        source.run(20s);
+        QCOMPARE(source.changes, 0);
+        QCOMPARE(source.ladder.step(), std::size_t(0));
+
+        source.path.capacity /= 10;
+        source.run(2s);
+        QVERIFY(source.ladder.step() > 0);
+        source.run(8s);
+        source.path.forget();
+        source.path.tooLong = 4ms + std::chrono::microseconds(roundTripUs / 4);
+        source.run(10s);
+        // No queue stands on the narrow path, behind which commands would wait as well.
+        QVERIFY2(source.path.late < 100ms, qPrintable(QString::number(double(source.path.late.count()) / 1e6)));
+
+        source.path.capacity *= 10;
+        const auto healed = source.now();
+        source.run(10s);
+        QVERIFY2(source.fullSince, qPrintable(QString::number(source.ladder.step())));
+        QVERIFY2(*source.fullSince - healed < 5s, qPrintable(QString::number(double((*source.fullSince - healed).count()) / 1e9)));
+        source.changes = 0;
+        source.run(20s);
+        QCOMPARE(source.changes, 0);
+    }
+};
+
+QTEST_GUILESS_MAIN(PictureLadderRateTest)
+#include "picture_ladder_rate_test.moc"
