@@ -7,12 +7,14 @@
 #include "protocol/message_access.hpp"
 #include "protocol/reassembler.hpp"
 #include "protocol/safety_record.hpp"
+#include "protocol/wire_layout.hpp"
 #include "status_sample.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <array>
 #include <cstring>
+#include <span>
 #include <vector>
 
 using namespace liena;
@@ -23,6 +25,7 @@ namespace {
 
 constexpr DeviceId robot(0x00038610U);
 constexpr DeviceId cockpit(0x40018208U);
+constexpr std::uint16_t statusBytes = 41; // the fields of RobotStatus
 
 /// Header and fields as they stand on the wire.
 struct [[gnu::packed]] Frame {
@@ -52,15 +55,19 @@ void structCopy(benchmark::State& state)
 }
 BENCHMARK(structCopy);
 
-/// From twelve variables through a structure into a buffer, and back: what a program without any codec does, without any check.
+/// Twelve variables to their places in a buffer and back, and a header that is there already: what a program without any codec and without
+/// any check does. Each is read as it was written: what is read wider than it was written waits for the writing.
 void structFilledAndCopied(benchmark::State& state)
 {
     Status from;
     Status to;
+    HeaderBytes header{};
     Frame frame{};
-    std::array<std::byte, sizeof(Frame)> wire{};
     for (auto _ : state) {
+        from.sequence ^= 1U;
         benchmark::DoNotOptimize(from);
+        benchmark::DoNotOptimize(header);
+        frame.header = header;
         frame.sequence = from.sequence;
         frame.uptime = from.uptime;
         frame.mode = from.mode;
@@ -69,10 +76,8 @@ void structFilledAndCopied(benchmark::State& state)
         frame.reals = {from.guidewirePosition, from.guidewireVelocity, from.catheterPosition, from.catheterVelocity, from.force,
                        from.temperature};
         frame.faults = from.faults;
-        std::memcpy(wire.data(), &frame, sizeof frame);
-        benchmark::DoNotOptimize(wire);
-        std::memcpy(&frame, wire.data(), sizeof frame);
         benchmark::DoNotOptimize(frame);
+        header = frame.header;
         to.sequence = frame.sequence;
         to.uptime = frame.uptime;
         to.mode = frame.mode;
@@ -87,21 +92,44 @@ void structFilledAndCopied(benchmark::State& state)
         to.faults = frame.faults;
         benchmark::DoNotOptimize(to);
     }
+    if (!(from == to))
+        state.SkipWithError("came back otherwise");
 }
 BENCHMARK(structFilledAndCopied);
+
+/// Fields where they lie in received bytes, read at the places of their definition as Message::get() reads them in its own bytes.
+class WireFields {
+public:
+    WireFields(const MessageDefinition& definition, std::span<const std::byte> bytes)
+        : m_slots(definition.layout.get()->slots()), m_bytes(bytes)
+    {}
+
+    template <typename T>
+    T get(std::size_t field) const
+    {
+        return loadWhole<T>(m_bytes.data() + m_slots[field].offset);
+    }
+
+private:
+    std::span<const FieldSlot> m_slots;
+    std::span<const std::byte> m_bytes;
+};
 
 /// A set, one of its messages, and both ways between variables and bytes.
 class Codec {
 public:
     explicit Codec(std::string_view name) : m_set(statusSet()), m_message(m_set, *m_set->find(name)) {}
 
+    const std::shared_ptr<const MessageSet>& set() const { return m_set; }
     Message& message() { return m_message; }
-    const std::vector<std::byte>& wire() const { return m_wire; }
+    std::span<const std::byte> wire() const { return m_wire; }
 
-    void appendMessage()
+    void appendMessage() { append(m_message); }
+
+    void append(const Message& message)
     {
-        const auto fields = m_message.fieldBytes();
-        DatagramHeader header{m_message.id(), cockpit, Timestamp{1}, static_cast<std::uint16_t>(fields.size()), false};
+        const auto fields = message.fieldBytes();
+        DatagramHeader header{message.id(), cockpit, Timestamp{1}, static_cast<std::uint16_t>(fields.size()), false};
         header.message.origin = robot;
         const auto bytes = encodeHeader(header);
         m_wire.clear();
@@ -121,22 +149,25 @@ public:
         ByteWriter(m_wire).append(std::span<const std::byte>(bytes)).append(std::span<const std::byte>(recordBytes)).append(fields);
     }
 
-    /// False when the bytes are not what the definition allows.
-    bool judge(std::span<const std::byte> wire) const
+    /// Whether header and fields are what the definition allows.
+    bool judge(const DatagramHeader& header, std::span<const std::byte> fields) const
     {
-        const auto header = decodeHeader(wire.first<headerSize>());
-        return header.length == wire.size() - headerSize && header.target == cockpit &&
-               !checkFields(*m_set->find(header.message.number), wire.subspan(headerSize));
+        return header.length == fields.size() && header.target == cockpit && !checkFields(*m_set->find(header.message.number), fields);
     }
 
-    Message received(std::span<const std::byte> wire) const
+    bool judge(std::span<const std::byte> wire) const { return judge(decodeHeader(wire.first<headerSize>()), wire.subspan(headerSize)); }
+
+    Message received(const DatagramHeader& header, std::span<const std::byte> fields) const
     {
-        const auto header = decodeHeader(wire.first<headerSize>());
-        const auto fields = wire.subspan(headerSize);
         auto made =
             MessageAccess::fromFields(m_set, *m_set->find(header.message.number), FieldBytes(fields.data(), fields.data() + fields.size()));
         MessageAccess::setMeta(made, header.message.origin, header.target, header.timestamp);
         return made;
+    }
+
+    Message received(std::span<const std::byte> wire) const
+    {
+        return received(decodeHeader(wire.first<headerSize>()), wire.subspan(headerSize));
     }
 
 private:
@@ -183,47 +214,120 @@ void statusCheck(benchmark::State& state)
 }
 BENCHMARK(statusCheck);
 
-/// What the aim is set for: variables to bytes with their header, and back with every check.
+/// One turn after the other with another number, so that what comes back is known to have come over the wire in that turn.
+template <typename Turn>
+void thereAndBack(benchmark::State& state, Turn turn)
+{
+    Status from;
+    Status to;
+    for (auto _ : state) {
+        from.sequence ^= 1U;
+        benchmark::DoNotOptimize(from);
+        if (!turn(from, to))
+            state.SkipWithError("refused");
+        benchmark::DoNotOptimize(to);
+    }
+    if (!(from == to))
+        state.SkipWithError("came back otherwise");
+}
+
+/// Variables to bytes with their header by Message::set(), and back with every check; read where they lie on the wire, without a Message.
 void statusEncodeDecode(benchmark::State& state)
 {
     Codec codec("RobotStatus");
-    Status from;
-    Status to;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(from);
+    const auto& definition = codec.message().definition();
+    thereAndBack(state, [&](const Status& from, Status& to) {
         write(from, codec.message());
         codec.appendMessage();
         benchmark::ClobberMemory();
-        if (!codec.judge(codec.wire()))
-            state.SkipWithError("refused");
-        read(codec.message(), to);
-        benchmark::DoNotOptimize(to);
-    }
-    if (!(from == to))
-        state.SkipWithError("came back otherwise");
+        const auto wire = codec.wire();
+        if (!codec.judge(wire))
+            return false;
+        read(WireFields(definition, wire.subspan(headerSize)), to);
+        return true;
+    });
 }
 BENCHMARK(statusEncodeDecode);
 
-/// The same, with the Message that a receiver's program is handed.
+/// The same, with the Message that a receiver's program is handed made of the wire's bytes.
 void statusEncodeDecodeMessage(benchmark::State& state)
 {
     Codec codec("RobotStatus");
-    Status from;
-    Status to;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(from);
+    thereAndBack(state, [&](const Status& from, Status& to) {
         write(from, codec.message());
         codec.appendMessage();
         benchmark::ClobberMemory();
         if (!codec.judge(codec.wire()))
-            state.SkipWithError("refused");
+            return false;
         read(codec.received(codec.wire()), to);
-        benchmark::DoNotOptimize(to);
-    }
-    if (!(from == to))
-        state.SkipWithError("came back otherwise");
+        return true;
+    });
 }
 BENCHMARK(statusEncodeDecodeMessage);
+
+/// What the aim is set for: a structure to bytes with their header, and from these bytes back with every check of a receiver.
+void statusBoundEncodeDecode(benchmark::State& state)
+{
+    const auto set = statusSet();
+    const auto binding = StatusBinding::to(set, "RobotStatus").value();
+    const MessageId id{robot, binding.definition().number};
+    struct {
+        HeaderBytes header;
+        std::array<std::byte, statusBytes> fields;
+    } wire{};
+    thereAndBack(state, [&](const Status& from, Status& to) {
+        new (&wire.header) HeaderBytes(encodeHeader({id, cockpit, Timestamp{1}, statusBytes, false})); // in place
+        if (!binding.encode(from, wire.fields))
+            return false;
+        benchmark::DoNotOptimize(wire);
+        const auto header = decodeHeader(wire.header);
+        return header.length == statusBytes && header.target == cockpit && set->find(header.message.number) == &binding.definition() &&
+               binding.decode(wire.fields, to);
+    });
+}
+BENCHMARK(statusBoundEncodeDecode);
+
+/// The same without the header: what codecs do that have none.
+void statusBoundFieldsOnly(benchmark::State& state)
+{
+    const auto binding = StatusBinding::to(statusSet(), "RobotStatus").value();
+    std::array<std::byte, statusBytes> fields{};
+    thereAndBack(state, [&](const Status& from, Status& to) {
+        const bool written = binding.encode(from, fields);
+        benchmark::DoNotOptimize(fields);
+        return written && binding.decode(fields, to);
+    });
+}
+BENCHMARK(statusBoundFieldsOnly);
+
+/// What a program and its peer do between send() and subscription: the sender keeps its Message, the receiver is handed a new one.
+void statusBoundMessage(benchmark::State& state)
+{
+    Codec codec("RobotStatus");
+    const auto binding = StatusBinding::to(codec.set(), "RobotStatus").value();
+    thereAndBack(state, [&](const Status& from, Status& to) {
+        const bool written = binding.write(from, codec.message());
+        codec.appendMessage();
+        benchmark::ClobberMemory();
+        return written && codec.judge(codec.wire()) && binding.read(codec.received(codec.wire()), to);
+    });
+}
+BENCHMARK(statusBoundMessage);
+
+/// The same with a new Message at both ends.
+void statusBoundNewMessages(benchmark::State& state)
+{
+    Codec codec("RobotStatus");
+    const auto binding = StatusBinding::to(codec.set(), "RobotStatus").value();
+    thereAndBack(state, [&](const Status& from, Status& to) {
+        Message message(codec.set(), binding.definition());
+        const bool written = binding.write(from, message);
+        codec.append(message);
+        benchmark::ClobberMemory();
+        return written && codec.judge(codec.wire()) && binding.read(codec.received(codec.wire()), to);
+    });
+}
+BENCHMARK(statusBoundNewMessages);
 
 void statusSetByName(benchmark::State& state)
 {
@@ -248,54 +352,66 @@ void messageMade(benchmark::State& state)
 }
 BENCHMARK(messageMade);
 
-/// A command with its safety record: made, written, and taken by the other end.
+/// A command with its safety record: made, written, and taken by the other end, which reads it where it lies on the wire.
 void controlEncodeDecode(benchmark::State& state)
 {
     Codec codec("MotionCommand");
     auto& message = codec.message();
     std::uint32_t sequence = 0;
+    std::uint32_t heard = 0;
     float speed = 2.5F;
     for (auto _ : state) {
         benchmark::DoNotOptimize(speed);
         message.set(std::size_t{0}, 4U).set(1, ++sequence).set(2, true).set(3, speed).set(4, speed).set(5, speed).set(6, speed);
         codec.appendControl();
         benchmark::ClobberMemory();
-        const std::span<const std::byte> wire(codec.wire());
+        const auto wire = codec.wire();
         const auto header = decodeHeader(wire.first<headerSize>());
         const auto record = decodeSafetyRecord(wire.subspan<headerSize, safetyRecordSize>());
         const auto fields = wire.subspan(headerSize + safetyRecordSize);
         if (safetyCrc(header, record, fields) != record.crc || checkFields(message.definition(), fields))
             state.SkipWithError("refused");
+        const WireFields taken(message.definition(), fields);
+        heard = taken.get<std::uint32_t>(1);
         for (std::size_t field = 3; field < 7; ++field)
-            benchmark::DoNotOptimize(message.get<float>(field));
+            if (taken.get<float>(field) != speed)
+                state.SkipWithError("came back otherwise");
     }
+    if (heard != sequence)
+        state.SkipWithError("came back otherwise");
 }
 BENCHMARK(controlEncodeDecode);
 
-/// From the stream to the Message that is delivered.
+/// From the bytes that a stream brought to the Message that is delivered. The sequence is changed on the wire from turn to turn.
 void statusThroughDecoder(benchmark::State& state)
 {
     Codec codec("RobotStatus");
     write(Status(), codec.message());
     codec.appendMessage();
-    const std::vector<std::byte> wire = codec.wire();
+    std::vector<std::byte> wire(codec.wire().begin(), codec.wire().end());
     PartialBudget budget;
     Reassembler reassembler(budget);
     DatagramDecoder decoder;
+    std::uint32_t sequence = 0;
     Status to;
     for (auto _ : state) {
+        store(wire.data() + headerSize, ++sequence);
         std::memcpy(decoder.writable().data(), wire.data(), wire.size());
         decoder.commit(wire.size());
         decoder.process([](const DatagramHeader&) { return HeaderVerdict::Take; },
                         [&](const DatagramHeader& header, std::span<const std::byte> body) {
                             const auto outcome = reassembler.take(header, body, 1000);
-                            const bool taken = std::holds_alternative<Reassembler::Whole>(outcome) && codec.judge(wire);
+                            const bool taken = std::holds_alternative<Reassembler::Whole>(outcome) && codec.judge(header, body);
                             if (taken)
-                                read(codec.received(wire), to);
+                                read(codec.received(header, body), to);
                             return taken;
                         });
         benchmark::DoNotOptimize(to);
     }
+    Status expected;
+    expected.sequence = sequence;
+    if (!(to == expected))
+        state.SkipWithError("came back otherwise");
 }
 BENCHMARK(statusThroughDecoder);
 

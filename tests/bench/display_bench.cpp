@@ -31,7 +31,11 @@ struct Kind {
     PixelEncoding encoding;
     int framesPerSecond;
     bool filtered = false;
+    EdgeMethod edges = EdgeMethod::UnsharpMask;
 };
+
+constexpr double mostLate = 0.5;      ///< pictures a second that may be missing of those that were sent
+constexpr double mostReplaced = 0.01; ///< share of the pictures that a newer one may replace before they are shown
 
 // A smooth picture with the noise of few quanta, as fluoroscopy has.
 std::vector<std::byte> filmBytes(const Kind& kind, unsigned seed)
@@ -111,9 +115,10 @@ void measureStages(const Kind& kind)
 }
 
 // Everything that costs something.
-DisplaySettings allFilters()
+DisplaySettings allFilters(EdgeMethod edges)
 {
     DisplaySettings settings;
+    settings.edgeMethod = edges;
     settings.window = WindowChoice::Automatic;
     settings.noiseReduction = 70;
     settings.edge = 50;
@@ -121,8 +126,21 @@ DisplaySettings allFilters()
     return settings;
 }
 
+bool keepsUp(const Kind& kind, double painted, const FrameCounts& counts)
+{
+    const double replaced = static_cast<double>(counts.replacedBeforeDecoding + counts.replacedBeforeShowing);
+    const double share = replaced / std::max(1.0, static_cast<double>(counts.received));
+    const bool good = painted >= kind.framesPerSecond - mostLate && share <= mostReplaced;
+    if (!good)
+        std::printf(
+            "%-26s TOO SLOW: %.1f of %d pictures a second painted, %.1f %% replaced; at least %.1f and at most %.0f %% are asked for\n",
+            kind.name, painted, kind.framesPerSecond, 100 * share, kind.framesPerSecond - mostLate, 100 * mostReplaced);
+    return good;
+}
+
 // Frames at their rate from another thread, with the three-dimensional scene beside it, for some seconds.
-void measureWhole(const Kind& kind, std::chrono::milliseconds span)
+// False, with a sentence, when too few of them were painted.
+bool measureWhole(const Kind& kind, std::chrono::milliseconds span)
 {
     PictureState state;
     LiveImageView view(state);
@@ -131,7 +149,7 @@ void measureWhole(const Kind& kind, std::chrono::milliseconds span)
     FramePipeline pipeline;
     pipeline.recordInto(ring);
     if (kind.filtered) {
-        pipeline.setSettings(allFilters());
+        pipeline.setSettings(allFilters(kind.edges));
         pipeline.setFilterRoom(std::chrono::milliseconds(150));
     }
     QObject::connect(&pipeline, &FramePipeline::pictureReady, &view, &LiveImageView::showPicture);
@@ -170,6 +188,7 @@ void measureWhole(const Kind& kind, std::chrono::milliseconds span)
         kind.name, static_cast<unsigned long long>(counts.received), kind.framesPerSecond, ages.size(),
         static_cast<double>(ages.size()) / seconds(span), static_cast<unsigned long long>(counts.replacedBeforeDecoding),
         static_cast<unsigned long long>(counts.replacedBeforeShowing), p50, p99, static_cast<unsigned long long>(scene.drawings()));
+    return keepsUp(kind, static_cast<double>(ages.size()) / seconds(span), counts);
 }
 
 } // namespace
@@ -184,10 +203,12 @@ int main(int argc, char** argv)
         {"1024 x 1024, 12 bit, jpeg-ls", 1024, 12, PixelEncoding::JpegLs, 15},
         {"1024 x 1024, 16 bit, jpeg-ls", 1024, 16, PixelEncoding::JpegLs, 15},
         {"1024, 16 bit, all filters", 1024, 16, PixelEncoding::Raw, 30, true},
+        {"the same, multi-scale", 1024, 16, PixelEncoding::Raw, 30, true, EdgeMethod::MultiScale},
     };
     for (const Kind& kind : kinds)
         measureStages(kind);
+    bool good = true;
     for (const Kind& kind : kinds)
-        measureWhole(kind, std::chrono::seconds(4));
-    return 0;
+        good = measureWhole(kind, std::chrono::seconds(4)) && good;
+    return good ? 0 : 1;
 }

@@ -26,19 +26,21 @@ std::array<double, sensors> numbersOf(const Status& s)
             s.guidewireVelocity, s.catheterPosition, s.catheterVelocity, s.force,           s.temperature,        double(s.faults)};
 }
 
-/// SENSOR with twelve values: its own message for readings. Every object is kept from turn to turn, as a careful program does.
-void openIgtLink(benchmark::State& state)
-{
-    const auto sent = igtl::SensorMessage::New();
-    const auto header = igtl::MessageHeader::New();
-    const auto heard = igtl::SensorMessage::New();
-    sent->SetDeviceName("robot");
-    sent->SetLength(sensors);
-    Status from;
-    double sum = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(from);
-        const auto numbers = numbersOf(from);
+/// SENSOR with twelve values: its own message for readings.
+struct SensorPair {
+    igtl::SensorMessage::Pointer sent = igtl::SensorMessage::New();
+    igtl::MessageHeader::Pointer header = igtl::MessageHeader::New();
+    igtl::SensorMessage::Pointer heard = igtl::SensorMessage::New();
+
+    SensorPair()
+    {
+        sent->SetDeviceName("robot");
+        sent->SetLength(sensors);
+    }
+
+    /// From the numbers to the wire, with header and CRC, and back.
+    bool exchange(const std::array<double, sensors>& numbers) const
+    {
         for (unsigned i = 0; i < sensors; ++i)
             sent->SetValue(i, numbers[i]);
         sent->Pack();
@@ -48,16 +50,43 @@ void openIgtLink(benchmark::State& state)
         heard->SetMessageHeader(header);
         heard->AllocatePack();
         std::memcpy(heard->GetPackBodyPointer(), sent->GetPackBodyPointer(), static_cast<std::size_t>(heard->GetPackBodySize()));
-        if ((heard->Unpack(1) & igtl::MessageHeader::UNPACK_BODY) == 0)
+        return (heard->Unpack(1) & igtl::MessageHeader::UNPACK_BODY) != 0;
+    }
+};
+
+template <typename PairOfTurn>
+void exchangeSensors(benchmark::State& state, PairOfTurn pairOfTurn)
+{
+    Status from;
+    double sum = 0;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(from);
+        const auto numbers = numbersOf(from);
+        decltype(auto) pair = pairOfTurn();
+        if (!pair.exchange(numbers))
             state.SkipWithError("refused");
         for (unsigned i = 0; i < sensors; ++i)
-            benchmark::DoNotOptimize(sum = heard->GetValue(i));
+            benchmark::DoNotOptimize(sum = pair.heard->GetValue(i));
         from.faults = static_cast<std::uint16_t>((from.faults + 1) % 9999);
-        if (heard->GetValue(sensors - 1) != numbers[sensors - 1])
+        if (pair.heard->GetValue(sensors - 1) != numbers[sensors - 1])
             state.SkipWithError("came back otherwise");
     }
 }
+
+/// Every object is kept from turn to turn, as a careful program does.
+void openIgtLink(benchmark::State& state)
+{
+    const SensorPair kept;
+    exchangeSensors(state, [&]() -> const SensorPair& { return kept; });
+}
 BENCHMARK(openIgtLink);
+
+/// Every object is new in each turn, as in its examples.
+void openIgtLinkNew(benchmark::State& state)
+{
+    exchangeSensors(state, [] { return SensorPair(); });
+}
+BENCHMARK(openIgtLinkNew);
 #endif
 
 #ifdef LIENA_BENCH_PROTOBUF
@@ -93,29 +122,56 @@ void take(const wire::Status& message, Status& s)
     s.faults = static_cast<std::uint16_t>(message.faults());
 }
 
-/// No header, no bounds, no check sum: fields to bytes and back, with both messages kept.
-void protobuf(benchmark::State& state)
+/// No header, no bounds, no check sum: fields to bytes and back.
+bool exchange(const Status& from, wire::Status& sent, wire::Status& heard, Status& to)
 {
-    wire::Status sent;
-    wire::Status heard;
-    std::array<char, 256> bytes{};
+    std::array<char, 256> bytes;
+    fill(from, sent);
+    const auto size = static_cast<int>(sent.ByteSizeLong());
+    sent.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(bytes.data()));
+    benchmark::DoNotOptimize(bytes.data());
+    benchmark::ClobberMemory();
+    if (!heard.ParseFromArray(bytes.data(), size))
+        return false;
+    take(heard, to);
+    return true;
+}
+
+template <typename Turn>
+void exchangeStatus(benchmark::State& state, Turn turn)
+{
     Status from;
     Status to;
     for (auto _ : state) {
+        from.sequence ^= 1U;
         benchmark::DoNotOptimize(from);
-        fill(from, sent);
-        const auto size = static_cast<int>(sent.ByteSizeLong());
-        sent.SerializeWithCachedSizesToArray(reinterpret_cast<std::uint8_t*>(bytes.data()));
-        benchmark::ClobberMemory();
-        if (!heard.ParseFromArray(bytes.data(), size))
+        if (!turn(from, to))
             state.SkipWithError("refused");
-        take(heard, to);
         benchmark::DoNotOptimize(to);
     }
     if (!(from == to))
         state.SkipWithError("came back otherwise");
 }
+
+/// Both messages are kept from turn to turn.
+void protobuf(benchmark::State& state)
+{
+    wire::Status sent;
+    wire::Status heard;
+    exchangeStatus(state, [&](const Status& from, Status& to) { return exchange(from, sent, heard, to); });
+}
 BENCHMARK(protobuf);
+
+/// Both messages are new in each turn.
+void protobufNew(benchmark::State& state)
+{
+    exchangeStatus(state, [](const Status& from, Status& to) {
+        wire::Status sent;
+        wire::Status heard;
+        return exchange(from, sent, heard, to);
+    });
+}
+BENCHMARK(protobufNew);
 #endif
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "liena/message.hpp"
+#include "liena/message_binding.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -81,20 +82,29 @@ inline void write(const Status& status, Message& message)
     message.set(9, status.force).set(10, status.temperature).set(11, status.faults);
 }
 
-inline void read(const Message& message, Status& status)
+/// Of a Message, or of anything else that is asked for its fields in the same way.
+template <typename Source>
+void read(const Source& source, Status& status)
 {
-    status.sequence = message.get<std::uint32_t>(std::size_t{0});
-    status.uptime = message.get<std::uint64_t>(1);
-    status.mode = message.get<Mode>(2);
-    status.engaged = message.get<bool>(3);
-    status.referenced = message.get<bool>(4);
-    status.guidewirePosition = message.get<float>(5);
-    status.guidewireVelocity = message.get<float>(6);
-    status.catheterPosition = message.get<float>(7);
-    status.catheterVelocity = message.get<float>(8);
-    status.force = message.get<float>(9);
-    status.temperature = message.get<float>(10);
-    status.faults = message.get<std::uint16_t>(11);
+    status.sequence = source.template get<std::uint32_t>(std::size_t{0});
+    status.uptime = source.template get<std::uint64_t>(1);
+    status.mode = source.template get<Mode>(2);
+    status.engaged = source.template get<bool>(3);
+    status.referenced = source.template get<bool>(4);
+    status.guidewirePosition = source.template get<float>(5);
+    status.guidewireVelocity = source.template get<float>(6);
+    status.catheterPosition = source.template get<float>(7);
+    status.catheterVelocity = source.template get<float>(8);
+    status.force = source.template get<float>(9);
+    status.temperature = source.template get<float>(10);
+    status.faults = source.template get<std::uint16_t>(11);
 }
+
+using StatusBinding =
+    MessageBinding<Status, Bind<"sequence", &Status::sequence>, Bind<"uptime", &Status::uptime>, Bind<"mode", &Status::mode>,
+                   Bind<"engaged", &Status::engaged>, Bind<"referenced", &Status::referenced>,
+                   Bind<"guidewire_position", &Status::guidewirePosition>, Bind<"guidewire_velocity", &Status::guidewireVelocity>,
+                   Bind<"catheter_position", &Status::catheterPosition>, Bind<"catheter_velocity", &Status::catheterVelocity>,
+                   Bind<"force", &Status::force>, Bind<"temperature", &Status::temperature>, Bind<"faults", &Status::faults>>;
 
 } // namespace liena::bench

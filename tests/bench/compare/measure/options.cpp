@@ -28,6 +28,7 @@ Options readOptions(int argc, char** argv, const std::string& transport)
     app.add_option("--frame-bytes", options.frameBytes)->capture_default_str();
     app.add_flag("--timeline", options.timeline, "of load: tell every single latency");
     app.add_flag("--spin", options.spins, "never sleep while waiting; LiENa and raw TCP only");
+    app.add_flag("--asleep", options.asleep, "sleep while waiting, also within a dialogue; LiENa only");
     app.add_flag("--packets", options.packets, "commands and echoes as UDP packets of their own; LiENa only");
     app.add_option("--files", options.files, "folder with topology.xml and pki/")->capture_default_str();
     try {

@@ -25,6 +25,7 @@ struct Options {
     bool timeline = false;    ///< of load: every single latency is told
     std::size_t frameBytes = std::size_t{2} << 20U;
     bool spins = false;          ///< looks for work without ever sleeping, where the transport can
+    bool asleep = false;         ///< sleeps whenever there is nothing to do, also within a dialogue, where the transport has a choice
     bool packets = false;        ///< commands and echoes as UDP packets of their own, where the transport has a choice
     std::filesystem::path files; ///< topology.xml and pki/, for the peers that need certificates
 

@@ -38,6 +38,7 @@ Settings settingsOf(const Options& options)
     settings.log = [](LogLevel, std::string_view) {};
     if (options.spins)
         settings.realTime.search = std::chrono::seconds(1); // the longest there is: messages come more often
+    settings.realTime.attention = !options.asleep;
     return settings;
 }
 

@@ -69,10 +69,19 @@ class ReportTest(unittest.TestCase):
         self.assertIn("| LiENa, TLS, never asleep | 26.0 / 52.0 (2.60) |",
                       loopback_table.sections(medians, measurements, transports.TRANSPORTS)[0])
 
+    def test_what_sleeps_between_messages_is_held_against_asio_beside_what_stays_awake(self):
+        medians = report.Medians({"roundtrip": {"liena": round_trips(20), "liena-asleep": round_trips(120), "asio-tls": round_trips(100)}})
+        text = targets.sections(medians)[0]
+        self.assertIn("| Round trip back to back, awake in dialogues ÷ Asio TLS | ≤ 1.15 | 0.20 | yes |", text)
+        self.assertIn("| Round trip back to back, asleep between messages ÷ Asio TLS | ≤ 1.15 | 1.20 | **no** |", text)
+        measurements = conditions.loopback_measurements(["roundtrip"])
+        self.assertIn("| LiENa, TLS, asleep between messages | 120.0 / 240.0 (1.20) |",
+                      loopback_table.sections(medians, measurements, transports.TRANSPORTS)[0])
+
     def test_table_names_what_did_not_come_through(self):
         results = {"roundtrip": {"liena": round_trips(50), "asio-tls": round_trips(40), "zeromq": [{}]}}
         text = report.markdown(comparison(results), conditions.loopback_measurements(["roundtrip"]))
-        self.assertIn("| LiENa, TLS | 50.0 / 100.0 (1.25) |", text)
+        self.assertIn("| LiENa, TLS, awake in dialogues | 50.0 / 100.0 (1.25) |", text)
         self.assertIn("| ZeroMQ | – |", text)
 
     def test_frames_are_back_when_none_is_late_or_left_out_any_more(self):

@@ -34,7 +34,9 @@ class Target:
 OTHERS = (("zeromq", "ZeroMQ"), ("cyclone", "Cyclone DDS"), ("fastdds", "Fast DDS"))
 ROUND_TRIPS = (("roundtrip", "back to back"), ("paced", "at 1 kHz"))
 TARGETS = [
-    *(Target(f"Round trip {how} ÷ Asio TLS", key, "round_trip_p50", "liena", "asio-tls", AT_MOST, 1.15) for key, how in ROUND_TRIPS),
+    *(Target(f"Round trip {how}, awake in dialogues ÷ Asio TLS", key, "round_trip_p50", "liena", "asio-tls", AT_MOST, 1.15) for key, how in ROUND_TRIPS),
+    Target("Round trip back to back, asleep between messages ÷ Asio TLS", "roundtrip", "round_trip_p50", "liena-asleep", "asio-tls", AT_MOST,
+           1.15),
     *(Target(f"Round trip {how} ÷ {title}, which has no TLS", key, "round_trip_p50", "liena", other, BELOW, 1)
       for key, how in ROUND_TRIPS for other, title in OTHERS),
     *(Target(f"Round trip {how} as sealed UDP packets ÷ {title}, which seals nothing", key, "round_trip_p50", "liena-udp", other, BELOW, 1)

@@ -13,9 +13,10 @@ class Transport:
 
 
 TRANSPORTS = [
-    Transport("liena", "LiENa, TLS", "peer_liena", "tls"),
+    Transport("liena", "LiENa, TLS, awake in dialogues", "peer_liena", "tls"),
     Transport("asio-tls", "Asio TLS", "peer_asio_tls", "tls"),
     Transport("raw", "raw TCP", "peer_raw_tcp", "none"),
+    Transport("liena-asleep", "LiENa, TLS, asleep between messages", "peer_liena", "tls", ("--asleep",), True),
     Transport("liena-udp", "LiENa, sealed UDP packets", "peer_liena", "tls", ("--packets",), True),
     Transport("liena-spin", "LiENa, TLS, never asleep", "peer_liena", "tls", ("--spin",), True),
     Transport("raw-spin", "raw TCP, never asleep", "peer_raw_tcp", "none", ("--spin",), True),

@@ -1,0 +1,72 @@
+"""What the script refuses, and in which words; what a full disk leaves behind."""
+import contextlib
+import io
+import pathlib
+import tempfile
+import unittest
+
+from . import arguments, journal, transports
+
+
+def refusal(*given):
+    said = io.StringIO()
+    with contextlib.redirect_stderr(said):
+        try:
+            arguments.parse("", pathlib.Path("build"), list(given))
+        except SystemExit:
+            return said.getvalue()
+    return ""
+
+
+class ArgumentsTest(unittest.TestCase):
+    def test_words_that_nobody_knows_are_named_with_those_that_are(self):
+        self.assertIn("argument --workloads: pacd is not among load, roundtrip", refusal("--workloads", "roundtrip,pacd"))
+        self.assertIn("argument --links: 2g is not among 1g, 400m", refusal("--links", "2g"))
+        self.assertIn("argument --transports: grpc is not among liena,", refusal("--transports", "liena,grpc"))
+        self.assertIn("nothing is not among", refusal("--workloads", ","))
+
+    def test_numbers_are_above_zero(self):
+        for given in ("0", "-1", "nan", "inf", "many"):
+            self.assertIn(f"argument --seconds: {given} is not a number above 0", refusal(f"--seconds={given}"))
+        self.assertIn("argument --rounds: 1.5 is not", refusal("--rounds", "1.5"))
+
+    def test_words_count_once_and_in_order(self):
+        chosen = arguments.parse("", pathlib.Path("build"), ["--workloads", "paced, load,paced"])
+        self.assertEqual(chosen.workloads, ["paced", "load"])
+        self.assertIsNone(chosen.transports)
+
+    def test_a_transport_that_was_named_and_not_built_is_missing(self):
+        built = [t for t in transports.TRANSPORTS if t.key in ("liena", "raw")]
+        self.assertEqual([t.key for t in arguments.chosen_transports(["raw"], built)], ["raw"])
+        self.assertEqual(arguments.chosen_transports(None, built), built)
+        with self.assertRaisesRegex(LookupError, "zeromq: not built"):
+            arguments.chosen_transports(["raw", "zeromq"], built)
+        with self.assertRaisesRegex(LookupError, "no program is built"):
+            arguments.chosen_transports(None, [])
+
+
+class JournalTest(unittest.TestCase):
+    def test_a_full_disk_is_told_once_and_stops_nothing(self):
+        said = []
+        with journal.Journal(pathlib.Path("/dev/full"), said.append) as full:
+            for number in range(3):
+                full.keep({"round": number})
+        self.assertTrue(full.failed)
+        self.assertEqual(len(said), 1)
+        self.assertIn("/dev/full takes no more (No space left on device)", said[0])
+
+    def test_lines_are_added(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "kept"
+            for number in (1, 2):
+                with journal.Journal(path, self.fail) as kept:
+                    kept.keep({"round": number})
+            self.assertEqual(path.read_text(), '{"round": 1}\n{"round": 2}\n')
+
+    def test_a_file_that_cannot_be_made_is_an_error_at_once(self):
+        with self.assertRaises(OSError):
+            journal.Journal(pathlib.Path("/nonexistent/kept"), self.fail)
+
+
+if __name__ == "__main__":
+    unittest.main()
