@@ -15,6 +15,25 @@ QString named(const QString& who) { return who.isEmpty() ? AlarmService::tr("the
 
 } // namespace
 
+bool attended(const PermitState& permit, bool unacknowledgedHigh)
+{
+    switch (permit.phase) {
+    case PermitPhase::Armed:
+    case PermitPhase::Engaged:
+    case PermitPhase::Hold:
+        return true;
+    case PermitPhase::Arming:
+        return permit.awaitingRobot || unacknowledgedHigh;
+    case PermitPhase::Off:
+    case PermitPhase::Standby:
+    case PermitPhase::Ready:
+    case PermitPhase::Incident:
+    case PermitPhase::Verifying:
+        break;
+    }
+    return unacknowledgedHigh;
+}
+
 AlarmService::AlarmService(ConsoleModels& models, AlarmWatch& watch, const AlarmSettings& settings, QObject* parent)
     : QObject(parent),
       m_models(models),
@@ -82,10 +101,10 @@ void AlarmService::start()
 void AlarmService::run()
 {
     const auto now = std::chrono::steady_clock::now();
-    const auto phase = m_models.permit.phase();
+    const bool high = m_models.alarms.unacknowledgedHigh();
     if (m_watchdog)
-        m_watchdog->beat(phase == PermitPhase::Armed || phase == PermitPhase::Engaged, now);
-    m_models.selfTest.update(m_models.alarms.unacknowledgedHigh(), now);
+        m_watchdog->beat(attended(m_models.permit.state(), high), now);
+    m_models.selfTest.update(high, now);
     m_sounder.update(now);
 }
 

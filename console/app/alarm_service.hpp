@@ -20,6 +20,11 @@ struct AlarmSettings {
     AlarmVoice* voice = nullptr; ///< sounds in place of the loudspeaker, for measurements; outlives the service
 };
 
+/// A person relies on what this console sounds: a hang must not be silent then. With a high alarm that nobody acknowledged, since the
+/// hang would end its sound; in hold, since the robot's hold may still turn out not to be confirmed; and from the request to arm on, since
+/// the robot may be armed before its answer is read.
+bool attended(const PermitState& permit, bool unacknowledgedHigh);
+
 /// GUI thread only. What of it fails is itself an alarm, and stops nothing.
 class AlarmService : public QObject {
     Q_OBJECT

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::chrono::seconds overdueMemory{5};
 constexpr std::chrono::seconds paintingSpan{2};
+constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures, before it is told
 constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
 constexpr quint64 fewPictures = 10;                ///< in that time; below it one late picture would be a large part
 
@@ -103,6 +104,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     if (const auto asked = m_models.instrument.stopUnheard())
         all.stopUnheard = now - *asked;
     all.picture = m_models.picture.reading(now);
+    all.pictureSlow = m_slowSince && now - *m_slowSince >= slowSpan;
     all.pictureLimit = m_models.picture.limit();
     all.line = lineLimits(m_models.picture.profile());
     const auto& robot = m_models.instrument.robot();
@@ -149,6 +151,14 @@ void AlarmWatch::noteDelivered(quint64 delivered, Instant now)
         m_counted.pop_front();
 }
 
+void AlarmWatch::noteRate(Instant now)
+{
+    if (!m_models.picture.reading(now).slow)
+        m_slowSince.reset();
+    else if (!m_slowSince)
+        m_slowSince = now;
+}
+
 std::optional<PaintingReading> AlarmWatch::painting() const
 {
     if (m_counted.size() < 2 || m_counted.back().at - m_counted.front().at < paintingSpan)
@@ -180,6 +190,7 @@ void AlarmWatch::update(Instant now, quint64 delivered)
 {
     noteLines(now);
     noteDelivered(delivered, now);
+    noteRate(now);
     if (m_stopAt && robotHoldsSince(*m_stopAt))
         m_stopAt.reset();
     m_models.alarms.update(presentAlarms(readings(now)), now, QDateTime::currentMSecsSinceEpoch());

@@ -37,6 +37,7 @@ private:
     void readInstruments(AlarmReadings& all, Instant now) const;
     void noteLines(Instant now);
     void noteDelivered(quint64 delivered, Instant now);
+    void noteRate(Instant now);
     std::optional<PaintingReading> painting() const;
 
     struct Counted {
@@ -57,7 +58,8 @@ private:
     bool m_troubleWhileEngaged = false; ///< motion has ended by the time that its cause is looked at
     std::map<quint32, Overdue> m_overdue;
     std::map<quint32, LineQuality> m_lines;
-    std::deque<Counted> m_counted; ///< of the last two seconds
+    std::deque<Counted> m_counted;      ///< of the last two seconds
+    std::optional<Instant> m_slowSince; ///< too few pictures are shown, without a gap
     QString m_soundTrouble;
     QString m_watchdogTrouble;
 };

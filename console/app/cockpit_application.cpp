@@ -4,6 +4,7 @@
 #include "editor/topology_canvas.hpp"
 #include "editor/topology_view.hpp"
 #include "imaging/scene_view.hpp"
+#include "model/input_origin.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/log_view.hpp"
 #include "widgets/theme.hpp"
@@ -26,6 +27,7 @@ CockpitApplication::CockpitApplication(const Options& options)
 {
     m_models.picture.setProfile(options.profile);
     m_models.picture.setRehearsal(options.rehearsal);
+    m_models.remoteInput = remoteInputOf(QGuiApplication::platformName(), QProcessEnvironment::systemEnvironment());
     if (m_options.registry.isEmpty())
         if (const auto folder = resource(QStringLiteral("devices")); !folder.isEmpty())
             m_options.registry << folder;
@@ -75,6 +77,7 @@ void CockpitApplication::buildWindow()
     m_models.role = m_options.role;
     m_window = std::make_unique<CockpitWindow>(m_models);
     m_scene = new SceneView;
+    theme::setTextRole(m_scene, theme::TextRole::Caption);
     m_pictures.build(*m_window);
     m_window->setSceneView(m_scene);
     buildTopology();
@@ -112,6 +115,7 @@ void CockpitApplication::buildLog()
     auto* view = new LogView(m_models.log, m_models.alarmLog);
     view->setPathSuggestion(suggestedLogPath);
     m_window->setLogView(view);
+    connect(view, &LogView::leaveRequested, m_window.get(), [this] { m_window->showView(View::Cockpit); });
     connect(view, &LogView::saveRequested, &m_logSaver, &LogSaver::save);
     connect(&m_logSaver, &LogSaver::saved, view, [this, view](const QString& path) {
         m_models.log.append(LogKind::Note, tr("log saved: %1").arg(path), QDateTime::currentMSecsSinceEpoch());

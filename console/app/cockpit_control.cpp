@@ -145,7 +145,7 @@ void CockpitControl::carryOut(const PermitActions& actions, Instant now)
 void CockpitControl::tellSession()
 {
     if (!m_link.robot() || !carriesMessages(m_models.sessions.state(*m_link.robot())))
-        m_models.instrument.endWatch(); // nobody sees what it does meanwhile
+        m_models.instrument.endWatch(presentTime()); // nobody sees what it does meanwhile
     if (m_models.sessions.inStandBy() || !m_models.incidents.empty())
         return apply(PermitEventKind::SystemStandsBy);
     const auto state = m_link.robot() ? m_models.sessions.state(*m_link.robot()) : LinkState::Closed;
@@ -299,6 +299,8 @@ void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
     const bool isArmed = to == PermitPhase::Armed || to == PermitPhase::Engaged;
     if ((wasArmed && !isArmed) || to == PermitPhase::Hold || to == PermitPhase::Incident || to == PermitPhase::Off)
         m_models.instrument.dropForce(); // what was accepted was accepted for one arming
+    if (from == PermitPhase::Arming && to == PermitPhase::Armed)
+        m_models.instrument.resetPeakForce(); // an early peak does not stand for the whole procedure
     auto line = tr("%1 -> %2").arg(word(from), word(to));
     if (to == PermitPhase::Hold)
         line += tr(": %1").arg(m_models.permit.holdReasons().join(QStringLiteral(" · ")));

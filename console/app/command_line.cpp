@@ -219,6 +219,9 @@ QString readPeople(const Declared& declared, Options& options)
     options.patientId = parser.value(declared.patientId);
     if (options.patient.isEmpty() != options.patientId.isEmpty())
         return QStringLiteral("--patient and --patient-id belong together: a patient is named by two identifiers");
+    constexpr int most = 32; // characters; it is shown whole, whatever stands beside it
+    if (options.patientId.size() > most)
+        return QStringLiteral("--patient-id: %1 characters, at most %2 can be shown whole").arg(options.patientId.size()).arg(most);
     return {};
 }
 

@@ -7,6 +7,7 @@
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
 #include "widgets/review_controls.hpp"
+#include "widgets/theme.hpp"
 
 #include <QDateTime>
 #include <QDir>
@@ -58,6 +59,7 @@ void PictureDesk::setFolder(const QString& folder) { m_saver.setFolder(folderFor
 void PictureDesk::build(CockpitWindow& window)
 {
     m_live = new LiveImageView(m_models.picture);
+    theme::setTextRole(m_live, theme::TextRole::Caption);
     m_live->setDisplay(&m_display);
     auto* controls = new PictureControls(m_display);
     connect(controls, &PictureControls::zoomRequested, m_live, [this](int steps) { m_live->zoomBy(std::pow(zoomStep, steps)); });
@@ -65,6 +67,7 @@ void PictureDesk::build(CockpitWindow& window)
     connect(controls, &PictureControls::saveRequested, this, &PictureDesk::saveLive);
     connect(m_live, &LiveImageView::viewChanged, controls, [this, controls] { controls->showZoom(m_live->viewport().zoom()); });
     m_reference = new ReferenceImageView;
+    theme::setTextRole(m_reference, theme::TextRole::Caption);
     m_reference->setDisplay(&m_display);
     m_reviewControls = new ReviewControls;
     window.setLiveView(new PicturePane(m_live, controls));
@@ -108,7 +111,11 @@ void PictureDesk::connectReference()
             showPlace(m_review.place());
         m_reviewControls->showReview(m_review.isOpen(), m_review.isPlaying());
     });
-    connect(m_reviewControls, &ReviewControls::holdRequested, this, &PictureDesk::showHold);
+    connect(m_reviewControls, &ReviewControls::holdRequested, this, [this] {
+        if (!m_held)
+            answer(false, tr("no run has ended yet: there is no last image"));
+        showHold();
+    });
     connect(m_reviewControls, &ReviewControls::reviewRequested, this, &PictureDesk::showReview);
     connect(m_reviewControls, &ReviewControls::oldestRequested, &m_review, &CineReview::toOldest);
     connect(m_reviewControls, &ReviewControls::stepRequested, &m_review, &CineReview::step);
@@ -143,14 +150,19 @@ void PictureDesk::connectRoadmap()
 
 void PictureDesk::connectSaving()
 {
-    connect(&m_saver, &PictureSaver::saved, this, [this](const QString& path) { note(false, tr("picture saved: %1").arg(path)); });
-    connect(&m_saver, &PictureSaver::failed, this, [this](const QString& reason) { note(true, reason); });
+    const auto tell = [this](bool trouble, const QString& text) {
+        note(trouble, text);
+        if (m_saving != nullptr)
+            m_saving->tell(text);
+    };
+    connect(&m_saver, &PictureSaver::saved, this, [tell](const QString& path) { tell(false, tr("picture saved: %1").arg(path)); });
+    connect(&m_saver, &PictureSaver::failed, this, [tell](const QString& reason) { tell(true, reason); });
 }
 
 void PictureDesk::showReview()
 {
     if (!m_review.open())
-        return note(false, tr("there is nothing to review yet"));
+        return answer(false, tr("there is nothing to review yet"));
     endRoadmap();
 }
 
@@ -159,15 +171,15 @@ void PictureDesk::beginRoadmap()
 {
     const auto made = m_maker.make();
     if (!made)
-        return note(false, tr("no roadmap: no run has shown contrast yet; give contrast while the pedal is down"));
+        return answer(false, tr("no roadmap: no run has shown contrast yet; give contrast while the pedal is down"));
     if (made->lastNs <= m_removedNs)
-        return note(false, tr("no roadmap: it was removed, and no contrast was given since"));
+        return answer(false, tr("no roadmap: it was removed, and no contrast was given since"));
     m_review.close();
     m_vesselsNs = made->lastNs;
     m_vessels = vesselLayer(*made);
     m_maker.watch(made);
     m_models.roadmap.begin({made->about, made->lastNs});
-    note(false, tr("roadmap made of %1 pictures of run %2").arg(made->pictures).arg(made->about.acquisition));
+    answer(false, tr("roadmap made of %1 pictures of run %2").arg(made->pictures).arg(made->about.acquisition));
     if (m_live->picture())
         mapPicture(*m_live->picture());
     m_reviewControls->showRoadmap(true);
@@ -237,6 +249,7 @@ void PictureDesk::showPlace(const QString& place)
 ReferenceImageView* PictureDesk::makeReferenceCopy()
 {
     m_copy = new ReferenceImageView;
+    theme::setTextRole(m_copy, theme::TextRole::Caption);
     m_copy->setDisplay(&m_display);
     if (m_reference->picture())
         m_copy->showPicture(*m_reference->picture());
@@ -246,14 +259,34 @@ ReferenceImageView* PictureDesk::makeReferenceCopy()
 
 void PictureDesk::saveLive()
 {
-    if (m_live->picture())
-        m_saver.save(*m_live->picture(), m_live->grab().toImage());
+    if (!m_live->picture())
+        return m_live->tell(tr("there is no picture to save yet"));
+    save(*m_live->picture(), *m_live);
 }
 
 void PictureDesk::saveReference()
 {
-    if (m_reference->picture())
-        m_saver.save(m_reference->pictureWithVessels(), m_reference->grab().toImage());
+    if (!m_reference->picture())
+        return m_reference->tell(tr("there is no picture to save yet"));
+    save(m_reference->pictureWithVessels(), *m_reference);
+}
+
+// One is saved at a time: a second wish is answered on its own pane, and the first one keeps its own.
+void PictureDesk::save(const DisplayPicture& picture, PictureCanvas& pane)
+{
+    PictureCanvas* before = m_saver.isBusy() ? m_saving : &pane;
+    pane.tell({}); // what was told before is no part of the picture
+    m_saving = &pane;
+    m_saver.save(picture, pane.grab().toImage());
+    m_saving = before;
+}
+
+void PictureDesk::answer(bool trouble, const QString& text)
+{
+    note(trouble, text);
+    for (auto* view : {m_reference, m_copy.data()})
+        if (view)
+            view->tell(text);
 }
 
 void PictureDesk::note(bool trouble, const QString& text)

@@ -20,6 +20,7 @@ namespace console {
 
 class CockpitWindow;
 class LiveImageView;
+class PictureCanvas;
 class ReferenceImageView;
 class ReviewControls;
 
@@ -59,7 +60,11 @@ private:
     void showPlace(const QString& place);
     void saveLive();
     void saveReference();
+    void save(const DisplayPicture& picture, PictureCanvas& pane);
     void note(bool trouble, const QString& text);
+
+    /// The same where the button is that was pressed.
+    void answer(bool trouble, const QString& text);
 
     const QString m_displayFile;
     ConsoleModels& m_models;
@@ -79,6 +84,7 @@ private:
     ReferenceImageView* m_reference = nullptr;  ///< the window's
     QPointer<ReferenceImageView> m_copy;        ///< of the reference pane, when there is one
     ReviewControls* m_reviewControls = nullptr; ///< the window's
+    PictureCanvas* m_saving = nullptr;          ///< whose picture is being saved
 };
 
 } // namespace console

@@ -5,8 +5,10 @@
 #include "editor/topology_canvas.hpp"
 #include "imaging/reference_image_view.hpp"
 #include "model/preferences.hpp"
+#include "widgets/checklist_view.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/log_lines.hpp"
+#include "widgets/plots_view.hpp"
 #include "widgets/screens_view.hpp"
 #include "widgets/side_window.hpp"
 #include "widgets/trends_pane.hpp"
@@ -17,6 +19,7 @@
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QScreen>
+#include <QVBoxLayout>
 #include <QWindow>
 
 namespace console {
@@ -233,17 +236,29 @@ void ScreenDesk::placeSecond(QScreen* on)
     if (on == nullptr)
         return;
     m_second = std::make_unique<SideWindow>(tr("Overview"));
-    m_second->add(new TopologyCanvas(m_models.sessions, TopologyCanvas::Size::Full), 4);
-    m_trends = new TrendsPane(m_models.trends);
-    m_second->add(m_trends, 2);
-    auto* log = new LogLines;
-    log->setModel(&m_models.log);
-    log->setAccessibleName(tr("Event log, oldest first"));
-    m_second->add(log, 4);
+    m_second->add({new TopologyCanvas(m_models.sessions, TopologyCanvas::Size::Full), new ChecklistPane(m_models.permit)}, 4);
+    auto* plots = new PlotsView(m_models);
+    connect(plots, &PlotsView::leaveRequested, m_second.get(), &SideWindow::cockpitRequested);
+    m_second->add({plots, makeRunning()}, 6);
     connectSide(*m_second);
     m_second->setGeometry(on->geometry());
     m_second->showFullScreen();
     refresh();
+}
+
+/// What goes on: trends above the log.
+QWidget* ScreenDesk::makeRunning()
+{
+    auto* running = new QWidget;
+    auto* column = new QVBoxLayout(running);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_trends = new TrendsPane(m_models.trends);
+    column->addWidget(m_trends, 2);
+    auto* log = new LogLines;
+    log->setModel(&m_models.log);
+    log->setAccessibleName(tr("Event log, oldest first"));
+    column->addWidget(log, 3);
+    return running;
 }
 
 void ScreenDesk::placeThird(QScreen* on)
@@ -257,7 +272,7 @@ void ScreenDesk::placeThird(QScreen* on)
     auto* centre = new QGridLayout(room);
     centre->setContentsMargins(0, 0, 0, 0);
     centre->addWidget(m_reference, 0, 0);
-    m_third->add(room, 1);
+    m_third->add({room}, 1);
     connectSide(*m_third);
     m_third->setGeometry(on->geometry());
     m_third->showFullScreen();

@@ -51,6 +51,7 @@ private:
     void screenGone(QScreen* gone);
     void moveCockpit(QScreen* to);
     void placeSecond(QScreen* on);
+    QWidget* makeRunning();
     void placeThird(QScreen* on);
     void connectSide(SideWindow& side);
     void refresh();

@@ -2,6 +2,7 @@
 #include "app/view_desk.hpp"
 
 #include "widgets/about_view.hpp"
+#include "widgets/checklist_view.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/plots_view.hpp"
 #include "widgets/start_view.hpp"
@@ -22,10 +23,13 @@ void ViewDesk::build(CockpitWindow& window)
     auto* plots = new PlotsView(m_models);
     window.addView(View::About, about);
     window.addView(View::Plots, plots);
+    auto* checklist = new ChecklistView(m_models.permit);
+    window.addView(View::Checklist, checklist);
     const auto leave = [&window] { window.showView(View::Cockpit); };
     connect(start, &StartView::leaveRequested, &window, leave);
     connect(about, &AboutView::leaveRequested, &window, leave);
     connect(plots, &PlotsView::leaveRequested, &window, leave);
+    connect(checklist, &ChecklistView::leaveRequested, &window, leave);
     connect(start, &StartView::aboutRequested, &window, [&window] { window.showView(View::About); });
 }
 

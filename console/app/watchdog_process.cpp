@@ -60,14 +60,14 @@ void WatchdogProcess::start(Instant now)
     m_process.start(m_program, m_arguments);
 }
 
-void WatchdogProcess::beat(bool armed, Instant now)
+void WatchdogProcess::beat(bool attended, Instant now)
 {
     if (m_process.state() == QProcess::NotRunning)
         start(now);
     if (m_process.state() == QProcess::NotRunning)
         return;
     if (m_process.bytesToWrite() < unread)
-        m_process.putChar(static_cast<char>(armed ? Beat::Armed : Beat::Idle));
+        m_process.putChar(static_cast<char>(attended ? Beat::Attended : Beat::Idle));
     if (now - m_answered.value_or(*m_started) > answerTime)
         tell(tr("its watchdog does not answer"));
 }

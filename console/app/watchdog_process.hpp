@@ -18,8 +18,9 @@ public:
     explicit WatchdogProcess(const QString& program, const QStringList& arguments = {}, QObject* parent = nullptr);
     ~WatchdogProcess() override; ///< says goodbye; the process has ended when this returns
 
-    /// Twenty times a second. Starts the process, and anew when it has ended, at most every five seconds.
-    void beat(bool armed, Instant now);
+    /// Twenty times a second. Starts the process, and anew when it has ended, at most every five seconds. `attended`: a person relies on
+    /// what this console sounds, so that its silence must be heard.
+    void beat(bool attended, Instant now);
 
     qint64 processId() const { return m_process.processId(); }
 

@@ -55,6 +55,7 @@ void TopologyCanvas::rebuild()
     m_scene->clear();
     m_devices.clear();
     m_links.clear();
+    m_labels.clear();
     m_lanes.clear();
     m_current = -1;
     const TopologyPlan plan = planTopology(m_sessions);
@@ -68,6 +69,10 @@ void TopologyCanvas::rebuild()
     for (const PlacedLink& place : plan.links) {
         m_links.push_back(new LinkItem(*m_sessions.link(place.a, place.b), place, mini));
         m_scene->addItem(m_links.back());
+        if (mini)
+            continue;
+        m_labels.push_back(new LinkLabel(*m_links.back()));
+        m_scene->addItem(m_labels.back());
     }
     QRectF bounds = plan.bounds;
     for (const LinkItem* item : m_links)
@@ -84,12 +89,20 @@ void TopologyCanvas::fit()
     const double factor = std::clamp(leastTextPixels / (sceneTextPixels * transform().m11()), 1.0, largestTextFactor);
     for (DeviceItem* item : m_devices)
         item->setTextFactor(factor);
+    announceLabels();
     for (LinkItem* item : m_links)
         item->setTextFactor(factor);
 }
 
+void TopologyCanvas::announceLabels()
+{
+    for (LinkLabel* label : m_labels)
+        label->announceChange();
+}
+
 void TopologyCanvas::refresh(Instant now)
 {
+    announceLabels();
     for (LinkItem* item : m_links)
         if (const LinkNode* link = m_sessions.link(item->a(), item->b()))
             item->setLink(*link, now);
@@ -117,6 +130,8 @@ void TopologyCanvas::setCurrent(int index)
         m_devices[std::size_t(i)]->setCurrent(i == index);
     for (int i = 0; i < int(m_links.size()); ++i)
         m_links[std::size_t(i)]->setCurrent(i + int(m_devices.size()) == index);
+    for (LinkLabel* label : m_labels)
+        label->update();
     if (const auto link = currentLink())
         setAccessibleDescription(tr("Link of %1 and %2").arg(m_sessions.titleOf(link->first), m_sessions.titleOf(link->second)));
     else if (const auto device = currentDevice())
@@ -139,7 +154,7 @@ int TopologyCanvas::indexAt(const QPoint& place) const
         if (m_devices[std::size_t(i)] == hit)
             return i;
     for (int i = 0; i < int(m_links.size()); ++i)
-        if (m_links[std::size_t(i)] == hit)
+        if (m_links[std::size_t(i)] == hit || (i < int(m_labels.size()) && m_labels[std::size_t(i)] == hit))
             return i + int(m_devices.size());
     return -1;
 }
@@ -221,7 +236,7 @@ QPoint TopologyCanvas::placeOfLink(quint32 a, quint32 b) const
 {
     for (const LinkItem* item : m_links)
         if ((item->a() == a && item->b() == b) || (item->a() == b && item->b() == a))
-            return mapFromScene(item->labelCentre());
+            return mapFromScene(item->labelBox().center());
     return {};
 }
 

@@ -14,6 +14,7 @@ namespace console {
 
 class DeviceItem;
 class LinkItem;
+class LinkLabel;
 
 /// Shows a session model and repaints itself five times a second while visible. Tab walks devices, then links; Enter or a click chooses.
 class TopologyCanvas : public QGraphicsView {
@@ -59,6 +60,7 @@ protected:
 private:
     void rebuild();
     void fit();
+    void announceLabels();
     void setCurrent(int index);
     void activate(int index);
     int indexAt(const QPoint& place) const;
@@ -69,6 +71,7 @@ private:
     QGraphicsScene* m_scene;
     std::vector<DeviceItem*> m_devices;
     std::vector<LinkItem*> m_links;
+    std::vector<LinkLabel*> m_labels; ///< in the order of the links; none when it is shown small
     std::vector<std::pair<QString, QRectF>> m_lanes;
     int m_current = -1; ///< devices first, then links
     QTimer m_clock;

@@ -163,8 +163,7 @@ QRectF LinkItem::labelBox() const
 
 QRectF LinkItem::boundingRect() const
 {
-    QRectF box = QPolygonF(QList<QPointF>(m_place.way.begin(), m_place.way.end())).boundingRect().adjusted(-16, -16, 16, 16);
-    return m_mini ? box : box.united(labelBox().adjusted(-4, -4, 4, 4));
+    return QPolygonF(QList<QPointF>(m_place.way.begin(), m_place.way.end())).boundingRect().adjusted(-16, -16, 16, 16);
 }
 
 QPainterPath LinkItem::shape() const
@@ -174,10 +173,7 @@ QPainterPath LinkItem::shape() const
         way.lineTo(point);
     QPainterPathStroker stroker;
     stroker.setWidth(30);
-    QPainterPath shape = stroker.createStroke(way);
-    if (!m_mini)
-        shape.addRect(labelBox());
-    return shape;
+    return stroker.createStroke(way);
 }
 
 void LinkItem::paintWay(QPainter& painter) const
@@ -234,8 +230,21 @@ void LinkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
 {
     painter->setRenderHint(QPainter::Antialiasing);
     paintWay(*painter);
-    if (!m_mini)
-        paintLabel(*painter);
+}
+
+LinkLabel::LinkLabel(const LinkItem& link) : m_link(link) { setZValue(1.8); }
+
+QPainterPath LinkLabel::shape() const
+{
+    QPainterPath box;
+    box.addRect(m_link.labelBox());
+    return box;
+}
+
+void LinkLabel::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*)
+{
+    painter->setRenderHint(QPainter::Antialiasing);
+    m_link.paintLabel(*painter);
 }
 
 } // namespace console

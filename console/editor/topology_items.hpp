@@ -1,4 +1,4 @@
-// The canvas's two kinds of things: a device and a link.
+// The canvas's kinds of things: a device, a link, and a link's label.
 #pragma once
 
 #include "editor/topology_layout.hpp"
@@ -37,7 +37,8 @@ public:
     /// Where the widest label beside a lane ends, in any state; 0 for a link whose label stands on its line.
     double roomBeside() const;
     void setTextFactor(double factor);
-    QPointF labelCentre() const { return labelBox().center(); }
+    QRectF labelBox() const;
+    void paintLabel(QPainter& painter) const;
     QRectF boundingRect() const override;
     QPainterPath shape() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -45,9 +46,7 @@ public:
 private:
     QString stateText() const;
     QString figureText() const;
-    QRectF labelBox() const;
     void paintWay(QPainter& painter) const;
-    void paintLabel(QPainter& painter) const;
 
     LinkNode m_link;
     PlacedLink m_place;
@@ -55,6 +54,19 @@ private:
     bool m_mini;
     bool m_current = false;
     double m_factor = 1; ///< of the text: grows when the canvas is small
+};
+
+/// By itself, so that no other link's line is drawn through it. The link outlives it; whoever changes the link announces it here before.
+class LinkLabel : public QGraphicsItem {
+public:
+    explicit LinkLabel(const LinkItem& link);
+    void announceChange() { prepareGeometryChange(); }
+    QRectF boundingRect() const override { return m_link.labelBox().adjusted(-4, -4, 4, 4); }
+    QPainterPath shape() const override;
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+private:
+    const LinkItem& m_link;
 };
 
 } // namespace console

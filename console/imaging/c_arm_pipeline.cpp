@@ -12,7 +12,7 @@ namespace console {
 
 CArmPipeline::CArmPipeline()
 {
-    m_source->SetRadius(12);
+    m_source->SetRadius(sourceRadius);
     m_edgeMapper->SetInputData(m_lines);
     m_focusMapper->SetInputConnection(m_source->GetOutputPort());
     m_edges->SetMapper(m_edgeMapper);

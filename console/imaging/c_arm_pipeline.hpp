@@ -15,6 +15,8 @@ namespace console {
 
 class CArmPipeline {
 public:
+    static constexpr float sourceRadius = 12; ///< mm
+
     CArmPipeline();
 
     void show(const CArmPose& pose);

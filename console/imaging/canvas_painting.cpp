@@ -61,6 +61,17 @@ void PictureCanvas::paintOver(QPainter& painter, const QImage& layer, double opa
     painter.restore();
 }
 
+// Above the facts and what was refused, so that it covers neither, nor what stands in the middle of the picture.
+QRegion PictureCanvas::paintTold(QPainter& painter) const
+{
+    if (m_told.isEmpty())
+        return {};
+    const QFont font = overlayFont();
+    const QRect area = shown() ? viewport().target() : rect();
+    const int gap = font.pixelSize() / 2;
+    return paintWrapped(painter, font, m_told, area.adjusted(4 * gap, 0, -4 * gap, -17 * gap), Qt::AlignHCenter | Qt::AlignBottom);
+}
+
 QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
 {
     if (m_measurement.mode() == MeasureMode::Off)

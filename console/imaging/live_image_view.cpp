@@ -62,6 +62,7 @@ void LiveImageView::paintEvent(QPaintEvent*)
     painter.fillRect(rect(), pane_colours::background);
     if (!m_picture) {
         paintNothingYet(painter);
+        paintTold(painter);
         if (hasFocus())
             paintFocusFrame(painter, rect());
         return;
@@ -72,7 +73,7 @@ void LiveImageView::paintEvent(QPaintEvent*)
     paintCondition(painter, reading);
     const PictureOverlay overlay(pictureRect(), *m_picture, reading, m_paintedPictures, m_refusal, overlayFont(), viewport().zoom());
     overlay.paint(painter);
-    m_overlay = overlay.region() + paintMeasurement(painter);
+    m_overlay = overlay.region() + paintMeasurement(painter) + paintTold(painter);
     m_liveness = overlay.livenessRect();
     if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
         describe(reading);
@@ -111,6 +112,7 @@ void LiveImageView::notePainted()
     stamp.captureNs = about.captureNs;
     stamp.captured = about.captured();
     stamp.uncertainty = about.ageUncertainty;
+    stamp.beforeSending = about.beforeSending;
     stamp.arrived = about.arrival;
     stamp.decoding = m_picture->times.decode;
     stamp.filters = m_picture->times.temporal + m_picture->times.edge;
@@ -120,6 +122,10 @@ void LiveImageView::notePainted()
     m_state.notePainted(stamp);
     const auto age = stamp.captured ? std::optional(milliseconds(stamp.painted - *stamp.captured)) : std::nullopt;
     Q_EMIT picturePainted(stamp.frame, age);
+    // Behind the present event, which ends when the window's pixels are handed over.
+    QMetaObject::invokeMethod(
+        this, [this, frame = stamp.frame, painted = stamp.painted] { m_state.notePresented(frame, m_clock() - painted); },
+        Qt::QueuedConnection);
 }
 
 void LiveImageView::paintNothingYet(QPainter& painter)

@@ -51,13 +51,22 @@ QVector3D OrbitCamera::right() const
 
 QVector3D OrbitCamera::up() const { return QVector3D::crossProduct(outward(m_azimuth, m_elevation), right()); }
 
+double OrbitCamera::depthOf(const QVector3D& fromFocus) const
+{
+    return m_distance - QVector3D::dotProduct(fromFocus, outward(m_azimuth, m_elevation));
+}
+
+double OrbitCamera::heightAt(const QVector3D& fromFocus) const
+{
+    return 2 * std::tan(qDegreesToRadians(viewAngle / 2)) * std::max(depthOf(fromFocus), 0.0);
+}
+
 std::optional<QPointF> OrbitCamera::project(const QVector3D& fromFocus, QSizeF size) const
 {
-    const QVector3D outwards = outward(m_azimuth, m_elevation);
-    const double depth = m_distance - QVector3D::dotProduct(fromFocus, outwards);
+    const double depth = depthOf(fromFocus);
     if (depth <= 1)
         return std::nullopt;
-    const double pixelsPerUnit = size.height() / 2 / std::tan(qDegreesToRadians(viewAngle / 2)) / depth;
+    const double pixelsPerUnit = size.height() / heightAt(fromFocus);
     return QPointF(size.width() / 2 + QVector3D::dotProduct(fromFocus, right()) * pixelsPerUnit,
                    size.height() / 2 - QVector3D::dotProduct(fromFocus, up()) * pixelsPerUnit);
 }

@@ -35,9 +35,14 @@ public:
     /// Where a point, given relative to the focus, appears in a picture of this size; nothing when it is behind the camera.
     std::optional<QPointF> project(const QVector3D& fromFocus, QSizeF size) const;
 
+    /// What a picture shows from its lower to its upper edge, mm, at the depth of a point that is given relative to the focus.
+    double heightAt(const QVector3D& fromFocus) const;
+
     bool operator==(const OrbitCamera&) const = default;
 
 private:
+    double depthOf(const QVector3D& fromFocus) const;
+
     double m_azimuth = -35;
     double m_elevation = 12;
     double m_distance = 900;

@@ -3,6 +3,7 @@
 
 #include "imaging/pane_colours.hpp"
 #include "imaging/picture_overlay.hpp"
+#include "imaging/text_plates.hpp"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -10,12 +11,15 @@
 #include <QWheelEvent>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace console {
 
 namespace {
 
+constexpr std::chrono::seconds tellingTime{5};
+constexpr int largestText = 32; ///< pixels
 constexpr double zoomStep = 1.25;
 constexpr double keyShare = 0.05; ///< of the window's width, for one key
 constexpr double panStep = 40;    ///< pixels of the pane
@@ -27,6 +31,12 @@ PictureCanvas::PictureCanvas(QWidget* parent) : QWidget(parent)
 {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the hand
+    m_tellingEnds.setSingleShot(true);
+    m_tellingEnds.setInterval(tellingTime);
+    connect(&m_tellingEnds, &QTimer::timeout, this, [this] {
+        m_told.clear();
+        update();
+    });
 }
 
 void PictureCanvas::setDisplay(DisplayState* display)
@@ -51,8 +61,10 @@ QRect PictureCanvas::pictureRect() const { return shown() ? viewport().target() 
 
 QFont PictureCanvas::overlayFont() const
 {
-    QFont overlay = font();
-    overlay.setPixelSize(std::clamp(static_cast<int>(std::lround(std::min(width(), height()) / 56.0)), 10, 32));
+    // Larger in a large pane; in a small one as large as everything else that is read from the same distance.
+    QFont overlay = paneFont(*this);
+    const int wanted = std::min(largestText, static_cast<int>(std::lround(std::min(width(), height()) / 56.0)));
+    overlay.setPixelSize(std::max(overlay.pixelSize(), wanted));
     return overlay;
 }
 
@@ -87,6 +99,13 @@ void PictureCanvas::clearMeasurement()
 void PictureCanvas::nextCatheter()
 {
     m_measurement.nextCatheter();
+    update();
+}
+
+void PictureCanvas::tell(const QString& what)
+{
+    m_told = what;
+    m_tellingEnds.start();
     update();
 }
 

@@ -7,6 +7,8 @@
 #include "model/display_state.hpp"
 
 #include <QRegion>
+#include <QString>
+#include <QTimer>
 #include <QWidget>
 
 #include <optional>
@@ -39,6 +41,10 @@ public:
     void clearMeasurement();
     void nextCatheter();
 
+    /// What became of a button that was pressed: at the foot of the pane for some seconds.
+    void tell(const QString& what);
+    const QString& told() const { return m_told; }
+
 Q_SIGNALS:
     void viewChanged();
 
@@ -53,6 +59,7 @@ protected:
     /// Over the picture, what fits on it whatever its resolution; `opacity` 0 to 1.
     void paintOver(QPainter& painter, const QImage& layer, double opacity) const;
     QRegion paintMeasurement(QPainter& painter) const;
+    QRegion paintTold(QPainter& painter) const;
     QFont overlayFont() const;
 
     void mousePressEvent(QMouseEvent* event) override;
@@ -75,6 +82,8 @@ private:
     void addPoint(QPointF picture);
 
     DisplayState* m_display = nullptr;
+    QString m_told;
+    QTimer m_tellingEnds;
     PictureViewport m_viewport;
     Measurement m_measurement;
     std::optional<QPointF> m_cursor; ///< of the keys while measuring, in pixels of the picture

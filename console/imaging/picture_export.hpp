@@ -3,6 +3,7 @@
 
 #include "imaging/display_picture.hpp"
 
+#include <QByteArray>
 #include <QImage>
 #include <QString>
 
@@ -20,8 +21,17 @@ QImage withBanner(const QImage& pane, const DisplayPicture& picture);
 /// Each writes the whole file or leaves what was there: empty, or one sentence with the file, the reason and what to do. Any thread.
 QString savePng(const QImage& image, const QString& path);
 
-/// The picture as it is displayed, 8 bits, DICOM PS3.3 A.8.1. What it is stands in its pixels and in its attributes; no patient is named,
-/// since the console knows none. A picture that is not from the X-ray system's live beam is marked as one for quality control.
-QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path);
+/// Unique identifiers of what belongs together.
+struct CaptureSeries {
+    QByteArray study;
+    QByteArray series;
+
+    static CaptureSeries begin();
+};
+
+/// The picture as it is displayed, 8 bits, DICOM PS3.3 A.8.1. What it is stands in its pixels and in its attributes. No patient is named:
+/// what the console shows as one was typed at its start, and nobody has checked it against the X-ray system's. A picture that is not from
+/// the X-ray system's live beam is marked as one for quality control.
+QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path, const CaptureSeries& series = CaptureSeries::begin());
 
 } // namespace console

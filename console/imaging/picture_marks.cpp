@@ -2,6 +2,7 @@
 #include "imaging/picture_marks.hpp"
 
 #include "imaging/c_arm_pose.hpp"
+#include "imaging/figure_cells.hpp"
 #include "imaging/pane_colours.hpp"
 #include "imaging/temporal_filter.hpp"
 
@@ -72,7 +73,7 @@ QString treatmentLine(const DisplayPicture& picture)
     if (settings.noiseReduction > 0)
         parts << noiseWords(settings.noiseReduction, picture.treatment);
     if (settings.edge > 0)
-        parts << Text::tr("edge %1 %").arg(settings.edge);
+        parts << Text::tr("edge %1 %, %2").arg(settings.edge).arg(word(settings.edgeMethod));
     if (settings.shutter != ShutterShape::None)
         parts << Text::tr("SHUTTER");
     parts << (picture.isCalibrated ? Text::tr("display calibrated") : Text::tr("display not calibrated"));
@@ -106,7 +107,10 @@ QRect placeScale(TextPlates& plates, const QRect& area, const DisplayPicture& pi
     }
     const double shownWidth = *pixelSize * picture.about.columns * shownShare;
     const double length = scaleBarLength(shownWidth);
-    const QRect label = plates.add(Text::tr("%1 mm @ isocentre plane (geometry)").arg(length), corner, Qt::AlignRight | Qt::AlignBottom);
+    QString words = Text::tr("%1 mm @ isocentre plane (geometry)").arg(length);
+    if (figuresWidth(plates.font(), words) > area.width() - 4 * gap)
+        words = Text::tr("%1 mm @ isocentre").arg(length);
+    const QRect label = plates.add(words, corner, Qt::AlignRight | Qt::AlignBottom);
     const int width = static_cast<int>(std::lround(length / shownWidth * area.width()));
     return {label.right() - width + 1, label.top() - 2 * gap, width, gap};
 }
@@ -127,14 +131,16 @@ void placeFacts(TextPlates& plates, const QRect& area, const QRect& bar, const D
 {
     const int gap = plates.gap();
     const QPoint corner(area.left() + gap, area.bottom() - gap);
+    const int room = area.width() - 4 * gap;
     const QString frame = Text::tr("frame %1  run %2").arg(picture.about.frame).arg(picture.about.acquisition);
-    const QRect low = plates.addAbove(frame + QStringLiteral("  ") + windowLine(picture), corner, bar);
+    const QString whole = frame + QStringLiteral("  ") + windowLine(picture);
+    // Fewer facts where the room lacks, and never a number that is cut.
+    const QRect low = plates.addAbove(figuresWidth(plates.font(), whole) <= room ? whole : frame, corner, bar, area.top());
     QString treatment = treatmentLine(picture);
     if (zoom > 1)
         treatment.prepend(Text::tr("ZOOM %1\u00D7  ").arg(zoom, 0, 'f', 1));
-    const int room = area.width() - 4 * gap;
     treatment = QFontMetrics(plates.font()).elidedText(treatment, Qt::ElideRight, room);
-    plates.addAbove(treatment, {corner.x(), low.top() - 1}, bar);
+    plates.addAbove(treatment, {corner.x(), low.isEmpty() ? corner.y() : low.top() - 1}, bar, area.top());
 }
 
 } // namespace console

@@ -1,6 +1,7 @@
 // What is painted over the live picture: age, source, sides, scale, frame number, liveness, and the look of a picture that is not live.
 #include "imaging/picture_overlay.hpp"
 
+#include "imaging/figure_cells.hpp"
 #include "imaging/pane_colours.hpp"
 
 #include <QCoreApplication>
@@ -48,6 +49,9 @@ QString sourceLine(PictureSource source, const PictureReading& reading)
     return word(reading.condition);
 }
 
+// Two spaces part the figures of the chip in every language.
+QStringList partsOf(const QString& line) { return line.split(QStringLiteral("  ")); }
+
 QPixmap hatchTile()
 {
     QPixmap tile(hatchWidth, hatchWidth);
@@ -87,13 +91,49 @@ PictureOverlay::PictureOverlay(QRect area, const DisplayPicture& picture, const 
 void PictureOverlay::placeHead(const DisplayPicture& picture, const PictureReading& reading)
 {
     const QRect inner = m_area.adjusted(m_gap, m_gap, -m_gap, -m_gap);
-    const QRect source = m_plates.add(sourceLine(picture.about.source, reading), larger(m_plates.font(), 1.2), inner.topLeft(),
-                                      Qt::AlignLeft | Qt::AlignTop);
-    m_headEnd = source.bottom();
-    const QRect chip = m_plates.add(ageLine(reading), m_plates.font(), inner.topRight(), Qt::AlignRight | Qt::AlignTop,
-                                    Text::tr("AGE 8888 ±88 ms  NET 888  PROC 888  88 of 88 fps"));
+    const QString words = sourceLine(picture.about.source, reading);
+    const QFont font = fitted(larger(m_plates.font(), headFactor), {words}, inner.width() - 2 * m_gap);
+    const QRect source = m_plates.add(words, font, inner.topLeft(), Qt::AlignLeft | Qt::AlignTop);
+    const QRect chip = placeAge(reading, source);
+    m_headEnd = std::max(source.bottom(), chip.top() > source.bottom() ? chip.bottom() : source.bottom());
     m_liveness = QRect(0, 0, livenessCells * m_gap, m_gap);
     m_liveness.moveTopRight(chip.bottomRight() + QPoint(0, m_gap));
+}
+
+// In the corner; where the source's word leaves no room beside it, below, in two rows at need. Never clipped.
+QRect PictureOverlay::placeAge(const PictureReading& reading, const QRect& source)
+{
+    const QRect inner = m_area.adjusted(m_gap, m_gap, -m_gap, -m_gap);
+    const QStringList parts = partsOf(ageLine(reading));
+    const QStringList widest = partsOf(Text::tr("AGE 8888 ±88 ms  NET 888  PROC 888  88 of 88 fps"));
+    const auto width = [&](const QFont& font, qsizetype first) {
+        double sum = 0;
+        for (qsizetype i = first; i < parts.size(); ++i)
+            sum += std::max(figuresWidth(font, parts[i]), figuresWidth(font, widest.value(i))) + 2 * m_gap;
+        return sum;
+    };
+    QFont font = m_plates.font();
+    if (width(font, 0) + source.width() + m_gap <= inner.width())
+        return placeRow(parts, widest, font, inner.topRight());
+    const QPoint below(inner.right(), source.bottom() + 1);
+    if (width(font, 0) <= inner.width())
+        return placeRow(parts, widest, font, below);
+    while (font.pixelSize() > 1 && std::max(width(font, 1), width(font, 0) - width(font, 1)) > inner.width())
+        font.setPixelSize(font.pixelSize() - 1);
+    const QRect first = placeRow(parts.mid(0, 1), widest.mid(0, 1), font, below);
+    return placeRow(parts.mid(1), widest.mid(1), font, {below.x(), first.bottom() + 1});
+}
+
+// From the right, each part in a place of its own: none moves when another one changes.
+QRect PictureOverlay::placeRow(const QStringList& parts, const QStringList& widest, const QFont& font, QPoint corner)
+{
+    QRect row;
+    for (qsizetype i = parts.size() - 1; i >= 0; --i) {
+        const QRect placed = m_plates.add(parts[i], font, corner, Qt::AlignRight | Qt::AlignTop, widest.value(i, parts[i]));
+        corner.setX(placed.left() - 1);
+        row |= placed;
+    }
+    return row;
 }
 
 // Never clipped: in two lines when one is too long for the picture, and smaller when that is not enough.
@@ -102,13 +142,11 @@ void PictureOverlay::placeReduction(const PictureReduction& reduction, bool isEx
     if (!reduction.stands())
         return;
     const int room = m_area.width() - 4 * m_gap;
-    const auto fits = [room](const QFont& font, const QString& line) { return QFontMetrics(font).horizontalAdvance(line) <= room; };
-    QFont font = larger(m_plates.font(), 1.2);
+    const QFont wanted = larger(m_plates.font(), 1.2);
     QStringList lines{line(reduction)};
-    if (!fits(font, lines.front()))
+    if (figuresWidth(wanted, lines.front()) > room)
         lines = {rateWords(reduction), encodingWords(reduction)};
-    while (font.pixelSize() > 1 && !std::all_of(lines.begin(), lines.end(), [&](const QString& line) { return fits(font, line); }))
-        font.setPixelSize(font.pixelSize() - 1);
+    const QFont font = fitted(wanted, lines, room);
     int top = std::max(m_headEnd, m_liveness.bottom()) + m_gap;
     for (const QString& line : lines) {
         const QRect placed = m_plates.add(line, font, {m_area.left() + m_gap, top}, Qt::AlignLeft | Qt::AlignTop);
@@ -125,12 +163,15 @@ void PictureOverlay::placeCondition(const PictureReading& reading)
         return;
     const QPoint corner(m_area.center().x(), m_headEnd + 3 * m_gap);
     QString line = word(reading.condition);
-    if (reading.condition == PictureCondition::Frozen) {
+    QString widest = line;
+    const bool fault = reading.condition == PictureCondition::Frozen;
+    if (fault) {
         const std::optional<Duration> since = reading.frozenFor ? reading.frozenFor : reading.age;
         line += since ? Text::tr(" %1 s").arg(seconds(*since), 0, 'f', 1) : QString();
+        widest += Text::tr(" %1 s").arg(QStringLiteral("888.8"));
     }
-    const bool fault = reading.condition == PictureCondition::Frozen;
-    const QRect first = m_plates.add(line, larger(m_plates.font(), fault ? 1.8 : 1.3), corner, Qt::AlignHCenter | Qt::AlignTop);
+    const QFont font = fitted(larger(m_plates.font(), fault ? 1.8 : headFactor), {line, widest}, m_area.width() - 2 * m_gap);
+    const QRect first = m_plates.add(line, font, corner, Qt::AlignHCenter | Qt::AlignTop, widest);
     m_plates.add(Text::tr("Picture of %1").arg(clockTime(reading.captureNs)), {corner.x(), first.bottom() + 1},
                  Qt::AlignHCenter | Qt::AlignTop);
 }

@@ -10,6 +10,7 @@
 #include <QRect>
 #include <QRegion>
 #include <QString>
+#include <QStringList>
 
 class QPainter;
 
@@ -36,6 +37,8 @@ public:
 
 private:
     void placeHead(const DisplayPicture& picture, const PictureReading& reading);
+    QRect placeAge(const PictureReading& reading, const QRect& source);
+    QRect placeRow(const QStringList& parts, const QStringList& widest, const QFont& font, QPoint corner);
     void placeReduction(const PictureReduction& reduction, bool isExpected);
     void placeCondition(const PictureReading& reading);
     void placeRefusal(const QString& refusal);

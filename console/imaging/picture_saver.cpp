@@ -42,14 +42,14 @@ void PictureSaver::save(const DisplayPicture& picture, const QImage& pane)
     if (m_thread.joinable())
         m_thread.join();
     m_busy = true;
-    m_thread = std::thread([this, picture, pane, folder = m_folder] {
+    m_thread = std::thread([this, picture, pane, folder = m_folder, series = m_series] {
         const QString path = freePath(QDir(folder).filePath(exportName(picture)));
         QString reason;
         if (!QDir().mkpath(folder))
             reason = tr("The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).").arg(folder);
         const QString dicom = path + QStringLiteral(".dcm");
         if (reason.isEmpty())
-            reason = saveSecondaryCapture(picture, dicom);
+            reason = saveSecondaryCapture(picture, dicom, series);
         if (reason.isEmpty()) {
             reason = savePng(withBanner(pane, picture), path + QStringLiteral(".png"));
             if (!reason.isEmpty())

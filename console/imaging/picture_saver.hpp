@@ -2,6 +2,7 @@
 #pragma once
 
 #include "imaging/display_picture.hpp"
+#include "imaging/picture_export.hpp"
 
 #include <QImage>
 #include <QObject>
@@ -24,6 +25,8 @@ public:
     /// `pane` as it is seen becomes a PNG, `picture` a Secondary Capture, side by side in the folder, which is made when it is missing.
     void save(const DisplayPicture& picture, const QImage& pane);
 
+    bool isBusy() const { return m_busy; }
+
 Q_SIGNALS:
     void saved(const QString& path); ///< without the ending
     void failed(const QString& reason);
@@ -32,6 +35,7 @@ private:
     void finish(const QString& path, const QString& reason);
 
     QString m_folder;
+    const CaptureSeries m_series = CaptureSeries::begin(); ///< of everything that this run of the console saves
     bool m_busy = false;
     std::thread m_thread;
 };

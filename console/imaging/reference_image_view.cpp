@@ -76,6 +76,7 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
     m_overlay = {};
     if (!m_picture) {
         paintNothingYet(painter);
+        paintTold(painter);
     } else {
         paintShown(painter);
         const QRect area = pictureRect();
@@ -86,7 +87,8 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
             paintStaleVeil(painter, area);
         TextPlates plates(overlayFont());
         const int gap = plates.gap();
-        const QRect top = plates.add(head(), larger(plates.font(), 1.4), area.topLeft() + QPoint(gap, gap), Qt::AlignLeft | Qt::AlignTop);
+        const QRect top = plates.add(head(), fitted(larger(plates.font(), headFactor), {head()}, area.width() - 4 * gap),
+                                     area.topLeft() + QPoint(gap, gap), Qt::AlignLeft | Qt::AlignTop);
         const QRect taken = plates.add(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), {top.left(), top.bottom() + 1},
                                        Qt::AlignLeft | Qt::AlignTop);
         if (!m_place.isEmpty())
@@ -96,7 +98,7 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
         placeFacts(plates, area, bar, *m_picture, viewport().zoom());
         plates.paint(painter);
         paintScaleBar(painter, bar);
-        m_overlay = plates.region() + bar + paintMeasurement(painter);
+        m_overlay = plates.region() + bar + paintMeasurement(painter) + paintTold(painter);
     }
     paintDashedFrame(painter, rect());
     if (hasFocus())

@@ -25,6 +25,9 @@ namespace {
 // A tip farther than this from every centre line is drawn alone: no vessel is claimed for the wire.
 constexpr float wireReach = 8;
 
+// However far away: to be found at a glance, as a share of the picture's height.
+constexpr double leastTipDiameter = 0.025;
+
 struct Box {
     QVector3D low;
     QVector3D high;
@@ -58,6 +61,20 @@ double reachOf(const SceneState& state)
     const QVector3D size = box.high - box.low;
     return std::max({size.x(), size.y(), size.z()}) / 2;
 }
+
+std::optional<double> reachOfCArm(const SceneState& state)
+{
+    const auto pose = state.cArm ? poseOf(*state.cArm) : std::nullopt;
+    if (!pose)
+        return std::nullopt;
+    const QVector3D focus = focusOf(state);
+    float farthest = 0;
+    for (const QVector3D& part : {pose->source, pose->corner(-1, -1), pose->corner(1, -1), pose->corner(1, 1), pose->corner(-1, 1)})
+        farthest = std::max(farthest, part.distanceToPoint(focus));
+    return farthest + CArmPipeline::sourceRadius;
+}
+
+bool SceneState::showsPicture() const { return !picture.isNull() && pictureGeometry && poseOf(*pictureGeometry); }
 
 // The context outlives what draws in it: members go in the reverse of this order.
 struct OffscreenScene::Pipelines {
@@ -119,11 +136,10 @@ void OffscreenScene::show(const SceneState& state)
         m_pipelines->cArm.show(*pose);
     else
         m_pipelines->cArm.hide();
-    const auto picturePose = state.pictureGeometry ? poseOf(*state.pictureGeometry) : std::nullopt;
-    if (picturePose && !state.picture.isNull()) {
+    if (state.showsPicture()) {
         if (state.picture.cacheKey() != m_shown.picture.cacheKey())
             m_pipelines->framePlane.showPicture(state.picture);
-        m_pipelines->framePlane.place(*picturePose, state.pictureIsLive);
+        m_pipelines->framePlane.place(*poseOf(*state.pictureGeometry), state.pictureIsLive);
     } else {
         m_pipelines->framePlane.hide();
     }
@@ -141,6 +157,8 @@ QImage OffscreenScene::render(const OrbitCamera& camera, QSize size)
     view->SetFocalPoint(vtkPoint(m_focus).data());
     view->SetPosition(vtkPoint(m_focus + camera.offset()).data());
     view->SetViewUp(vtkPoint(camera.up()).data());
+    if (m_shown.tip)
+        p.tip.keepVisible(leastTipDiameter / 2 * camera.heightAt(toScene(m_shown.tip->position) - m_focus));
     p.renderer->ResetCameraClippingRange();
     p.window->Render();
     p.window->GetRGBACharPixelData(0, 0, size.width() - 1, size.height() - 1, 0, p.pixels);

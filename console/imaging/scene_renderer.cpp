@@ -51,7 +51,7 @@ void SceneRenderer::run()
     QString error;
     const std::unique_ptr<OffscreenScene> scene = OffscreenScene::create(error);
     if (!scene) {
-        m_finished({{}, {}, error});
+        m_finished({{}, {}, {}, error});
         return;
     }
     SceneRequest request;
@@ -62,10 +62,11 @@ void SceneRenderer::run()
         QImage image = scene->render(request.camera, request.size);
         if (image.isNull() && !request.size.isEmpty()) {
             m_finished(
-                {{}, {}, QCoreApplication::translate("console::SceneRenderer", "OpenGL drew no picture. Check the graphics driver.")});
+                {{}, {}, {}, QCoreApplication::translate("console::SceneRenderer", "OpenGL drew no picture. Check the graphics driver.")});
             return;
         }
-        m_finished({std::move(image), request.camera, {}});
+        const auto source = request.state.showsPicture() ? std::optional(request.state.pictureSource) : std::nullopt;
+        m_finished({std::move(image), request.camera, source, {}});
     }
 }
 

@@ -19,7 +19,10 @@ struct SceneRequest {
 struct SceneImage {
     QImage image;
     OrbitCamera camera; ///< The one it was drawn with.
-    QString error;      ///< Why there is no three-dimensional view; then there will be none later either.
+
+    /// Of the X-ray picture in it; nothing: there is none in it. What is said of a picture goes with its drawing.
+    std::optional<PictureSource> pictureSource;
+    QString error; ///< Why there is no three-dimensional view; then there will be none later either.
 };
 
 class SceneRenderer {

@@ -1,14 +1,12 @@
 // The three-dimensional pane: shows what the scene's thread draws, and turns the camera by mouse and keyboard.
 #include "imaging/scene_view.hpp"
 
-#include "imaging/pane_colours.hpp"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QQuaternion>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -52,7 +50,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("scene"));
     setAttribute(Qt::WA_OpaquePaintEvent);
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the hand
     setMinimumSize(160, 160);
     setAccessibleName(tr("Three-dimensional scene"));
     describe();
@@ -112,6 +110,7 @@ void SceneView::showPicture(const DisplayPicture& picture)
     m_state.picture = picture.image;
     if (std::max(picture.image.width(), picture.image.height()) > largestTexture)
         m_state.picture = picture.image.scaled(largestTexture, largestTexture, Qt::KeepAspectRatio, Qt::FastTransformation);
+    m_state.pictureSource = picture.about.source;
     m_state.pictureGeometry = geometryOf(picture.about);
     m_detectorSize = m_state.pictureGeometry->detectorSize;
     if (m_cArm) {
@@ -127,6 +126,7 @@ void SceneView::showCondition(PictureCondition condition)
         return;
     m_condition = condition;
     m_state.pictureIsLive = condition == PictureCondition::Live;
+    describe();
     requestDrawing();
     update();
 }
@@ -143,8 +143,7 @@ void SceneView::takeDrawing()
         m_drawn = std::move(*image);
         m_drawn.image.setDevicePixelRatio(devicePixelRatioF());
         ++m_drawings;
-        if (!m_drawn.error.isEmpty())
-            describe();
+        describe();
         update();
         Q_EMIT drawn();
     }
@@ -165,128 +164,13 @@ OrbitCamera SceneView::viewOfVessels() const
     return camera;
 }
 
-// From the side, so that source, patient and detector stand next to each other.
+// From the side, so that source, patient and detector stand next to each other; whole in a pane that is higher than wide, too.
 OrbitCamera SceneView::viewOfCArm() const
 {
     OrbitCamera camera;
     camera.rotate(-30, 0);
-    camera.fit(wholeCArm);
+    camera.fit(reachOfCArm(m_state).value_or(wholeCArm) * std::max(1.0, double(height()) / std::max(1, width())));
     return camera;
-}
-
-void SceneView::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    painter.fillRect(rect(), pane_colours::background);
-    if (!m_drawn.image.isNull()) {
-        painter.drawImage(rect(), m_drawn.image);
-        paintLetters(painter);
-        paintTipBefore(painter);
-        paintTipMark(painter);
-    }
-    paintNotice(painter);
-    paintWords(painter);
-    paintFrame(painter);
-}
-
-void SceneView::paintLetters(QPainter& painter) const
-{
-    const std::array<QVector3D, 6> sides{QVector3D(1, 0, 0),  QVector3D(-1, 0, 0), QVector3D(0, 1, 0),
-                                         QVector3D(0, -1, 0), QVector3D(0, 0, 1),  QVector3D(0, 0, -1)};
-    // Far enough from the focus to stand near the pane's edge at any zoom.
-    const auto reach = static_cast<float>(m_drawn.camera.distance() * 0.2);
-    QFont letters = font();
-    letters.setPixelSize(18);
-    letters.setWeight(QFont::DemiBold);
-    painter.setFont(letters);
-    for (const QVector3D& side : sides) {
-        const bool faces = QVector3D::dotProduct(side, m_drawn.camera.offset()) > 0;
-        painter.setPen(faces ? pane_colours::text : pane_colours::stale);
-        if (const auto place = m_drawn.camera.project(side * reach, size()))
-            painter.drawText(QRectF(*place - QPointF(12, 12), QSizeF(24, 24)), Qt::AlignCenter, sideLetter(side));
-    }
-}
-
-void SceneView::paintTipMark(QPainter& painter) const
-{
-    if (!m_state.tip || !m_state.tip->isStale)
-        return;
-    const auto place = placeOf(m_state.tip->position);
-    if (!place)
-        return;
-    QFont mark = font();
-    mark.setPixelSize(16);
-    mark.setWeight(QFont::DemiBold);
-    painter.setFont(mark);
-    painter.setPen(pane_colours::text);
-    painter.drawText(*place + QPointF(14, -10), tr("? LAST KNOWN"));
-}
-
-std::optional<QPointF> SceneView::placeOf(const QVector3D& inPatient) const
-{
-    return m_drawn.camera.project(toScene(inPatient) - m_focus, size());
-}
-
-/// A ring where it was, and a dashed line to where it is now.
-void SceneView::paintTipBefore(QPainter& painter) const
-{
-    constexpr double radius = 9;
-    const auto before = m_tipBefore ? placeOf(*m_tipBefore) : std::nullopt;
-    if (!before)
-        return;
-    QFont mark = font();
-    mark.setPixelSize(16);
-    mark.setWeight(QFont::DemiBold);
-    painter.setFont(mark);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(pane_colours::text, 2));
-    painter.drawEllipse(*before, radius, radius);
-    painter.drawText(*before + QPointF(-radius, -radius - 6), tr("BEFORE"));
-    const auto now = m_state.tip ? placeOf(m_state.tip->position) : std::nullopt;
-    if (!now)
-        return;
-    painter.drawText(*now + QPointF(radius, 2 * radius + 6), tr("NOW"));
-    painter.setPen(QPen(pane_colours::text, 2, Qt::DashLine));
-    if (const QLineF way(*before, *now); way.length() > radius)
-        painter.drawLine(way.pointAt(radius / way.length()), *now);
-}
-
-void SceneView::paintWords(QPainter& painter) const
-{
-    QStringList words{tr("3-D SCENE")};
-    if (!m_state.tip)
-        words << tr("tip not tracked");
-    else if (m_state.tip->isStale)
-        words << tr("tip position stale");
-    if (m_state.picture.isNull() || m_condition == PictureCondition::None)
-        words << tr("no picture");
-    else if (!m_state.pictureIsLive)
-        words << tr("picture: %1").arg(word(m_condition));
-    else if (!m_state.pictureGeometry || !poseOf(*m_state.pictureGeometry))
-        words << tr("picture's place unknown");
-    QFont small = font();
-    small.setPixelSize(16);
-    painter.setFont(small);
-    painter.setPen(pane_colours::text);
-    painter.drawText(rect().adjusted(12, 10, -12, -10), Qt::AlignLeft | Qt::AlignTop, words.join(QStringLiteral("\n")));
-}
-
-// Dashed: not the live pane.
-void SceneView::paintFrame(QPainter& painter) const
-{
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(hasFocus() ? pane_colours::focus : pane_colours::line, hasFocus() ? 3 : 2, Qt::DashLine));
-    painter.drawRect(rect().adjusted(1, 1, -2, -2));
-}
-
-void SceneView::paintNotice(QPainter& painter) const
-{
-    QFont body = font();
-    body.setPixelSize(16);
-    painter.setFont(body);
-    painter.setPen(pane_colours::text);
-    painter.drawText(rect().adjusted(24, 80, -24, -24), Qt::AlignCenter | Qt::TextWordWrap, notice());
 }
 
 QString SceneView::notice() const
@@ -298,12 +182,30 @@ QString SceneView::notice() const
     return m_vesselError.isEmpty() ? tr("No vessel tree is loaded.") : m_vesselError;
 }
 
+/// Whatever is drawn on the detector says what it is, unless it is live; a picture that was not yet judged is not.
+QString SceneView::pictureWords() const
+{
+    if (!m_drawn.pictureSource)
+        return m_state.picture.isNull() || m_state.showsPicture() ? tr("no picture") : tr("picture's place unknown");
+    QStringList words;
+    if (*m_drawn.pictureSource != PictureSource::Live)
+        words << word(*m_drawn.pictureSource);
+    if (m_condition == PictureCondition::None)
+        words << word(PictureCondition::Unknown);
+    else if (m_condition != PictureCondition::Live)
+        words << word(m_condition);
+    return words.isEmpty() ? QString() : tr("picture: %1").arg(words.join(QStringLiteral("  ")));
+}
+
 void SceneView::describe()
 {
     const QString missing = notice();
-    setAccessibleDescription(
-        missing.isEmpty() ? tr("Vessels, tracked tip and C-arm. Arrows turn, plus and minus zoom, Home shows the vessels, End the C-arm.")
-                          : missing);
+    const QString keys = tr("Vessels, tracked tip and C-arm. 4 6 8 2 turn, plus and minus zoom, Home shows the vessels, End the C-arm.");
+    QString words = missing.isEmpty() ? keys : missing;
+    if (const QString picture = pictureWords(); !picture.isEmpty())
+        words += QLatin1Char(' ') + picture;
+    if (words != accessibleDescription())
+        setAccessibleDescription(words);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event)
@@ -318,7 +220,11 @@ void SceneView::showEvent(QShowEvent* event)
     requestDrawing();
 }
 
-void SceneView::mousePressEvent(QMouseEvent* event) { m_lastMouse = event->position().toPoint(); }
+void SceneView::mousePressEvent(QMouseEvent* event)
+{
+    window()->setFocus(Qt::MouseFocusReason); // the keys go back to the hand
+    m_lastMouse = event->position().toPoint();
+}
 
 void SceneView::mouseMoveEvent(QMouseEvent* event)
 {
@@ -331,7 +237,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event)
     look(camera);
 }
 
-void SceneView::mouseDoubleClickEvent(QMouseEvent*) { look(OrbitCamera()); }
+void SceneView::mouseDoubleClickEvent(QMouseEvent*) { look(viewOfVessels()); }
 
 void SceneView::wheelEvent(QWheelEvent* event)
 {
@@ -345,16 +251,16 @@ void SceneView::keyPressEvent(QKeyEvent* event)
 {
     OrbitCamera camera = m_camera;
     switch (event->key()) {
-    case Qt::Key_Left:
+    case Qt::Key_4:
         camera.rotate(-degreesPerKey, 0);
         break;
-    case Qt::Key_Right:
+    case Qt::Key_6:
         camera.rotate(degreesPerKey, 0);
         break;
-    case Qt::Key_Up:
+    case Qt::Key_8:
         camera.rotate(0, degreesPerKey);
         break;
-    case Qt::Key_Down:
+    case Qt::Key_2:
         camera.rotate(0, -degreesPerKey);
         break;
     case Qt::Key_Plus:

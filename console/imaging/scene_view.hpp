@@ -7,6 +7,7 @@
 #include "model/picture_state.hpp"
 #include "model/robot_values.hpp"
 
+#include <QRegion>
 #include <QWidget>
 
 #include <memory>
@@ -14,6 +15,10 @@
 
 namespace console {
 
+class TextPlates;
+
+/// Left button: turn; wheel: zoom; double click: the vessels. Keys while the pane has the focus, none of them one of the hand's: 4 6 8 2
+/// turn, + − zoom, Home the vessels, End the C-arm. All other keys are left to the window.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -45,6 +50,12 @@ public:
     /// What is missing and what to do, as the pane shows it; empty when nothing is missing.
     QString notice() const;
 
+    /// What the X-ray picture in the drawing is, as the pane shows it; empty for a live one.
+    QString pictureWords() const;
+
+    /// Every pixel that texts took of the last painting.
+    QRegion overlayRegion() const { return m_overlay; }
+
     QSize sizeHint() const override { return {562, 562}; }
 
 Q_SIGNALS:
@@ -68,13 +79,13 @@ private:
     void look(const OrbitCamera& camera);
     OrbitCamera viewOfVessels() const;
     OrbitCamera viewOfCArm() const;
-    void paintLetters(QPainter& painter) const;
-    void paintTipMark(QPainter& painter) const;
-    void paintTipBefore(QPainter& painter) const;
+    void placeWords(TextPlates& plates) const;
+    void placeLetters(TextPlates& plates) const;
+    void placeTipMark(TextPlates& plates) const;
+    void paintTipBefore(QPainter& painter, TextPlates& plates) const;
     std::optional<QPointF> placeOf(const QVector3D& inPatient) const;
-    void paintWords(QPainter& painter) const;
     void paintFrame(QPainter& painter) const;
-    void paintNotice(QPainter& painter) const;
+    QRegion paintNotice(QPainter& painter) const;
     void describe();
 
     SceneState m_state;
@@ -87,6 +98,7 @@ private:
     PictureCondition m_condition = PictureCondition::None;
     SceneImage m_drawn;
     quint64 m_drawings = 0;
+    QRegion m_overlay;
     QPoint m_lastMouse;
     NewestHandover<SceneImage> m_finished;
     std::unique_ptr<SceneRenderer> m_renderer;

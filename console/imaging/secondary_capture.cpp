@@ -41,14 +41,19 @@ QImage withWords(const DisplayPicture& picture)
 
 void put(DcmDataset& dataset, const DcmTagKey& tag, const QString& value) { dataset.putAndInsertString(tag, value.toUtf8().constData()); }
 
-void putIdentity(DcmDataset& dataset)
+QByteArray uniqueUid(const char* root)
 {
     char uid[65];
+    return dcmGenerateUniqueIdentifier(uid, root);
+}
+
+void putIdentity(DcmDataset& dataset, const CaptureSeries& series)
+{
     put(dataset, DCM_SpecificCharacterSet, QStringLiteral("ISO_IR 192"));
     dataset.putAndInsertString(DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
-    dataset.putAndInsertString(DCM_SOPInstanceUID, dcmGenerateUniqueIdentifier(uid, SITE_INSTANCE_UID_ROOT));
-    dataset.putAndInsertString(DCM_SeriesInstanceUID, dcmGenerateUniqueIdentifier(uid, SITE_SERIES_UID_ROOT));
-    dataset.putAndInsertString(DCM_StudyInstanceUID, dcmGenerateUniqueIdentifier(uid, SITE_STUDY_UID_ROOT));
+    dataset.putAndInsertString(DCM_SOPInstanceUID, uniqueUid(SITE_INSTANCE_UID_ROOT).constData());
+    dataset.putAndInsertString(DCM_SeriesInstanceUID, series.series.constData());
+    dataset.putAndInsertString(DCM_StudyInstanceUID, series.study.constData());
     // Of type 2: present, and empty where the console does not know.
     for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_PatientBirthDate, DCM_PatientSex, DCM_ReferringPhysicianName,
                                  DCM_StudyID, DCM_AccessionNumber, DCM_SeriesNumber, DCM_StudyDate, DCM_StudyTime, DCM_PatientOrientation})
@@ -124,14 +129,16 @@ QByteArray encoded(DcmFileFormat& file, std::size_t pixels)
 
 } // namespace
 
-QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path)
+CaptureSeries CaptureSeries::begin() { return {uniqueUid(SITE_STUDY_UID_ROOT), uniqueUid(SITE_SERIES_UID_ROOT)}; }
+
+QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path, const CaptureSeries& series)
 {
     if (picture.image.isNull())
         return Text::tr("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
     const QImage grey = withWords(picture);
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();
-    putIdentity(dataset);
+    putIdentity(dataset, series);
     putFacts(dataset, picture);
     putPixels(dataset, grey);
     const QByteArray bytes = encoded(file, static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()));

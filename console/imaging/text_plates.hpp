@@ -6,10 +6,12 @@
 #include <QRect>
 #include <QRegion>
 #include <QString>
+#include <QStringList>
 
 #include <vector>
 
 class QPainter;
+class QWidget;
 
 namespace console {
 
@@ -23,6 +25,18 @@ struct OverlayPlate {
 
 QFont larger(QFont font, double factor);
 
+/// Of texts that a pane paints: as large as its window gave it, or the usual size at the reference where none did.
+QFont paneFont(const QWidget& pane);
+
+/// The same or smaller, until each of the lines fits into the room.
+QFont fitted(QFont font, const QStringList& lines, int room);
+
+/// A text in as many rows as it needs, on a plate at the edge of `room` that `alignment` names; what the plate took.
+QRect paintWrapped(QPainter& painter, const QFont& font, const QString& text, const QRect& room, Qt::Alignment alignment);
+
+/// What stands over a picture to tell what it is.
+inline constexpr double headFactor = 1.5;
+
 /// Lays plates out and paints them.
 class TextPlates {
 public:
@@ -35,8 +49,11 @@ public:
     QRect add(const QString& text, const QFont& font, QPoint corner, Qt::Alignment alignment, const QString& widest = {});
     QRect add(const QString& text, QPoint corner, Qt::Alignment alignment) { return add(text, m_font, corner, alignment); }
 
-    /// In the lower left: moved up until it covers neither another plate nor `avoid`.
-    QRect addAbove(const QString& text, QPoint corner, const QRect& avoid);
+    /// In the lower left: moved up until it neither covers nor touches another plate or `avoid` sideways. Left out, and empty, where there
+    /// is no such place below `top`.
+    QRect addAbove(const QString& text, QPoint corner, const QRect& avoid, int top);
+
+    bool isFree(const QRect& rect) const { return !region().intersects(rect); }
 
     /// Of the plate that was added last.
     void setInk(const QColor& ink) { m_plates.back().ink = ink; }

@@ -9,6 +9,8 @@
 #include <vtkPoints.h>
 #include <vtkProperty.h>
 
+#include <algorithm>
+
 namespace console {
 
 namespace {
@@ -28,11 +30,8 @@ void style(vtkActor& actor, const QColor& colour, bool hollow)
 
 TipPipeline::TipPipeline()
 {
-    m_sphere->SetRadius(ballRadius);
     m_sphere->SetThetaResolution(12);
     m_sphere->SetPhiResolution(9);
-    m_cone->SetRadius(ballRadius * 0.7);
-    m_cone->SetHeight(arrowLength);
     m_cone->SetResolution(12);
     m_tube->SetInputData(m_line);
     m_tube->SetRadius(wireRadius);
@@ -54,17 +53,28 @@ void TipPipeline::hide()
 
 void TipPipeline::show(const TrackedTip& tip, const std::vector<QVector3D>& way)
 {
-    const QVector3D position = toScene(tip.position);
-    const QVector3D direction = toScene(tip.direction).normalized();
-    m_sphere->SetCenter(vtkPoint(position).data());
-    m_cone->SetCenter(vtkPoint(position + direction * static_cast<float>(ballRadius + arrowLength / 2)).data());
-    m_cone->SetDirection(vtkPoint(direction).data());
+    m_tip = tip;
+    keepVisible(ballRadius);
     const QColor& colour = tip.isStale ? pane_colours::stale : pane_colours::tip;
     style(*m_ball, colour, tip.isStale);
     style(*m_arrow, colour, tip.isStale);
     m_ball->VisibilityOn();
-    m_arrow->SetVisibility(!direction.isNull());
+    m_arrow->SetVisibility(!tip.direction.isNull());
     showWire(tip, way);
+}
+
+void TipPipeline::keepVisible(double leastRadius)
+{
+    const double radius = std::max(ballRadius, leastRadius);
+    const double length = arrowLength * radius / ballRadius;
+    const QVector3D position = toScene(m_tip.position);
+    const QVector3D direction = toScene(m_tip.direction).normalized();
+    m_sphere->SetRadius(radius);
+    m_sphere->SetCenter(vtkPoint(position).data());
+    m_cone->SetRadius(radius * 0.7);
+    m_cone->SetHeight(length);
+    m_cone->SetCenter(vtkPoint(position + direction * static_cast<float>(radius + length / 2)).data());
+    m_cone->SetDirection(vtkPoint(direction).data());
 }
 
 void TipPipeline::showWire(const TrackedTip& tip, const std::vector<QVector3D>& way)

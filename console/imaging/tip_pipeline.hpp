@@ -24,11 +24,15 @@ public:
     /// `way`: centre-line points up to the tip, root first; may be empty.
     void show(const TrackedTip& tip, const std::vector<QVector3D>& way);
     void hide();
+
+    /// Draws the ball with this radius, mm, where its own is smaller, and the arrow in proportion; the places stay.
+    void keepVisible(double leastRadius);
     std::array<vtkActor*, 3> actors() { return {m_ball, m_arrow, m_wire}; }
 
 private:
     void showWire(const TrackedTip& tip, const std::vector<QVector3D>& way);
 
+    TrackedTip m_tip;
     vtkNew<vtkSphereSource> m_sphere;
     vtkNew<vtkConeSource> m_cone;
     vtkNew<vtkPolyData> m_line;

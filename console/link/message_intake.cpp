@@ -30,7 +30,7 @@ constexpr std::array routes{
     Route{"TravelLimits", DeviceKind::Hand,
           [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveTravel(travelLimits(m)); }},
     Route{"InjectionReport", DeviceKind::Hand,
-          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveInjection(injectionStatus(m)); }},
+          [](ConsoleModels& models, const liena::Message& m) { models.instrument.receiveInjection(injectionStatus(m), m.arrival()); }},
     Route{"AcquisitionStatus", DeviceKind::Eye,
           [](ConsoleModels& models, const liena::Message& m) { models.xray.receive(acquisitionStatus(m), m.arrival()); }},
     Route{"ArmStatus", DeviceKind::Arm,

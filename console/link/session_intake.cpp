@@ -168,7 +168,7 @@ void SessionIntake::takeRemark(const liena::SessionEvent& event)
         log(LogKind::Trouble, tr("%1: %2 was not sent: %3").arg(peerName(event), message, text(event.detail)));
         break;
     case Kind::IdentityRefused:
-        log(LogKind::Trouble, tr("the identity of %1 was refused: %2").arg(peerName(event), text(event.detail)));
+        log(LogKind::Trouble, tr("a connection of %1 was not let in: %2").arg(peerName(event), text(event.detail)));
         break;
     case Kind::LocalStall:
         log(LogKind::Trouble, tr("this console stood still for %1 ms").arg(milliseconds(event.duration), 0, 'f', 0));
@@ -202,7 +202,7 @@ IncidentRecord SessionIntake::record(const liena::Incident& incident, Instant at
     value.causeOfA = lossKind(incident.causeOfA);
     value.causeOfB = lossKind(incident.causeOfB);
     value.since = at;
-    value.sinceWallMs = static_cast<qint64>(incident.since.ns / 1'000'000U);
+    value.sinceWallMs = QDateTime::currentMSecsSinceEpoch();
     value.holds = holdLines(incident);
     return value;
 }

@@ -118,7 +118,8 @@ bool SystemLink::subscribe(QString* error)
 {
     m_system->cache().setNotification([this] { QMetaObject::invokeMethod(this, &SystemLink::drain, Qt::QueuedConnection); });
     if (m_xray) {
-        const auto frames = m_system->subscribe("XrayFrame", [this](const liena::Message& message) { takeFrame(message); });
+        const auto frames = m_system->subscribeToKeep(
+            "XrayFrame", [this](std::shared_ptr<const liena::Message> message) { takeFrame(std::move(message)); });
         if (!frames) {
             *error = words(frames.error());
             return false;
@@ -146,11 +147,11 @@ void SystemLink::stop()
 }
 
 /// Network thread.
-void SystemLink::takeFrame(const liena::Message& message)
+void SystemLink::takeFrame(std::shared_ptr<const liena::Message> message)
 {
-    if (message.origin().value() != m_xray) {
+    if (message->origin().value() != m_xray) {
         if (!m_foreignFrames.exchange(true))
-            QMetaObject::invokeMethod(this, [this, origin = message.origin().value()] {
+            QMetaObject::invokeMethod(this, [this, origin = message->origin().value()] {
                 note(LogKind::Trouble, tr("pictures of %1 are not shown: this console works with %2")
                                            .arg(m_models.sessions.titleOf(origin), m_models.sessions.titleOf(*m_xray)));
             });
@@ -158,9 +159,7 @@ void SystemLink::takeFrame(const liena::Message& message)
     }
     m_framesReceived.fetch_add(1, std::memory_order_relaxed);
     try {
-        // The handler may not keep the library's message: this is the one copy between the socket and the decoder.
-        auto kept = std::make_shared<const liena::Message>(message);
-        m_sink.showFrame(xrayFrame(std::move(kept), Duration(m_xrayUncertainty.load(std::memory_order_relaxed))));
+        m_sink.showFrame(xrayFrame(std::move(message), Duration(m_xrayUncertainty.load(std::memory_order_relaxed))));
     } catch (const std::logic_error& mistake) {
         if (m_frameComplaint.exchange(true))
             return;
@@ -229,8 +228,10 @@ void SystemLink::close(quint32 peer)
 
 void SystemLink::reopen(quint32 peer)
 {
-    note(LogKind::Operator, tr("re-open %1").arg(m_models.sessions.titleOf(peer)));
     const auto result = m_system->reopenChannel(liena::DeviceId(peer));
+    if (!result && result.error().code == liena::Errc::Busy)
+        return; // it is under way: the second press of a double click
+    note(LogKind::Operator, tr("re-open %1").arg(m_models.sessions.titleOf(peer)));
     if (result)
         return;
     m_models.sessions.noteOpenFailed(peer, words(result.error()));
@@ -298,7 +299,8 @@ void SystemLink::inject(quint32 permit, quint32 number)
                                     .arg(plannedInjection, 0, 'f', 1)
                                     .arg(plannedInjectionRate, 0, 'f', 1));
     else
-        m_models.instrument.receiveInjection({number, 0, InjectionProgress::Refused, tr("not sent: %1").arg(words(sent.error()))});
+        m_models.instrument.receiveInjection({number, 0, InjectionProgress::Refused, tr("not sent: %1").arg(words(sent.error()))},
+                                             std::chrono::steady_clock::now());
 }
 
 void SystemLink::emergencyStop(const QString& reason)

@@ -105,7 +105,7 @@ private:
     SystemLink(std::unique_ptr<liena::DistributedSystem> system, ConsoleModels& models, FrameSink& sink);
 
     bool subscribe(QString* error);
-    void takeFrame(const liena::Message& message);
+    void takeFrame(std::shared_ptr<const liena::Message> message);
     void drain();
     void readFigures();
     void readCarried();

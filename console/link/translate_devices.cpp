@@ -168,7 +168,8 @@ std::shared_ptr<const XrayFrame> xrayFrame(std::shared_ptr<const liena::Message>
     // The way from the pulse to the sending is on one clock, the way from there to here on two that were compared. A capture time after the
     // sending is a lie or a fault: such a picture has no age that could be trusted.
     if (m.latency() && m.timestamp().ns >= frame->captureNs) {
-        frame->ageAtArrival = *m.latency() + Duration(static_cast<Duration::rep>(m.timestamp().ns - frame->captureNs));
+        frame->beforeSending = Duration(static_cast<Duration::rep>(m.timestamp().ns - frame->captureNs));
+        frame->ageAtArrival = *m.latency() + frame->beforeSending;
         frame->ageUncertainty = clockUncertainty;
     }
     frame->pixels = m.get<std::span<const std::byte>>("pixels");

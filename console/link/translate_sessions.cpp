@@ -149,8 +149,10 @@ SessionModel::Topology topologyValues(const liena::SystemTopology& topology, lie
         node.self = device.id == self;
         value.devices.push_back(std::move(node));
     }
-    for (const auto& link : topology.links())
+    for (const auto& link : topology.links()) {
         value.links.emplace_back(link.a.value(), link.b.value());
+        value.heartbeats.emplace_back(link.timing.heartbeat);
+    }
     return value;
 }
 

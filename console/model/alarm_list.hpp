@@ -24,6 +24,7 @@ enum class AlarmCondition : std::uint8_t {
     ImageLost,        ///< subject: the peer that sends the live picture
     PictureStale,
     PictureReduced,
+    PictureSlow, ///< noticeably fewer pictures than expected, and more than end motion
     ForceStop,
     ForceWarn,
     DriveFault,

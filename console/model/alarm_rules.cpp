@@ -16,6 +16,23 @@ struct Text {
 
 using Priority = AlarmPriority;
 
+/// What a person calls the report; a message that another set has keeps its name.
+QString reportTitle(const QString& message)
+{
+    const struct {
+        const char* message;
+        QString title;
+    } table[] = {
+        {"RobotStatus", Text::tr("report of its state")},           {"TipPose", Text::tr("position of the tip")},
+        {"DriveStatus", Text::tr("report of its drives")},          {"TravelLimits", Text::tr("limits of its axes")},
+        {"AcquisitionStatus", Text::tr("report of beam and dose")}, {"ArmStatus", Text::tr("report of its state")},
+    };
+    for (const auto& row : table)
+        if (message == QLatin1String(row.message))
+            return row.title;
+    return message;
+}
+
 class Rules {
 public:
     explicit Rules(const AlarmReadings& readings) : m_readings(readings) {}
@@ -76,7 +93,7 @@ void Rules::addLink(const AlarmLinkReading& link)
     addRoundTrip(link);
     if (!link.deadlineMissed.isEmpty() && carriesMessages(link.state))
         add(AlarmCondition::DeadlineMissed, whenArmed(Priority::Medium, Priority::Low), false,
-            Text::tr("%1: %2 is overdue").arg(link.title, link.deadlineMissed),
+            Text::tr("%1: %2 overdue").arg(link.title, reportTitle(link.deadlineMissed)),
             Text::tr("Look at that device; what is shown of it is old."), link.peer);
     addUnsteady(link);
     if (link.packetsLost)
@@ -156,6 +173,10 @@ void Rules::addPicture()
     if (comes && m_readings.picture.reduction.losesInformation())
         add(AlarmCondition::PictureReduced, Priority::Low, false, Text::tr("Picture %1").arg(line(m_readings.picture.reduction)),
             Text::tr("Have the line to the X-ray system looked at; mind fine wires."));
+    if (comes && m_readings.armed && m_readings.pictureSlow)
+        add(AlarmCondition::PictureSlow, Priority::Low, false,
+            Text::tr("Picture slow, fewer than %1 a second").arg(m_readings.picture.expectedPerSecond, 0, 'f', 0),
+            Text::tr("Move slowly; have the line to the X-ray system looked at."));
     if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown)
         return;
     const auto text = condition == PictureCondition::Frozen

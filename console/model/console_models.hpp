@@ -42,6 +42,7 @@ struct ConsoleModels {
     EventLog log;
     TrendBook trends;
     OperatorRole role = OperatorRole::Operator;
+    QString remoteInput; ///< remoteInputOf() this session
     QString patientSide; ///< how a person there is called; empty: not set up
 };
 

@@ -90,7 +90,7 @@ void InstrumentState::receiveTip(const TipPose& pose, Instant at)
     Q_EMIT tipChanged();
 }
 
-void InstrumentState::endWatch()
+void InstrumentState::endWatch(Instant now)
 {
     dropForce();
     if (!injecting())
@@ -98,7 +98,7 @@ void InstrumentState::endWatch()
     auto last = m_injections.back();
     last.progress = InjectionProgress::Stopped;
     last.reason = tr("the robot was not heard any more; look at the contrast left");
-    receiveInjection(last);
+    receiveInjection(last, now);
 }
 
 bool InstrumentState::injecting() const
@@ -107,7 +107,7 @@ bool InstrumentState::injecting() const
            (m_injections.back().progress == InjectionProgress::Accepted || m_injections.back().progress == InjectionProgress::Running);
 }
 
-void InstrumentState::receiveInjection(const InjectionStatus& status)
+void InstrumentState::receiveInjection(const InjectionStatus& status, Instant at)
 {
     const auto place = std::find_if(m_injections.begin(), m_injections.end(),
                                     [&status](const InjectionStatus& known) { return known.injection == status.injection; });
@@ -117,6 +117,8 @@ void InstrumentState::receiveInjection(const InjectionStatus& status)
         m_injections.push_back(status);
     while (m_injections.size() > injectionLimit)
         m_injections.pop_front();
+    if (m_injections.back().injection == status.injection)
+        m_injectionHeard = at;
     Q_EMIT injectionChanged(status.injection);
 }
 

@@ -38,7 +38,7 @@ struct LinkDiagnosis {
     ProbeFinding probe = ProbeFinding::NotProbed;
     QString probeDetail;
     Duration silence{};             ///< between the last datagram heard and the decision
-    quint64 heartbeatsExpected = 0; ///< in the session's last second
+    quint64 heartbeatsExpected = 0; ///< in the second before the loss began
     quint64 heartbeatsReceived = 0;
     std::optional<Duration> lastRoundTrip;
     bool toPeerConnected = false;            ///< our connection to the peer stood at the decision
@@ -64,9 +64,9 @@ struct IncidentRecord {
     LossKind cause = LossKind::None; ///< as the end saw it that first said so
     LossKind causeOfA = LossKind::None;
     LossKind causeOfB = LossKind::None;
-    Instant since;               ///< when this console learnt of it
+    Instant since;               ///< when this console learnt of it; of one that it saw as an interruption first, when that began
     Instant healed;              ///< when it was open again, of one that healed
-    qint64 sinceWallMs = 0;      ///< Unix time, milliseconds, on the clock of the end that first said so
+    qint64 sinceWallMs = 0;      ///< the same, on this console's clock: Unix time, milliseconds
     std::vector<HoldLine> holds; ///< every device of the system, in the topology's order
     std::optional<LinkDiagnosis> diagnosis;
     bool probing = false;

@@ -1,6 +1,8 @@
 // The incidents that this console holds.
 #include "model/incident_model.hpp"
 
+#include "model/session_model.hpp"
+
 #include <algorithm>
 
 namespace console {
@@ -9,8 +11,26 @@ namespace {
 
 constexpr std::chrono::minutes flapWindow{2};
 constexpr std::size_t mostFlaps = 10'000;
+constexpr std::chrono::seconds atOnce{2};
 
 } // namespace
+
+bool beganTogether(const SessionModel& sessions, const IncidentModel& incidents)
+{
+    std::vector<Instant> began;
+    for (const auto& link : sessions.links()) {
+        if (!link.own)
+            continue;
+        const auto* incident = incidents.ofPair(link.a, link.b);
+        if (incident == nullptr)
+            return false;
+        began.push_back(incident->since);
+    }
+    if (began.empty())
+        return false;
+    const auto [first, last] = std::minmax_element(began.begin(), began.end());
+    return *last - *first <= atOnce;
+}
 
 IncidentModel::IncidentModel(QObject* parent) : QObject(parent) {}
 
@@ -57,7 +77,12 @@ void IncidentModel::raise(const IncidentRecord& incident, Instant now)
     const auto interruption = incident.peer != 0 ? takeInterruption(incident.peer) : std::nullopt;
     const bool counted = interruption && interruption->stage == LossStage::Interrupted;
     m_incidents.push_back(incident);
-    m_incidents.back().flaps = counted ? interruption->flaps : countFlaps(incident.a, incident.b, now);
+    auto& raised = m_incidents.back();
+    raised.flaps = counted ? interruption->flaps : countFlaps(incident.a, incident.b, now);
+    if (counted) {
+        raised.since = interruption->since;
+        raised.sinceWallMs = interruption->sinceWallMs;
+    }
     ++m_raised;
     if (interruption)
         Q_EMIT interruptionDecided(interruption->id, incident.id);

@@ -21,14 +21,17 @@ class SessionModel;
 struct PromptSurroundings {
     quint32 robot = 0; ///< the device whose hold decides whether the patient is safe; 0 when the topology has none
     bool pictureLive = false;
-    std::optional<qint64> frozenSinceWallMs; ///< capture time of the picture that stands
+    std::optional<qint64> frozenSinceWallMs; ///< when the picture that stands was taken, on this console's clock; else when it came
     bool pictureSeen = false;                ///< a picture was ever shown
     bool pictureHeld = false;                ///< the pedal is up: it is the run's last, and nothing is wrong with it
     bool tipLive = false;
     bool tipKnown = false;
     QString patientSide; ///< how a person there is called; empty: not set up
+    QString ownHost;     ///< the address at which this console is reached; empty: not known
     std::chrono::seconds audioPause{60};
-    int lostLinks = 0; ///< this console's links in stand-by
+    std::optional<Instant> robotHeldAt; ///< when the robot last said over its open link that it holds; nothing: not lately
+    int lostLinks = 0;                  ///< this console's links in stand-by
+    bool lostTogether = false;          ///< beganTogether()
     int ownLinks = 0;
 };
 
@@ -53,6 +56,7 @@ struct PromptContent {
     bool decided = true;    ///< an incident stands: there is something to do about it
     bool healed = false;    ///< there is nothing left to do but to close the sheet
     bool canReopen = false; ///< this console is one end of the pair
+    bool reopening = false; ///< that is under way
     int lostLinks = 0;      ///< `Re-open all lost (2)` when more than one
 };
 
@@ -73,6 +77,11 @@ ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& 
 
 /// `heartbeats stopped`, `connection broke`, …
 QString word(LossKind kind);
+
+class IncidentModel;
+
+/// The losses of all of this console's links began within two seconds of each other, and all of them stand.
+bool beganTogether(const SessionModel& sessions, const IncidentModel& incidents);
 
 /// Incidents, and losses of this console's links that may become some: an interruption has its sheet at once, and holds nobody up. Only an
 /// incident keeps the system in stand-by and is asked for by permit, guards and accounts. GUI thread only.

@@ -7,7 +7,9 @@
 #include <QObject>
 
 #include <chrono>
+#include <cmath>
 #include <deque>
+#include <optional>
 
 namespace console {
 
@@ -33,7 +35,8 @@ public:
     const Aged<DriveStatus>& drives() const { return m_drives; }
     const Aged<TipPose>& tip() const { return m_tip; }
     const std::deque<InjectionStatus>& injections() const { return m_injections; } ///< the last 16, oldest first
-    bool injecting() const; ///< the last one has not ended, as far as the robot has told
+    bool injecting() const;                                                    ///< the last one has not ended, as far as the robot has told
+    std::optional<Instant> injectionHeard() const { return m_injectionHeard; } ///< of the last one, when its newest report arrived
     const std::deque<ForceSample>& forceHistory() const { return m_forces; }
     const RobotLimits& limits() const { return m_limits; }
     const std::optional<TravelLimits>& travel() const { return m_travel; } ///< nothing before the robot has reported it
@@ -46,7 +49,7 @@ public:
     bool drivesHealthy(Instant now) const;
 
     double peakForce() const { return m_peakForce; } ///< largest magnitude since resetPeakForce()
-    void resetPeakForce() { m_peakForce = 0; }
+    void resetPeakForce() { m_peakForce = m_robot.known() ? std::abs(m_robot.value.guidewireForce) : 0; } ///< from the present force on
     double mostContrast() const { return m_mostContrast; } ///< mL, the most that was ever left
     quint64 statusCount() const { return m_statusCount; }
 
@@ -65,7 +68,7 @@ public:
 
     /// The robot is not heard any more: an accepted force is dropped, and an injection that ran counts as stopped, which it is at the
     /// robot.
-    void endWatch();
+    void endWatch(Instant now);
 
     // For the link room.
     void noteStopAsked(Instant at);
@@ -73,7 +76,7 @@ public:
     void receiveDrives(const DriveStatus& status, Instant at);
     void receiveTip(const TipPose& pose, Instant at);
     void receiveTravel(const TravelLimits& limits) { m_travel = limits; }
-    void receiveInjection(const InjectionStatus& status);
+    void receiveInjection(const InjectionStatus& status, Instant at);
 
 Q_SIGNALS:
     void robotChanged();
@@ -90,6 +93,7 @@ private:
     std::deque<ForceSample> m_forces;
     RobotLimits m_limits;
     std::optional<TravelLimits> m_travel;
+    std::optional<Instant> m_injectionHeard;
     std::optional<Instant> m_stopUnheard;
     std::optional<double> m_acceptedForce; ///< N, magnitude
     Instant m_acceptedAt;

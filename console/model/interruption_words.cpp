@@ -115,7 +115,9 @@ private:
         const auto lost = taken - std::min(came, taken);
         if (taken == 0)
             return {name, Text::tr("none was taken meanwhile"), false};
-        return {name, Text::tr("%1 of %2 that were taken did not come here").arg(lost).arg(taken), lost > 0};
+        if (lost == 0)
+            return {name, Text::tr("%1 taken, all came").arg(taken), false};
+        return {name, Text::tr("%1 taken, %2 of them did not come here").arg(taken).arg(lost), true};
     }
 
     AccountLine patientSide() const

@@ -3,9 +3,13 @@
 
 #include <QString>
 
+#include <chrono>
 #include <cstdint>
 
 namespace console {
+
+/// Of a link whose topology says nothing else.
+inline constexpr std::chrono::milliseconds usualHeartbeat{20};
 
 /// As the protocol has them (section 8).
 enum class LinkState : std::uint8_t { Closed, Opening, Open, Suspect, Reconnecting, StandBy, Reopening, Closing };

@@ -32,7 +32,7 @@ GuardLine heartbeatLine(const GuardReadings& r, const GuardLimits& limits)
 GuardLine clockLine(const GuardReadings& r)
 {
     const auto missing = r.clockUncertainty ? Text::tr("Clock uncertain by ±%1 ms").arg(number(milliseconds(*r.clockUncertainty), 1))
-                                            : Text::tr("Clock not yet compared with the robot's");
+                                            : Text::tr("Clocks not yet compared");
     return line(Guard::ClockKnown, r.clockUncertainty && *r.clockUncertainty <= clockUncertaintyLimit(r.pictureLimit),
                 Text::tr("Clocks compared"), missing);
 }
@@ -106,6 +106,15 @@ GuardLine roundTripLine(const GuardReadings& r)
                 roundTripMissing(r, r.pictureLimit, Text::tr("at most %1 ms to arm")));
 }
 
+/// A hand whose keys travel through a remote desktop is none: what repeats, delays or drops them is not known here.
+GuardLine handLine(const GuardReadings& r)
+{
+    auto missing = r.handMissing.isEmpty() ? Text::tr("No hand control answers") : r.handMissing;
+    if (!r.remoteInput.isEmpty())
+        missing = Text::tr("Remote input (%1): arm at the console itself").arg(r.remoteInput);
+    return line(Guard::HandAlive, r.handAlive && r.remoteInput.isEmpty(), Text::tr("Hand control is there"), missing);
+}
+
 /// Who may arm, on either side.
 GuardLine clearanceLine(const GuardReadings& r)
 {
@@ -113,7 +122,7 @@ GuardLine clearanceLine(const GuardReadings& r)
         return {Guard::ClearToArm, false, Text::tr("This console only observes")};
     return line(Guard::ClearToArm, r.robotFresh && r.clearance != Clearance::Awaited,
                 r.clearance == Clearance::Given ? Text::tr("Patient side: clear to arm") : Text::tr("One person may arm"),
-                r.robotFresh ? Text::tr("Patient side has not said \"clear\"") : Text::tr("Patient side's word is not known"));
+                r.robotFresh ? Text::tr("Patient side has not said \"clear\"") : Text::tr("Patient side not heard"));
 }
 
 } // namespace
@@ -132,14 +141,13 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
 {
     return {
         sessionLine(r),
-        line(Guard::IdentityEqual, r.identityEqual, Text::tr("Same system on both sides"),
-             Text::tr("Identity of the robot's system not confirmed")),
+        line(Guard::IdentityEqual, r.identityEqual, Text::tr("Same system on both sides"), Text::tr("System not confirmed")),
         heartbeatLine(r, limits),
         clockLine(r),
         pictureLine(r, limits),
-        line(Guard::RobotFresh, r.robotFresh, Text::tr("Robot reports"), Text::tr("No recent report from the robot")),
+        line(Guard::RobotFresh, r.robotFresh, Text::tr("Robot reports"), Text::tr("No recent robot report")),
         holdLine(r),
-        line(Guard::DrivesHealthy, r.drivesHealthy, Text::tr("Drives are healthy"), Text::tr("Drives are not healthy, or not known")),
+        line(Guard::DrivesHealthy, r.drivesHealthy, Text::tr("Drives are healthy"), Text::tr("Drives faulty or unknown")),
         line(Guard::QueueEmpty, r.queuedMessages == 0, Text::tr("Nothing waits to be sent"),
              Text::tr("%1 messages wait to be sent").arg(r.queuedMessages)),
         forceLine(r),
@@ -149,9 +157,8 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
              r.recorded ? Text::tr("Audit file is not kept") : Text::tr("Alarm log is not kept")),
         line(Guard::NoIncident, !r.incident, Text::tr("No incident"), Text::tr("An incident is not resolved")),
         line(Guard::NoHighAlarm, !r.highAlarm, Text::tr("No high alarm"), Text::tr("A high alarm is not acknowledged")),
-        line(Guard::HandAlive, r.handAlive, Text::tr("Hand control is there"),
-             r.handMissing.isEmpty() ? Text::tr("Hand control does not answer") : r.handMissing),
-        line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"), Text::tr("Window does not have the keyboard")),
+        handLine(r),
+        line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"), Text::tr("The keyboard is elsewhere")),
         line(Guard::DeadManReleased, !r.deadMan, Text::tr("Dead-man released"), Text::tr("Let go of the dead-man")),
         line(Guard::AlarmsTested, r.alarmsTested, Text::tr("Alarms were tested"), Text::tr("Alarm self-test is due (F8)")),
         line(Guard::InterruptionRead, r.interruptionRead, Text::tr("No interruption is unread"),
@@ -163,7 +170,7 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
 {
     GuardSet met = ~keptWhileArmed();
     const auto keep = [&met](Guard guard, bool holds) { met.set(static_cast<std::size_t>(guard), holds); };
-    keep(Guard::SessionOpen, r.robotLink == LinkState::Open || (r.robotLink == LinkState::Suspect && r.inLinkState <= limits.suspectGrace));
+    keep(Guard::SessionOpen, r.robotLink == LinkState::Open || (r.robotLink == LinkState::Suspect && r.inLinkState <= r.heartbeat));
     keep(Guard::IdentityEqual, r.identityEqual);
     keep(Guard::PictureLive, pictureTrusted(r) && r.picture.keepsRate);
     keep(Guard::RobotFresh, r.robotFresh);
@@ -173,7 +180,7 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     keep(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= roundTripHold && carried(r));
     keep(Guard::NoIncident, !r.incident);
     keep(Guard::NoHighAlarm, !r.highAlarm);
-    keep(Guard::HandAlive, r.handAlive);
+    keep(Guard::HandAlive, r.handAlive && r.remoteInput.isEmpty());
     keep(Guard::WindowActive, r.windowActive);
     return met;
 }

@@ -50,14 +50,14 @@ GuardSet keptWhileArmed();
 struct GuardLimits {
     quint32 heartbeatsOnTime = 50;
     std::chrono::milliseconds pictureRun{1000}; ///< unbroken live pictures before arming
-    std::chrono::milliseconds suspectGrace{20}; ///< one heartbeat window
     quint32 keptQueue = 16;                     ///< while armed; more than this waits: the line does not keep up
 };
 
 /// One moment of everything that the guards look at.
 struct GuardReadings {
     LinkState robotLink = LinkState::Closed;
-    Duration inLinkState{}; ///< how long the link has been in that state
+    Duration inLinkState{};              ///< how long the link has been in that state
+    Duration heartbeat = usualHeartbeat; ///< of the robot's link: for so long it may be suspect while armed
     bool identityEqual = false;
     quint32 heartbeatsOnTime = 0;
     std::optional<Duration> clockUncertainty; ///< nothing before 8 clean samples
@@ -84,6 +84,7 @@ struct GuardReadings {
     bool highAlarm = false; ///< an unacknowledged one
     bool handAlive = false;
     QString handMissing; ///< which master it is, and what it lacks; empty: not known
+    QString remoteInput; ///< by what way keys and mouse come from another place; empty: they are this computer's, as far as can be told
     bool windowActive = false;
     bool deadMan = false;
     bool alarmsTested = false;     ///< for this arming

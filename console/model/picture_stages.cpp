@@ -20,6 +20,8 @@ struct Text {
 QString word(PictureStage stage)
 {
     switch (stage) {
+    case PictureStage::Sending:
+        return Text::tr("before sending");
     case PictureStage::Way:
         return Text::tr("way to here");
     case PictureStage::Waiting:
@@ -38,9 +40,15 @@ QString word(PictureStage stage)
 
 void PictureStages::note(const StageShares& shares, Instant painted)
 {
-    m_painted.push_back({painted, shares});
+    m_painted.push_back({painted, shares, std::nullopt});
     while (m_painted.size() > mostPictures || m_painted.front().at < painted - span)
         m_painted.pop_front();
+}
+
+void PictureStages::notePresented(Duration presenting)
+{
+    if (!m_painted.empty())
+        m_painted.back().presenting = presenting;
 }
 
 template <typename Value>
@@ -48,8 +56,8 @@ std::optional<PictureStages::Summary> PictureStages::summary(Instant now, Value 
 {
     std::vector<double> values;
     for (const auto& picture : m_painted)
-        if (picture.at >= now - span)
-            values.push_back(milliseconds(value(picture.shares)));
+        if (const std::optional<Duration> known = value(picture); known && picture.at >= now - span)
+            values.push_back(milliseconds(*known));
     if (values.empty())
         return std::nullopt;
     return Summary{*percentile(values, 0.5), *percentile(values, 0.99)};
@@ -57,12 +65,19 @@ std::optional<PictureStages::Summary> PictureStages::summary(Instant now, Value 
 
 std::optional<PictureStages::Summary> PictureStages::of(PictureStage stage, Instant now) const
 {
-    return summary(now, [stage](const StageShares& shares) { return shares.at(static_cast<std::size_t>(stage)); });
+    return summary(now, [stage](const Painted& picture) { return std::optional(picture.shares.at(static_cast<std::size_t>(stage))); });
 }
 
 std::optional<PictureStages::Summary> PictureStages::ofAge(Instant now) const
 {
-    return summary(now, [](const StageShares& shares) { return std::accumulate(shares.begin(), shares.end(), Duration::zero()); });
+    return summary(now, [](const Painted& picture) {
+        return std::optional(std::accumulate(picture.shares.begin(), picture.shares.end(), Duration::zero()));
+    });
+}
+
+std::optional<PictureStages::Summary> PictureStages::ofPresenting(Instant now) const
+{
+    return summary(now, [](const Painted& picture) { return picture.presenting; });
 }
 
 } // namespace console

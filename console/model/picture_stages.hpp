@@ -16,16 +16,17 @@ namespace console {
 
 /// In the order in which a picture goes through them; together they are its age when it is painted.
 enum class PictureStage : std::uint8_t {
-    Way,         ///< NET: from the pulse's end to the last byte here: reading out, encoding, sending, the line
+    Sending,     ///< at the X-ray system: from the pulse's end to the sending, reading out and encoding; with the way it is NET
+    Way,         ///< from the sending to the last byte here
     Waiting,     ///< for the decoder and for the screen
     Decoding,    ///< to stored values
     Filters,     ///< noise reduction and edges
     Window,      ///< window, grey scale and shutter
     FilterDelay, ///< how much later the temporal filter shows what moves
 };
-inline constexpr std::size_t pictureStageCount = 6;
+inline constexpr std::size_t pictureStageCount = 7;
 
-/// `way to here`, `waiting`, `decoding`, …
+/// `before sending`, `way to here`, `waiting`, `decoding`, …
 QString word(PictureStage stage);
 
 /// What one painted picture spent in each.
@@ -44,16 +45,24 @@ public:
 
     void note(const StageShares& shares, Instant painted);
 
+    /// Of the picture that was noted last: what passed after its paint until the window was handed over. What the screen itself takes, no
+    /// program can measure.
+    void notePresented(Duration presenting);
+
     /// By nearest rank; nothing when no picture was painted in the last minute.
     std::optional<Summary> of(PictureStage stage, Instant now) const;
 
     /// Of the age at the paint, which is the sum.
     std::optional<Summary> ofAge(Instant now) const;
 
+    /// Comes on top of the age at the paint.
+    std::optional<Summary> ofPresenting(Instant now) const;
+
 private:
     struct Painted {
         Instant at;
         StageShares shares;
+        std::optional<Duration> presenting;
     };
 
     template <typename Value>

@@ -9,7 +9,12 @@ namespace {
 
 constexpr std::chrono::seconds rateWindow{1};
 constexpr std::chrono::seconds firstPictureGrace{1};
-constexpr double rateShare = 2.0 / 3.0;
+
+/// More than two thirds are enough; two thirds are not.
+bool enough(double shown, double expected) { return expected <= 0 || 3 * shown > 2 * expected; }
+
+/// Not by a tenth of them, nor by the one more or less that a second of counting has.
+bool nearly(double shown, double expected) { return expected - shown <= std::max(1.0, expected / 10); }
 
 } // namespace
 
@@ -106,10 +111,11 @@ PictureReading PictureState::reading(Instant now) const
     }
     reading.processing = m_newest->painted - m_newest->arrived + m_newest->filterDelay;
     reading.shownPerSecond = paintedPerSecond(now);
-    reading.atRate = reading.shownPerSecond >= rateShare * reading.expectedPerSecond;
+    reading.atRate = enough(reading.shownPerSecond, reading.expectedPerSecond);
     const bool rising = m_rose && now - *m_rose < rateWindow;
     const double asked = rising ? std::min(m_rateBefore, reading.expectedPerSecond) : reading.expectedPerSecond;
-    reading.keepsRate = reading.shownPerSecond >= rateShare * asked;
+    reading.keepsRate = enough(reading.shownPerSecond, asked);
+    reading.slow = !nearly(reading.shownPerSecond, asked);
     if (reading.condition == PictureCondition::Live && reading.atRate)
         reading.liveFor = now - m_liveSince;
     if (reading.condition == PictureCondition::Frozen)
@@ -156,8 +162,14 @@ void PictureState::noteStages(const PictureStamp& stamp)
     if (!shown(stamp))
         return;
     const auto waiting = stamp.painted - stamp.arrived - stamp.decoding - stamp.filters - stamp.window;
-    m_stages.note({stamp.arrived - *stamp.captured, waiting, stamp.decoding, stamp.filters, stamp.window, stamp.filterDelay},
-                  stamp.painted);
+    const auto way = stamp.arrived - *stamp.captured - stamp.beforeSending;
+    m_stages.note({stamp.beforeSending, way, waiting, stamp.decoding, stamp.filters, stamp.window, stamp.filterDelay}, stamp.painted);
+}
+
+void PictureState::notePresented(quint32 frame, Duration presenting)
+{
+    if (m_newest && m_newest->frame == frame && shown(*m_newest))
+        m_stages.notePresented(presenting);
 }
 
 void PictureState::noteRefused(const QString& reason)

@@ -38,6 +38,7 @@ struct PictureStamp {
     quint64 captureNs = 0;
     std::optional<Instant> captured; ///< XrayFrame::captured()
     Duration uncertainty{};          ///< of `captured`, to either side
+    Duration beforeSending{};        ///< the part of `captured` to `arrived` that passed at the X-ray system
     Instant arrived;
     Duration decoding{}; ///< what the stages here took of the time from `arrived` to `painted`
     Duration filters{};
@@ -71,8 +72,9 @@ struct PictureReading {
     bool mayGuide = false;           ///< the source is one that instruments may be moved by
     double shownPerSecond = 0;
     double expectedPerSecond = 0; ///< acquired, or what the X-ray system says that it sends of that; 0: nothing is expected
-    bool atRate = false;          ///< two thirds of that or more are shown
+    bool atRate = false;          ///< more than two thirds of that are shown
     bool keepsRate = false;       ///< the same, where a rate that rose within the last second is not asked for yet
+    bool slow = false;            ///< noticeably fewer than that rate are shown: for caution
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
 };
@@ -118,6 +120,9 @@ public:
 
     /// From the view's paint; a picture that is painted again is not a new one, and one that is held or reviewed is none.
     void notePainted(const PictureStamp& stamp);
+
+    /// That picture's window was handed over to the screen, so long after its paint.
+    void notePresented(quint32 frame, Duration presenting);
 
     /// From the pipeline: a picture could not be shown. One line per cause.
     void noteRefused(const QString& reason);

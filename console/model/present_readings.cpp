@@ -1,6 +1,8 @@
 // From models to readings; nothing is decided here.
 #include "model/present_readings.hpp"
 
+#include <QDateTime>
+
 namespace console {
 
 namespace {
@@ -9,6 +11,7 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
 {
     r.robotLink = link.state;
     r.inLinkState = now - link.since;
+    r.heartbeat = link.heartbeat;
     // A session opens only between devices whose topology, message sets and certificates agree.
     r.identityEqual = carriesMessages(link.state);
     r.heartbeatsOnTime = link.figures.heartbeatsOnTime;
@@ -18,6 +21,13 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
     r.roundTrip = link.figures.roundTrip;
     r.usualRoundTrip = link.usualRoundTrip();
     r.carried = link.carried;
+}
+
+/// The device's own clock is another: what it says is told by the age that this console knows, else by when the picture was painted.
+qint64 takenWallMs(const PictureStamp& picture, bool ageKnown, Instant now)
+{
+    const auto taken = ageKnown && picture.captured ? *picture.captured : picture.painted;
+    return QDateTime::currentMSecsSinceEpoch() - std::chrono::duration_cast<std::chrono::milliseconds>(now - taken).count();
 }
 
 } // namespace
@@ -46,6 +56,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.incident = models.sessions.inStandBy() || !models.incidents.empty();
     r.highAlarm = models.alarms.unacknowledgedHigh();
     r.handAlive = models.hand.reading().alive;
+    r.remoteInput = models.remoteInput;
     r.windowActive = windowActive;
     r.deadMan = models.hand.reading().deadMan;
     r.alarmsTested = models.selfTest.passed();
@@ -102,8 +113,13 @@ PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
     around.pictureHeld = picture.condition == PictureCondition::Held;
     around.pictureSeen = picture.condition != PictureCondition::None;
     if (around.pictureSeen && !around.pictureLive)
-        around.frozenSinceWallMs = qint64(picture.captureNs / 1000000U);
+        around.frozenSinceWallMs = takenWallMs(*models.picture.newest(), picture.age.has_value(), now);
+    const auto& robot = models.instrument.robot();
+    if (carriesMessages(models.sessions.state(around.robot)) && models.instrument.robotFresh(now) && robot.value.holdConfirmed)
+        around.robotHeldAt = robot.received;
     around.patientSide = models.patientSide;
+    if (const auto* self = models.sessions.self())
+        around.ownHost = self->address.section(QLatin1Char(':'), 0, -2);
     around.audioPause = models.alarms.audioPauseLength();
     around.tipLive = models.instrument.tipFresh(now);
     around.tipKnown = models.instrument.tip().known();
@@ -114,6 +130,7 @@ PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
         if (link.state == LinkState::StandBy)
             ++around.lostLinks;
     }
+    around.lostTogether = beganTogether(models.sessions, models.incidents);
     return around;
 }
 

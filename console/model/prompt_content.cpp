@@ -124,7 +124,8 @@ QString since(const IncidentRecord& incident, Instant now)
 }
 
 /// Nothing is decided yet, or no longer: there is nothing for a person to mend.
-void addInterruption(PromptContent& content, const IncidentRecord& incident, const SessionModel& sessions, quint32 robot)
+void addInterruption(PromptContent& content, const IncidentRecord& incident, const SessionModel& sessions, quint32 robot,
+                     std::optional<Instant> robotHeldAt)
 {
     content.decided = false;
     content.tryFirst.clear();
@@ -137,13 +138,36 @@ void addInterruption(PromptContent& content, const IncidentRecord& incident, con
         content.likelyCause = Text::tr("It healed by itself. If it comes again, run a line check.");
         return;
     }
-    if (robot != 0)
+    content.holdConfirmed = robotHeldAt && *robotHeldAt > incident.since;
+    if (content.holdConfirmed)
+        content.patient = Text::tr("%1 holds: CONFIRMED by its own report").arg(sessions.titleOf(robot));
+    else if (robot != 0)
         content.patient = Text::tr("%1 holds: not confirmed yet. Its own guard stops it.").arg(sessions.titleOf(robot));
     content.likelyCause =
         Text::tr("Not known yet. LiENa connects again by itself; if it cannot, the system stands by and this prompt says more.");
 }
 
-QStringList evidence(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around)
+/// Of an address `host:port`.
+QString hostOf(const DeviceNode* device) { return device == nullptr ? QString() : device->address.section(QLatin1Char(':'), 0, -2); }
+
+/// Whether the way, the place or the computer is to blame is seen by who else there is heard.
+QString otherLinks(const IncidentRecord& incident, const SessionModel& sessions)
+{
+    const auto lostHost = incident.peer != 0 ? hostOf(sessions.device(incident.peer)) : QString();
+    QStringList others;
+    for (const auto& link : sessions.links()) {
+        const auto* device = link.own && link.peer != incident.peer ? sessions.device(link.peer) : nullptr;
+        if (device == nullptr)
+            continue;
+        const auto host = hostOf(device);
+        const auto place = !host.isEmpty() && host == lostHost ? Text::tr("same computer") : device->site.isEmpty() ? host : device->site;
+        const auto state = carriesMessages(link.state) ? Text::tr("open") : Text::tr("not open");
+        others << Text::tr("%1 (%2) %3").arg(sessions.titleOf(link.peer), place, state);
+    }
+    return others.isEmpty() ? QString() : Text::tr("Other links of this console: %1").arg(others.join(Text::tr(", ")));
+}
+
+QStringList evidence(const IncidentRecord& incident, const SessionModel& sessions)
 {
     QStringList lines;
     if (incident.causeOfA != LossKind::None)
@@ -151,20 +175,21 @@ QStringList evidence(const IncidentRecord& incident, const SessionModel& session
     if (incident.causeOfB != LossKind::None)
         lines << Text::tr("%1 saw: %2").arg(sessions.titleOf(incident.b), word(incident.causeOfB));
     if (const auto& found = incident.diagnosis) {
-        lines << Text::tr("Heartbeats in the last second: %1 of %2").arg(found->heartbeatsReceived).arg(found->heartbeatsExpected);
+        lines
+            << Text::tr("Heartbeats in the second before the loss: %1 of %2").arg(found->heartbeatsReceived).arg(found->heartbeatsExpected);
         lines << (found->lastRoundTrip ? Text::tr("Last round trip: %1 ms").arg(milliseconds(*found->lastRoundTrip), 0, 'f', 1)
                                        : Text::tr("Last round trip: unknown"));
         lines << Text::tr("Silent for %1 ms before it was given up").arg(milliseconds(found->silence), 0, 'f', 0);
-        lines << Text::tr("Connections: to it %1, from it %2")
-                     .arg(found->toPeerConnected ? Text::tr("stood") : Text::tr("broke"),
-                          found->fromPeerConnected ? Text::tr("stood") : Text::tr("broke"));
+        lines << Text::tr("Our connection to it %1, its connection to us %2")
+                     .arg(found->toPeerConnected ? Text::tr("held") : Text::tr("broke"),
+                          found->fromPeerConnected ? Text::tr("held") : Text::tr("broke"));
         if (!found->detail.isEmpty())
             lines << found->detail;
         if (!found->probeDetail.isEmpty())
             lines << Text::tr("Check: %1").arg(found->probeDetail);
     }
-    if (around.ownLinks > 1)
-        lines << Text::tr("Links of this console: %1 of %2 open").arg(sessions.openCount()).arg(around.ownLinks);
+    if (const auto others = otherLinks(incident, sessions); !others.isEmpty())
+        lines << others;
     if (incident.reopenTries > 0)
         lines << Text::tr("Re-open tried %1 times").arg(incident.reopenTries);
     return lines;
@@ -194,13 +219,49 @@ ProbeAdvice unreachable(std::optional<bool> othersAnswer)
     return {Text::tr("The device's computer does not answer"), Text::tr("Power and network cable of that device, or the site's line")};
 }
 
-ProbeAdvice byProbe(ProbeFinding probe, std::optional<bool> othersAnswer)
+/// What the library said of the identity, in a few words; empty when it said another thing.
+QString identityTrouble(const QString& detail)
 {
-    switch (probe) {
+    const struct {
+        const char* said;
+        QString words;
+    } table[] = {
+        {" is device ", Text::tr("it is another device")},
+        {"expired", Text::tr("a certificate has expired")},
+        {"not valid yet", Text::tr("a certificate is not valid yet")},
+        {"revoked", Text::tr("a certificate was revoked")},
+        {"authority", Text::tr("of an authority that is not known there")},
+    };
+    for (const auto& row : table)
+        if (detail.contains(QLatin1String(row.said)))
+            return row.words;
+    return {};
+}
+
+ProbeAdvice byIdentity(const QString& detail)
+{
+    const auto trouble = identityTrouble(detail);
+    const auto first = Text::tr("Do not bypass this: call service");
+    if (trouble.isEmpty())
+        return {Text::tr("The device answered but its identity was refused"), first};
+    return {Text::tr("The device answered but its identity was refused: %1").arg(trouble), first};
+}
+
+ProbeAdvice byInterface(const QString& ownHost)
+{
+    const auto first = Text::tr("Plug, cable and switch at this side");
+    if (ownHost.isEmpty())
+        return {Text::tr("This console has no network on that port"), first};
+    return {Text::tr("This console has no network on its port with the address %1").arg(ownHost), first};
+}
+
+ProbeAdvice byProbe(const LinkDiagnosis& diagnosis, std::optional<bool> othersAnswer, const QString& ownHost)
+{
+    switch (diagnosis.probe) {
     case ProbeFinding::NotProbed:
         return {Text::tr("Not known yet: run the checks"), Text::tr("Run checks")};
     case ProbeFinding::InterfaceDown:
-        return {Text::tr("This console has no network on that port"), Text::tr("Plug, cable and switch at this side")};
+        return byInterface(ownHost);
     case ProbeFinding::NoRoute:
         return {Text::tr("Network up, no way to the hospital"), Text::tr("Gateway and VPN")};
     case ProbeFinding::HostUnreachable:
@@ -208,7 +269,7 @@ ProbeAdvice byProbe(ProbeFinding probe, std::optional<bool> othersAnswer)
     case ProbeFinding::ConnectionRefused:
         return {Text::tr("The computer answers, its program is not running"), Text::tr("Restart the program at the patient side")};
     case ProbeFinding::TlsFailure:
-        return {Text::tr("The device answered but its identity was refused"), Text::tr("Do not bypass this: call service")};
+        return byIdentity(diagnosis.probeDetail);
     case ProbeFinding::PeerSilent:
         return {Text::tr("The device's program hangs or is overloaded"), Text::tr("Wait 2 s, run the checks, then restart its program")};
     case ProbeFinding::Reachable:
@@ -246,15 +307,14 @@ QString word(LossKind kind)
 ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink,
                       std::optional<bool> othersAnswer)
 {
-    const bool allLost = around.ownLinks > 1 && around.lostLinks == around.ownLinks;
-    const bool localFinding = diagnosis.probe == ProbeFinding::InterfaceDown || diagnosis.probe == ProbeFinding::NoRoute;
-    if (allLost && !localFinding)
+    const bool allLost = around.ownLinks > 1 && around.lostLinks == around.ownLinks && around.lostTogether;
+    if (allLost && saysLittle(diagnosis.probe))
         return {Text::tr("All links were lost at once: this console's side or the line, not a device"),
                 Text::tr("Network port and VPN of this console")};
     if (isPictureLink && around.lostLinks == 1 && saysLittle(diagnosis.probe))
         return {Text::tr("Only the pictures are lost: their way, or the X-ray sender"),
                 Text::tr("Re-open the picture link alone; motion stays inhibited")};
-    return byProbe(diagnosis.probe, othersAnswer);
+    return byProbe(diagnosis, othersAnswer, around.ownHost);
 }
 
 PromptContent promptContent(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around, Instant now)
@@ -270,7 +330,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     content.call = around.patientSide.isEmpty() ? Text::tr("How to call the patient side is not set up: preferences, F6")
                                                 : Text::tr("Call the patient side: %1").arg(around.patientSide);
     addSeen(content, around);
-    content.evidence = evidence(incident, sessions, around);
+    content.evidence = evidence(incident, sessions);
     const bool pictures = incident.peer != 0 && kindOf(incident.peer) == DeviceKind::Eye;
     if (incident.peer != 0) {
         const auto advice =
@@ -285,9 +345,10 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     content.folded = Text::tr("%1, %2").arg(content.headline, runningTime(now - incident.since));
     content.silence = Text::tr("Silence %1 s").arg(around.audioPause.count());
     content.canReopen = incident.peer != 0;
+    content.reopening = incident.peer != 0 && sessions.state(incident.peer) == LinkState::Reopening;
     content.lostLinks = around.lostLinks;
     if (incident.stage != LossStage::Lost)
-        addInterruption(content, incident, sessions, around.robot);
+        addInterruption(content, incident, sessions, around.robot, around.robotHeldAt);
     return content;
 }
 

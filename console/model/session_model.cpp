@@ -76,6 +76,8 @@ void SessionModel::setTopology(Topology topology)
         link.own = own != nullptr && (own->id == a || own->id == b);
         if (link.own)
             link.peer = own->id == a ? b : a;
+        if (m_links.size() < m_topology.heartbeats.size())
+            link.heartbeat = m_topology.heartbeats[m_links.size()];
         m_links.push_back(std::move(link));
     }
     Q_EMIT topologyChanged();

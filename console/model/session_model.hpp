@@ -27,6 +27,7 @@ struct LinkNode {
     std::deque<LinkSample> history;      ///< own links: 60 s, oldest first
     std::deque<Duration> roundTrips;     ///< own links: the last three, oldest first
     std::deque<quint32> queued;          ///< own links: messages that waited at the last three looks, oldest first
+    Duration heartbeat = usualHeartbeat; ///< the topology's
     std::optional<Duration> carried;     ///< own links: commands that take longer there and back come too old; nothing: not known
     std::optional<double> openingMs;     ///< how long the last opening or re-opening took
     QString failure;                     ///< why the last opening failed, for a person; empty after a success
@@ -62,6 +63,7 @@ public:
         bool secured = true; ///< TLS; false must be shown
         std::vector<DeviceNode> devices;
         std::vector<std::pair<quint32, quint32>> links;
+        std::vector<Duration> heartbeats; ///< of the links, in their order; of those that are missing the usual one
     };
 
     void setTopology(Topology topology);

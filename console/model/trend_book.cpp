@@ -55,6 +55,17 @@ const std::deque<TrendSlot>& TrendBook::slots(TrendFigure figure, TrendSpan span
     return m_slots.at(static_cast<std::size_t>(figure)).at(static_cast<std::size_t>(span));
 }
 
+std::optional<double> TrendBook::mostOfSecond(TrendFigure figure) const
+{
+    std::optional<double> most = latest(figure);
+    const auto& minute = slots(figure, TrendSpan::Minute);
+    if (!most)
+        return most;
+    for (auto slot = minute.rbegin(); slot != minute.rend() && slot->begin > minute.back().begin - 1s; ++slot)
+        most = std::max(*most, slot->most.value_or(*most));
+    return most;
+}
+
 std::optional<TrendBook::Summary> TrendBook::summary(TrendFigure figure, TrendSpan span) const
 {
     std::vector<double> values;

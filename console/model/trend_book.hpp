@@ -67,6 +67,10 @@ public:
     /// The newest value; nothing when it is not known now.
     std::optional<double> latest(TrendFigure figure) const { return m_latest.at(static_cast<std::size_t>(figure)); }
 
+    /// The largest of the last second, for what rises and falls with each picture: one moment of it says little. Nothing when the newest
+    /// value is not known.
+    std::optional<double> mostOfSecond(TrendFigure figure) const;
+
 private:
     struct Counted {
         Instant at;

@@ -66,7 +66,8 @@ struct XrayFrame {
 
     /// From the pulse's end to `arrival`, both clocks compared; nothing while the clock offset is unknown.
     std::optional<Duration> ageAtArrival;
-    Duration ageUncertainty{}; ///< meaningful only with ageAtArrival
+    Duration ageUncertainty{}; ///< meaningful only with ageAtArrival, as is the next one
+    Duration beforeSending{};  ///< the part of it that passed at the X-ray system, until the frame was sent: one clock told it
 
     /// When the pulse ended on our monotonic clock; nothing while the offset is unknown.
     std::optional<Instant> captured() const { return ageAtArrival ? std::optional<Instant>(arrival - *ageAtArrival) : std::nullopt; }

@@ -8,7 +8,7 @@ void BeatWatch::take(char beat, Instant now)
     if (m_state == State::Died || m_state == State::Over)
         return;
     m_lastBeat = now;
-    m_armed = beat == static_cast<char>(Beat::Armed);
+    m_attended = beat == static_cast<char>(Beat::Attended);
     m_state = beat == static_cast<char>(Beat::Goodbye) ? State::Over : State::Watching;
 }
 
@@ -16,13 +16,13 @@ void BeatWatch::noteEnd(Instant now)
 {
     if (m_state == State::Died || m_state == State::Over)
         return;
-    m_state = m_armed ? State::Died : State::Over;
+    m_state = m_attended ? State::Died : State::Over;
     m_died = now;
 }
 
 BeatWatch::State BeatWatch::look(Instant now)
 {
-    if (m_state == State::Watching && m_armed && silence(now) > patience)
+    if (m_state == State::Watching && m_attended && silence(now) > patience)
         m_state = State::Hung;
     if (m_state == State::Died && now - m_died >= m_mourning)
         m_state = State::Over;

@@ -8,26 +8,27 @@
 
 namespace console {
 
-/// What the console writes to the watchdog's pipe, one character each, twenty times a second.
-enum class Beat : char { Idle = 'i', Armed = 'a', Goodbye = 'q' };
+/// What the console writes to the watchdog's pipe, one character each, twenty times a second. `Attended`: a person relies on what the
+/// console sounds: it is armed or in hold, or an alarm of high priority stands.
+enum class Beat : char { Idle = 'i', Attended = 'a', Goodbye = 'q' };
 
 /// ```
-///                  armed, and no beat for 250 ms
+///               attended, and no beat for 250 ms
 ///   Watching ─────────────────────────────────────► Hung
 ///    │  │  ▲                                         │ │
 ///    │  │  └──────────── any beat ───────────────────┘ │ pipe ends
-///    │  │ pipe ends while armed                        ▼
+///    │  │ pipe ends while attended                     ▼
 ///    │  └───────────────────────────────────────────► Died ── sounded long enough ──► Over
-///    └── goodbye, or the pipe ends while not armed ─────────────────────────────────► Over
+///    └── goodbye, or the pipe ends while idle ──────────────────────────────────────► Over
 /// ```
-/// No clock of its own. Nothing that was said before the first armed beat sounds.
+/// No clock of its own. Nothing that was said before the first attended beat sounds.
 class BeatWatch {
 public:
     enum class State : std::uint8_t { Watching, Hung, Died, Over };
 
     static constexpr std::chrono::milliseconds patience{250};
 
-    /// `mourning`: how long the death of an armed console is sounded.
+    /// `mourning`: how long the death of an attended console is sounded.
     explicit BeatWatch(std::chrono::seconds mourning) : m_mourning(mourning) {}
 
     void take(char beat, Instant now);
@@ -40,7 +41,7 @@ public:
 private:
     std::chrono::seconds m_mourning;
     State m_state = State::Watching;
-    bool m_armed = false;
+    bool m_attended = false;
     Instant m_lastBeat;
     Instant m_died;
 };

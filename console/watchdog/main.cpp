@@ -1,4 +1,5 @@
-// liena-console-watchdog: sounds the high alarm when the console that started it hangs or dies while armed.
+// liena-console-watchdog: sounds the high alarm when the console that started it hangs or dies while somebody relies
+// on its alarms.
 #include "watchdog/watchdog.hpp"
 
 #include <QCommandLineParser>
@@ -10,9 +11,10 @@
 namespace {
 
 const char* const description =
-    R"(Started by liena-console, which beats to it over its standard input. When the console is armed and does not beat
-for 250 ms, or ends without a goodbye, this program sounds the high alarm and writes why to standard error and the
-system's log. It ends with the console; an armed console's death it sounds for a minute first. Not for use by hand.)";
+    R"(Started by liena-console, which beats to it over its standard input. When the console is armed, waits for the robot
+to arm, is in hold or has a high alarm that nobody acknowledged, and then does not beat for 250 ms or ends without a
+goodbye, this program sounds the high alarm and writes why to standard error and the system's log. It ends with the
+console; such a console's death it sounds for a minute first. Not for use by hand.)";
 
 } // namespace
 
@@ -26,7 +28,8 @@ int main(int argc, char** argv)
     QCoreApplication::setApplicationVersion(QStringLiteral(LIENA_VERSION));
     QCommandLineParser parser;
     parser.setApplicationDescription(QString::fromUtf8(description));
-    const QCommandLineOption mourning(QStringLiteral("mourning"), QStringLiteral("How long the death of an armed console is sounded."),
+    const QCommandLineOption mourning(QStringLiteral("mourning"),
+                                      QStringLiteral("How long the death of a console that was armed, in hold or in alarm is sounded."),
                                       QStringLiteral("SECONDS"), QStringLiteral("60"));
     parser.addOption(mourning);
     parser.addHelpOption();

@@ -70,10 +70,10 @@ void Watchdog::look()
     if (state == before)
         return;
     if (state == BeatWatch::State::Hung)
-        say("ALARM: the console hangs while armed, silent for %lld ms; motion stops, look at the robot",
+        say("ALARM: the console hangs while armed, in hold or in alarm, silent for %lld ms; motion stops, look at the robot",
             static_cast<qint64>(milliseconds(m_watch.silence(now))));
     else if (state == BeatWatch::State::Died)
-        say("ALARM: the console has ended while armed; motion stops, look at the robot");
+        say("ALARM: the console has ended while armed, in hold or in alarm; motion stops, look at the robot");
     else if (state == BeatWatch::State::Watching) {
         say("the console beats again");
         m_voice.silence();

@@ -3,13 +3,14 @@
 
 #include "widgets/alarm_colours.hpp"
 #include "widgets/flash_clock.hpp"
+#include "widgets/focus_return.hpp"
 #include "widgets/self_test_block.hpp"
 #include "widgets/theme.hpp"
+#include "widgets/touch_button.hpp"
 
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPainterPath>
-#include <QPushButton>
 
 #include <algorithm>
 
@@ -26,6 +27,7 @@ void makeCompact(QPushButton* button)
 {
     theme::setTextRole(button, TextRole::Strong);
     button->setAutoDefault(false);
+    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the hand
     button->setProperty("compact", true);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 }
@@ -51,8 +53,8 @@ AlarmBand::AlarmBand(QWidget* parent)
       m_clock(new FlashClock(this)),
       m_row(new QHBoxLayout(this)),
       m_test(new SelfTestBlock(this)),
-      m_pause(new QPushButton(this)),
-      m_acknowledge(new QPushButton(tr("Acknowledge"), this))
+      m_pause(new TouchButton(this)),
+      m_acknowledge(new TouchButton(tr("Acknowledge"), this))
 {
     setAccessibleName(tr("Alarms"));
     theme::setTextRole(this, TextRole::Alarm);
@@ -65,8 +67,8 @@ AlarmBand::AlarmBand(QWidget* parent)
         button->setSizePolicy(kept);
         button->hide();
     }
-    m_pause->setAccessibleName(tr("Pause the alarm sound for a minute, or end the pause"));
-    m_row->setContentsMargins(6, 5, 8, 5);
+    m_pause->setAccessibleName(tr("Pause the alarm sound for a while, or end the pause"));
+    m_row->setContentsMargins(6, 1, 8, 1); // what a finger must hit takes nearly all of the band
     m_row->setSpacing(8);
     m_row->addStretch(1);
     m_row->addWidget(m_test);
@@ -103,6 +105,8 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
                                        [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; }));
     const Alarm* next = firstUnacknowledged(); // of the highest priority
     m_test->setMayBegin(next == nullptr || next->priority != AlarmPriority::High);
+    if (!next)
+        returnFocus(m_acknowledge);
     m_acknowledge->setVisible(next != nullptr);
     if (next) {
         constexpr qsizetype mostCharacters = 24;
@@ -125,14 +129,26 @@ void AlarmBand::setFoldedSheets(const std::vector<std::pair<quint64, QString>>& 
 {
     if (sheets == m_folded)
         return;
+    const bool same = std::ranges::equal(sheets, m_folded, {}, &std::pair<quint64, QString>::first, &std::pair<quint64, QString>::first);
     m_folded = sheets;
-    for (QPushButton* chip : m_chips)
+    if (!same)
+        makeChips();
+    for (std::size_t i = 0; i < sheets.size(); ++i) { // their time runs: they stay, so that a finger or the keys stay on them
+        m_chips[i]->setText(sheets[i].second);
+        m_chips[i]->setAccessibleName(tr("Show again: %1").arg(sheets[i].second));
+    }
+}
+
+void AlarmBand::makeChips()
+{
+    for (QPushButton* chip : m_chips) {
+        returnFocus(chip);
         delete chip;
+    }
     m_chips.clear();
-    for (const auto& [key, text] : sheets) {
-        auto* chip = new QPushButton(text, this);
+    for (const auto& [key, text] : m_folded) {
+        auto* chip = new TouchButton(text, this);
         makeCompact(chip);
-        chip->setAccessibleName(tr("Show again: %1").arg(text));
         connect(chip, &QPushButton::clicked, this, [this, key = key] { Q_EMIT sheetRequested(key); });
         m_row->insertWidget(1, chip);
         chip->show();
@@ -158,7 +174,10 @@ void AlarmBand::setSound(bool demanded, std::optional<Duration> pausedFor)
     const int room = m_pause->fontMetrics().horizontalAdvance(tr("AUDIO PAUSED %1 s").arg(60)) + theme::px(this, 44);
     if (m_pause->minimumWidth() != room)
         m_pause->setFixedWidth(room);
-    m_pause->setVisible(demanded || pausedFor);
+    const bool shown = demanded || pausedFor;
+    if (!shown)
+        returnFocus(m_pause);
+    m_pause->setVisible(shown);
 }
 
 std::optional<AlarmColours> AlarmBand::colours() const
@@ -208,27 +227,43 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room, std::size_t fi
     const double pad = theme::px(this, 12);
     double x = room.left();
     for (std::size_t i = first; i < m_alarms.size(); ++i) {
-        const double bars = metrics.height() * 0.8;
         const QString more = tr("+%1 more").arg(m_alarms.size() - i);
         const double reserve = i + 1 < m_alarms.size() ? metrics.horizontalAdvance(more) + pad : 0;
-        const double width = metrics.horizontalAdvance(m_alarms[i].text) + bars + 3 * pad;
+        const double width = metrics.horizontalAdvance(m_alarms[i].text) + metrics.height() * 0.8 + 3 * pad;
         if (x + width + reserve > room.right()) {
             painter.setPen(ink());
             painter.drawText(QRectF(x, room.top(), room.right() - x, room.height()), Qt::AlignLeft | Qt::AlignVCenter, more);
             return;
         }
-        const AlarmColours colours = alarmColours(m_alarms[i].priority, m_alarms[i].acknowledged);
-        const QRectF chip(x, room.top() + room.height() * 0.16, width, room.height() * 0.68);
-        QPainterPath path;
-        path.addRoundedRect(chip, 4, 4);
-        painter.fillPath(path, colours.surface);
-        painter.setPen(QPen(colour::background, 2));
-        painter.drawPath(path);
-        painter.setPen(colours.ink);
-        drawPriorityBars(painter, QRectF(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8), m_alarms[i].priority);
-        painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, m_alarms[i].text);
+        paintChip(painter, QRectF(x, room.top() + room.height() * 0.16, width, room.height() * 0.68), m_alarms[i]);
         x += width + pad * 0.7;
     }
+}
+
+/// One that nobody acknowledged flashes, whatever stands before it in the band.
+void AlarmBand::paintChip(QPainter& painter, const QRectF& chip, const Alarm& alarm) const
+{
+    const AlarmColours colours = alarmColours(alarm.priority, alarm.acknowledged);
+    const bool lit = alarm.acknowledged || m_clock->isLit(alarm.priority);
+    const double pad = theme::px(this, 12);
+    const double bars = QFontMetricsF(painter.font()).height() * 0.8;
+    QPainterPath path;
+    path.addRoundedRect(chip, 4, 4);
+    painter.fillPath(path, lit ? colours.surface : colours.badgeDim);
+    painter.setPen(QPen(colour::background, 2));
+    painter.drawPath(path);
+    painter.setPen(lit ? colours.ink : colours.badgeInkDim);
+    drawPriorityBars(painter, QRectF(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8), alarm.priority);
+    painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, alarm.text);
+}
+
+/// What is left of the band for the highest alarm's text: the others' chips give way to it, down to how many they are.
+double AlarmBand::textRoom(double room) const
+{
+    if (m_alarms.size() < 2)
+        return room;
+    const QFontMetricsF metrics(theme::font(TextRole::Strong, theme::scaleOf(this)));
+    return room - metrics.horizontalAdvance(tr("+%1 more").arg(m_alarms.size() - 1)) - theme::px(this, 24 + 12);
 }
 
 void AlarmBand::paintQuiet(QPainter& painter, double right) const
@@ -276,7 +311,7 @@ void AlarmBand::paintAlarms(QPainter& painter, double right) const
     const Alarm& top = m_alarms.front();
     const int left = paintBadge(painter, top.priority, top.acknowledged);
     const double room = right - left;
-    const double end = paintText(painter, top.text, left, m_alarms.size() > 1 ? room * 0.62 : room);
+    const double end = paintText(painter, top.text, left, textRoom(room));
     if (m_alarms.size() > 1)
         return paintChips(painter, QRectF(end, 0, right - end, height()), 1);
     paintRemedy(painter, top.remedy, QRectF(end, 0, right - end, height()));

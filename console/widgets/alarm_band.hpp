@@ -54,6 +54,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void makeChips();
     std::optional<AlarmColours> colours() const;
     std::optional<AlarmPriority> testSignal() const { return m_testSignal; }
     double freeRight() const;
@@ -62,6 +63,8 @@ private:
     double paintText(QPainter& painter, const QString& text, double left, double most) const;
     void paintRemedy(QPainter& painter, const QString& remedy, const QRectF& room) const;
     void paintChips(QPainter& painter, const QRectF& room, std::size_t first) const;
+    void paintChip(QPainter& painter, const QRectF& chip, const Alarm& alarm) const;
+    double textRoom(double room) const;
     void paintQuiet(QPainter& painter, double right) const;
     void paintAlarms(QPainter& painter, double right) const;
     QColor ink() const;

@@ -63,7 +63,7 @@ void AxisPanel::setReading(const AxisReading& reading)
     setAccessibleDescription(tr("%1, %2 %3, %4")
                                  .arg(figureText(reading.position, 1, tr("mm")), advanceWord(reading.velocity),
                                       figureText(std::abs(reading.velocity), 1, tr("mm/s")), ageText(reading.freshness, reading.age)) +
-                             travelText());
+                             travelText() + tr("; drives %1, %2").arg(driveText(reading.advance), driveText(reading.turn)));
     update();
 }
 
@@ -192,32 +192,50 @@ void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
     paintTrackEnds(painter, QRectF(where.left(), track.bottom() + 3, where.width(), captionHeight));
 }
 
-void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, double value, std::optional<double> asked, double fullScale,
-                           const QString& words, const QString& unit) const
+QString AxisPanel::driveText(const DriveReading& drive) const
+{
+    const bool known = m_reading.drives != Freshness::Unknown;
+    const auto shown = [known](double value) { return known ? std::optional<double>(value) : std::nullopt; };
+    return tr("%1 \u00B7 %2").arg(figure(shown(drive.temperature), 0, tr("°C")), figure(shown(drive.current), 1, tr("A")));
+}
+
+void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, const Speed& speed) const
 {
     const double scale = theme::scaleOf(this);
     painter.setFont(theme::font(TextRole::Strong, scale));
     const double line = QFontMetricsF(painter.font()).height();
     painter.setPen(valueInk(m_reading.freshness));
     drawFigures(painter, QRectF(where.left(), where.top(), where.width(), line), Qt::AlignRight | Qt::AlignVCenter,
-                figureText(std::abs(value), 1, unit));
+                figureText(std::abs(speed.value), 1, speed.unit));
     painter.setFont(theme::font(TextRole::Body, scale));
     painter.drawText(QRectF(where.left(), where.top(), where.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
-                     m_reading.freshness == Freshness::Unknown ? QString() : words);
+                     m_reading.freshness == Freshness::Unknown ? QString() : speed.words);
     const QRectF track(where.left(), where.top() + line + 2, where.width(), std::max(5.0, theme::px(this, 9) * 1.0));
     painter.fillRect(track, colour::raised);
-    const auto xOf = [&](double v) { return track.center().x() + track.width() / 2 * std::clamp(v / fullScale, -1.0, 1.0); };
+    const auto xOf = [&](double v) { return track.center().x() + track.width() / 2 * std::clamp(v / speed.fullScale, -1.0, 1.0); };
     if (m_reading.freshness == Freshness::Fresh) {
-        const double x = xOf(value);
+        const double x = xOf(speed.value);
         painter.fillRect(QRectF(std::min(x, track.center().x()), track.top(), std::abs(x - track.center().x()), track.height()),
                          colour::text);
     }
     painter.fillRect(QRectF(track.center().x() - 0.75, track.top() - 1, 1.5, track.height() + 2), colour::secondary);
-    if (asked) { // the ghost: hollow, so that it is never taken for the instrument itself
+    if (speed.asked) { // the ghost: hollow, so that it is never taken for the instrument itself
         painter.setPen(QPen(colour::armed, 1.6));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(xOf(*asked) - 3, track.top() - 2, 6, track.height() + 4));
+        painter.drawRect(QRectF(xOf(*speed.asked) - 3, track.top() - 2, 6, track.height() + 4));
     }
+    paintDrive(painter, QRectF(where.left(), track.bottom() + 3, where.width(), where.bottom() - track.bottom() - 3), speed.drive);
+}
+
+// On the smallest screens there is no line for it.
+void AxisPanel::paintDrive(QPainter& painter, const QRectF& where, const DriveReading& drive) const
+{
+    painter.setFont(theme::font(TextRole::Caption, theme::scaleOf(this)));
+    const double line = QFontMetricsF(painter.font()).height();
+    if (where.height() < line)
+        return;
+    painter.setPen(m_reading.drives == Freshness::Fresh ? colour::secondary : colour::stale);
+    drawFigures(painter, QRectF(where.topLeft(), QSizeF(where.width(), line)), Qt::AlignRight | Qt::AlignVCenter, driveText(drive));
 }
 
 void AxisPanel::paintEvent(QPaintEvent*)
@@ -234,10 +252,11 @@ void AxisPanel::paintEvent(QPaintEvent*)
     const QRectF all(rect());
     paintName(painter, QRectF(all.left(), all.top(), nameWidth - gap / 2, all.height()));
     paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedWidth - gap, all.height()));
-    const QRectF speed(all.right() - speedWidth, all.top(), speedWidth, all.height());
-    paintSpeed(painter, speed, m_reading.velocity, m_reading.askedVelocity, fullVelocity, advanceWord(m_reading.velocity), tr("mm/s"));
-    paintSpeed(painter, speed.adjusted(0, speed.height() / 2, 0, 0), m_reading.rotation, m_reading.askedRotation, fullRotation,
-               turnWord(m_reading.rotation), tr("\u00B0/s"));
+    const QRectF speed(all.right() - speedWidth, all.top(), speedWidth, all.height() / 2);
+    const AxisReading& r = m_reading;
+    paintSpeed(painter, speed, {r.velocity, r.askedVelocity, fullVelocity, advanceWord(r.velocity), tr("mm/s"), r.advance});
+    paintSpeed(painter, speed.translated(0, speed.height()),
+               {r.rotation, r.askedRotation, fullRotation, turnWord(r.rotation), tr("\u00B0/s"), r.turn});
 }
 
 } // namespace console

@@ -10,6 +10,12 @@
 
 namespace console {
 
+/// Of one of an instrument's two drives.
+struct DriveReading {
+    double current = 0;     ///< A
+    double temperature = 0; ///< °C
+};
+
 struct AxisReading {
     Freshness freshness = Freshness::Unknown;
     Duration age{};
@@ -22,6 +28,8 @@ struct AxisReading {
     bool softLow = false, softHigh = false, hardLow = false, hardHigh = false;
     std::optional<double> askedVelocity; ///< while engaged: what was commanded
     std::optional<double> askedRotation;
+    Freshness drives = Freshness::Unknown;
+    DriveReading advance, turn;
 };
 
 class AxisPanel : public QWidget {
@@ -42,8 +50,16 @@ private:
     void paintLimits(QPainter& painter, const QRectF& track) const;
     void paintTrackEnds(QPainter& painter, const QRectF& where) const;
     double partOf(double position) const;
-    void paintSpeed(QPainter& painter, const QRectF& where, double value, std::optional<double> asked, double fullScale,
-                    const QString& words, const QString& unit) const;
+    struct Speed {
+        double value;
+        std::optional<double> asked;
+        double fullScale;
+        QString words, unit;
+        DriveReading drive;
+    };
+    void paintSpeed(QPainter& painter, const QRectF& where, const Speed& speed) const;
+    void paintDrive(QPainter& painter, const QRectF& where, const DriveReading& drive) const;
+    QString driveText(const DriveReading& drive) const;
     QString limitWord(bool soft, bool hard) const;
     QString travelText() const; ///< for who does not see the bar
     QString figureText(double value, int decimals, const QString& unit) const;

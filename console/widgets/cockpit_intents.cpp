@@ -11,21 +11,22 @@ namespace console {
 
 void CockpitWindow::connectIntents()
 {
-    connect(m_rail, &LinksRail::openRequested, this, &CockpitWindow::openRequested);
-    connect(m_rail, &LinksRail::closeRequested, this, &CockpitWindow::closeRequested);
-    connect(m_rail, &LinksRail::reopenRequested, this, &CockpitWindow::reopenRequested);
-    connect(m_rail, &LinksRail::openAllRequested, this, &CockpitWindow::openAllRequested);
+    // What was clicked or pressed is done: the keys are the hand's again, so that a further Space or arrow is no second wish.
+    const auto done = [this](auto signal) {
+        return [this, signal](auto... what) {
+            Q_EMIT(this->*signal)(what...);
+            setFocus();
+        };
+    };
+    connect(m_rail, &LinksRail::openRequested, this, done(&CockpitWindow::openRequested));
+    connect(m_rail, &LinksRail::closeRequested, this, done(&CockpitWindow::closeRequested));
+    connect(m_rail, &LinksRail::reopenRequested, this, done(&CockpitWindow::reopenRequested));
+    connect(m_rail, &LinksRail::openAllRequested, this, done(&CockpitWindow::openAllRequested));
     connect(m_rail, &LinksRail::topologyRequested, this, [this] { showView(View::Topology); });
-    connect(m_band, &AlarmBand::acknowledgeRequested, this, &CockpitWindow::acknowledgeRequested);
-    connect(m_band, &AlarmBand::audioPauseRequested, this, [this] {
-        Q_EMIT audioPauseRequested();
-        setFocus();
-    });
-    connect(m_band, &AlarmBand::selfTestRequested, this, &CockpitWindow::alarmTestRequested);
-    connect(m_band, &AlarmBand::selfTestAnswered, this, [this](bool seenAndHeard) {
-        Q_EMIT alarmTestAnswered(seenAndHeard);
-        setFocus();
-    });
+    connect(m_band, &AlarmBand::acknowledgeRequested, this, done(&CockpitWindow::acknowledgeRequested));
+    connect(m_band, &AlarmBand::audioPauseRequested, this, done(&CockpitWindow::audioPauseRequested));
+    connect(m_band, &AlarmBand::selfTestRequested, this, done(&CockpitWindow::alarmTestRequested));
+    connect(m_band, &AlarmBand::selfTestAnswered, this, done(&CockpitWindow::alarmTestAnswered));
     connect(m_band, &AlarmBand::sheetRequested, m_deck, &SheetDeck::open);
     connect(m_deck, &SheetDeck::chipsChanged, m_band, &AlarmBand::setFoldedSheets);
     connect(m_deck, &SheetDeck::closed, this, [this] { setFocus(); });
@@ -40,20 +41,14 @@ void CockpitWindow::connectIntents()
             Q_EMIT audioPauseRequested();
     });
     connect(sheet, &DiagnosisSheet::reportRequested, this, &CockpitWindow::reportRequested);
-    connect(m_away, &InterruptionCard::readRequested, this, [this] {
-        Q_EMIT interruptionReadRequested();
-        setFocus();
-    });
+    connect(m_away, &InterruptionCard::readRequested, this, done(&CockpitWindow::interruptionReadRequested));
     connect(m_motion, &MotionBar::emergencyStopRequested, this, &CockpitWindow::emergencyStopRequested);
     connect(m_motion, &MotionBar::emergencyStopResetRequested, this, &CockpitWindow::emergencyStopResetRequested);
     connect(m_motion, &MotionBar::armHoldChanged, this, &CockpitWindow::armHoldChanged);
     connect(m_motion, &MotionBar::pedalChanged, this, &CockpitWindow::pedalChanged);
     connect(m_motion, &MotionBar::injectHoldChanged, this, &CockpitWindow::injectHoldChanged);
-    connect(m_motion, &MotionBar::masterChosen, this, &CockpitWindow::masterChosen);
-    connect(m_motion, &MotionBar::forceAccepted, this, [this](double newtons) {
-        Q_EMIT forceAccepted(newtons);
-        setFocus();
-    });
+    connect(m_motion, &MotionBar::masterChosen, this, done(&CockpitWindow::masterChosen));
+    connect(m_motion, &MotionBar::forceAccepted, this, done(&CockpitWindow::forceAccepted));
 }
 
 void CockpitWindow::connectModels()

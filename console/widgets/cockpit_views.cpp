@@ -1,5 +1,6 @@
 // Keys of the views that are added to the cockpit, and what a person set up for it.
 #include "widgets/cockpit_window.hpp"
+#include "widgets/motion_bar.hpp"
 #include "widgets/status_strip.hpp"
 #include "widgets/trends_pane.hpp"
 
@@ -15,6 +16,7 @@ void CockpitWindow::addViewKeys()
         connect(shortcut, &QShortcut::activated, this, [this, view] { toggleView(view); });
     };
     bind(Qt::Key_F3, View::Plots);
+    bind(Qt::Key_F5, View::Checklist);
     bind(Qt::Key_F6, View::Preferences);
     bind(Qt::Key_F7, View::Screens);
     const auto act = [this](const QKeySequence& keys, auto what) {
@@ -27,6 +29,14 @@ void CockpitWindow::addViewKeys()
     for (int place = 0; place < 9; ++place)
         act(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + place)), [this, place] { Q_EMIT layoutRequested(place); });
     connect(m_strip, &StatusStrip::aboutRequested, this, [this] { toggleView(View::About); });
+    connect(m_motion, &MotionBar::checklistRequested, this, [this] { toggleView(View::Checklist); });
+}
+
+void CockpitWindow::setKeyLegend(const QString& legend)
+{
+    m_motion->setKeyLegend({tr("Esc emergency stop \u00B7 F12 hold \u00B7 F9 audio pause"), legend,
+                            tr("F1 cockpit \u00B7 F2 topology \u00B7 F3 plots \u00B7 F4 log \u00B7 F5 conditions \u00B7 F6 preferences "
+                               "\u00B7 F7 screens \u00B7 F8 alarm test \u00B7 F10 F11 swap")});
 }
 
 void CockpitWindow::setTrendSpan(TrendSpan span) { m_trends->setSpan(span); }

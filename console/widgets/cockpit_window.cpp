@@ -114,6 +114,7 @@ void CockpitWindow::replace(Region region, QWidget*& present, QWidget* view)
     delete present;
     present = view;
     m_layout->place(region, view);
+    theme::applyScale(view, theme::scaleOf(this));
     view->show();
     stack();
 }
@@ -142,6 +143,7 @@ void CockpitWindow::addView(View view, QWidget* widget)
 {
     m_layout->place(Region::Overlay, widget);
     m_views.add(view, widget);
+    theme::applyScale(widget, theme::scaleOf(this));
     stack();
 }
 
@@ -152,17 +154,6 @@ void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user, m_
 void CockpitWindow::setPatient(const QString& name, const QString& id) { m_strip->setPatient(name, id); }
 
 void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehearsal); }
-
-/// What stops comes first: on a small screen the end is cut.
-void CockpitWindow::setKeyLegend(const QString& legend)
-{
-    QStringList keys{tr("Esc emergency stop \u00B7 F12 hold")};
-    if (!legend.isEmpty())
-        keys << legend;
-    keys << tr("F8 alarm test \u00B7 F9 audio pause \u00B7 F1 cockpit \u00B7 F2 topology \u00B7 F3 plots \u00B7 F4 log");
-    keys << tr("F6 preferences \u00B7 F7 screens \u00B7 F10 F11 change places");
-    m_motion->setKeyLegend(keys.join(QStringLiteral(" \u00B7 ")));
-}
 
 void CockpitWindow::showView(View view)
 {
@@ -257,7 +248,9 @@ void CockpitWindow::keyPressEvent(QKeyEvent* event)
 {
     const int key = event->key();
     const bool never = key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter;
-    if (!m_handHasKeys || never || event->isAutoRepeat()) {
+    // With one of these it is a shortcut, of this program or of the desktop, and no wish of the hand; a release always counts.
+    const bool shortcut = event->modifiers().testAnyFlags(Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+    if (!m_handHasKeys || never || shortcut || event->isAutoRepeat()) {
         event->ignore();
         return;
     }

@@ -39,7 +39,7 @@ QWidget* DiagnosisSheet::makeHead()
     auto* head = new QWidget(this);
     auto* rows = new QVBoxLayout(head);
     rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
+    rows->setSpacing(6);
     auto* first = new QHBoxLayout;
     m_headline = plainLabel({}, TextRole::Alarm, head);
     setInk(m_headline, colour::bright);
@@ -186,7 +186,8 @@ void DiagnosisSheet::connectActions()
     });
 }
 
-void DiagnosisSheet::focusChecks() { m_checks->setFocus(Qt::OtherFocusReason); }
+// Of a link between two others there is nothing to check from here; then it is what folds the sheet, and never what re-opens.
+void DiagnosisSheet::focusChecks() { (m_checks->isVisibleTo(this) ? m_checks : m_fold)->setFocus(Qt::OtherFocusReason); }
 
 void DiagnosisSheet::showNote(const QString& note)
 {
@@ -194,12 +195,23 @@ void DiagnosisSheet::showNote(const QString& note)
     m_note->setVisible(!note.isEmpty());
 }
 
+/// A second press while it runs would be told as a failure.
+void DiagnosisSheet::setReopening(const PromptContent& content)
+{
+    if (content.reopening && m_reopen->hasFocus())
+        focusChecks();
+    m_reopen->setVisible(content.canReopen);
+    m_reopen->setText(content.reopening ? tr("Re-opening\u2026") : tr("Re-open channel"));
+    m_reopen->setAccessibleName(m_reopen->text());
+    m_reopen->setEnabled(!content.reopening);
+}
+
 void DiagnosisSheet::setActions(const IncidentRecord& incident, const PromptContent& content)
 {
     m_fold->setText(content.healed ? tr("Close") : tr("Fold"));
     m_fold->setAccessibleName(content.healed ? tr("Close this sheet") : tr("Fold this sheet to a chip in the alarm band"));
     m_actions->setVisible(content.decided && m_giveUpRow->isHidden());
-    m_reopen->setVisible(content.canReopen);
+    setReopening(content);
     m_reopenAll->setVisible(content.lostLinks > 1);
     m_reopenAll->setText(tr("Re-open all lost (%1)").arg(content.lostLinks));
     m_reopenAll->setAccessibleName(m_reopenAll->text());

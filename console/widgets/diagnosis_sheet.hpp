@@ -44,6 +44,7 @@ private:
     QWidget* makeGiveUp();
     QLabel* addSection(QVBoxLayout* column, const QString& heading);
     void connectActions();
+    void setReopening(const PromptContent& content);
     void setActions(const IncidentRecord& incident, const PromptContent& content);
 
     quint64 m_incident = 0;

@@ -22,7 +22,10 @@ public:
 
 private:
     FigureLabel* addFigure(QGridLayout* grid, int row, int column, const QString& caption, const QString& widest);
+    FigureLabel* addNote(const QString& widest);
+    QGridLayout* makeGrid();
     void refreshContrast(Instant now);
+    void refreshInjection(Freshness freshness, Instant now);
 
     const InstrumentState& m_instrument;
     const XraySystemState& m_xray;
@@ -33,6 +36,8 @@ private:
     FigureLabel* m_kermaRate = nullptr;
     FigureLabel* m_product = nullptr;
     FigureLabel* m_injection = nullptr;
+    FigureLabel* m_contrastNote = nullptr;
+    FigureLabel* m_injectionNote = nullptr;
     FigureLabel* m_contrastAge = nullptr;
     FigureLabel* m_xrayAge = nullptr;
 };

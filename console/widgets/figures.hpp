@@ -1,5 +1,7 @@
-// Text whose figures stand in cells of one width, so that no value jumps when it changes.
+// Numbers as a person reads them, and a label for them that does not jump.
 #pragma once
+
+#include "imaging/figure_cells.hpp"
 
 #include <QLabel>
 #include <QString>
@@ -7,14 +9,7 @@
 #include <chrono>
 #include <optional>
 
-class QPainter;
-class QFont;
-
 namespace console {
-
-/// Inter's figures are proportional and Qt 6.4 cannot ask a face for its tabular ones; the cell is the widest figure's.
-void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text);
-double figuresWidth(const QFont& font, const QString& text);
 
 /// `12.3 mm`; an em dash and the unit when there is no value.
 QString figure(std::optional<double> value, int decimals, const QString& unit);

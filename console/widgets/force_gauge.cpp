@@ -83,68 +83,100 @@ void ForceGauge::paintMark(QPainter& painter, const QRectF& circle, double force
     painter.drawText(QPointF(x, at.y() + (at.x() > circle.center().x() + circle.width() * 0.2 ? metrics.ascent() / 3 : 0)), words);
 }
 
-void ForceGauge::paintTrail(QPainter& painter, const QRectF& where) const
+// Where nothing was heard nothing is drawn.
+QPainterPath ForceGauge::trailPath(const QRectF& where) const
 {
-    painter.setPen(QPen(colour::line, 1));
-    painter.drawLine(where.bottomLeft(), where.bottomRight());
     const double full = m_limits.forceStop * 1.25;
-    const double warn = where.bottom() - where.height() * m_limits.forceWarn / full;
-    painter.setPen(QPen(colour::line, 1, Qt::DashLine));
-    painter.drawLine(QPointF(where.left(), warn), QPointF(where.right(), warn));
     QPainterPath line;
-    bool drawing = false;
+    std::optional<Instant> before;
     for (const auto& sample : m_trail) {
         const double x = where.right() - where.width() * seconds(m_now - sample.at) / seconds(InstrumentState::forceTrail);
         if (x < where.left())
             continue;
         const QPointF point(x, where.bottom() - where.height() * std::clamp(std::abs(sample.force) / full, 0.0, 1.0));
-        drawing ? line.lineTo(point) : line.moveTo(point);
-        drawing = true;
+        const bool joined = before && sample.at - *before <= InstrumentState::statusLimit;
+        joined ? line.lineTo(point) : line.moveTo(point);
+        before = sample.at;
+    }
+    return line;
+}
+
+void ForceGauge::paintTrail(QPainter& painter, const QRectF& where) const
+{
+    painter.setPen(QPen(colour::line, 1));
+    painter.drawLine(where.bottomLeft(), where.bottomRight());
+    for (const double force : {m_limits.forceWarn, m_limits.forceStop}) {
+        const double y = where.bottom() - where.height() * force / (m_limits.forceStop * 1.25);
+        painter.setPen(QPen(colour::line, 1, Qt::DashLine));
+        painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
     }
     painter.setPen(QPen(colour::plot, 1.6));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPath(line);
+    painter.drawPath(trailPath(where));
+}
+
+QRectF ForceGauge::faceCircle() const
+{
+    const double scale = theme::scaleOf(this);
+    const QFontMetricsF caption(theme::font(TextRole::Caption, scale));
+    const double room = height() - caption.height() * 5.5;
+    const double marks = caption.horizontalAdvance(tr("stop 2 N"));
+    const double diameter = std::max(10.0, std::min(room / 0.74, (width() - 2 * marks - 8) / 1.1));
+    return {(width() - diameter) / 2, caption.height() * 1.3 + diameter * 0.06, diameter, diameter};
+}
+
+/// Below the arc's ends and the words between them.
+double ForceGauge::faceFoot(const QRectF& circle) const
+{
+    const double scale = theme::scaleOf(this);
+    const double words =
+        QFontMetricsF(theme::font(TextRole::Value, scale)).height() * 0.15 + QFontMetricsF(theme::font(TextRole::Caption, scale)).height();
+    return circle.center().y() + std::max(circle.width() * 0.22, words);
+}
+
+void ForceGauge::paintWords(QPainter& painter, const QRectF& circle) const
+{
+    const double scale = theme::scaleOf(this);
+    painter.setFont(theme::font(TextRole::Value, scale));
+    const double valueHeight = QFontMetricsF(painter.font()).height();
+    painter.setPen(valueInk(m_freshness));
+    const QRectF centre(circle.left(), circle.center().y() - valueHeight * 0.85, circle.width(), valueHeight);
+    const bool known = m_freshness != Freshness::Unknown;
+    drawFigures(painter, centre, Qt::AlignHCenter | Qt::AlignVCenter,
+                figure(known ? std::optional<double>(std::abs(m_force)) : std::nullopt, 2, tr("N")));
+    painter.setFont(theme::font(TextRole::Caption, scale));
+    painter.setPen(m_freshness == Freshness::Fresh ? colour::secondary : colour::text);
+    const QString words = m_freshness != Freshness::Fresh ? ageText(m_freshness, m_age)
+                          : std::abs(m_force) < 0.02      ? tr("no force")
+                          : m_force > 0                   ? tr("resistance")
+                                                          : tr("pull");
+    drawFigures(painter, QRectF(circle.left(), centre.bottom(), circle.width(), QFontMetricsF(painter.font()).height()),
+                Qt::AlignHCenter | Qt::AlignVCenter, words);
 }
 
 void ForceGauge::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double scale = theme::scaleOf(this);
-    const QFont caption = theme::font(TextRole::Caption, scale);
-    const QFont value = theme::font(TextRole::Value, scale);
-    const double captionHeight = QFontMetricsF(caption).height();
-    const double valueHeight = QFontMetricsF(value).height();
+    const QFont caption = theme::font(TextRole::Caption, theme::scaleOf(this));
+    const double line = QFontMetricsF(caption).height();
     painter.setFont(caption);
     painter.setPen(colour::secondary);
-    painter.drawText(QRectF(0, 0, width(), captionHeight), Qt::AlignLeft | Qt::AlignVCenter, tr("Force"));
-    const double trailHeight = captionHeight * 1.6;
-    const double room = height() - captionHeight * 1.3 - trailHeight - 4;
-    const double marks = QFontMetricsF(caption).horizontalAdvance(tr("stop 2 N"));
-    const double diameter = std::min(room / 0.74, (width() - 2 * marks - 8) / 1.1);
-    const QRectF circle((width() - diameter) / 2, captionHeight * 1.3 + diameter * 0.06, diameter, diameter);
+    painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft | Qt::AlignVCenter, tr("Force"));
+    const QRectF circle = faceCircle();
     paintArc(painter, circle);
     painter.setFont(caption);
     paintMark(painter, circle, m_limits.forceWarn, tr("warn %1").arg(figure(m_limits.forceWarn, 0, tr("N"))));
     paintMark(painter, circle, m_limits.forceStop, tr("stop %1").arg(figure(m_limits.forceStop, 0, tr("N"))));
-    painter.setFont(value);
-    painter.setPen(valueInk(m_freshness));
-    const QRectF centre(circle.left(), circle.center().y() - valueHeight * 0.85, circle.width(), valueHeight);
-    const bool known = m_freshness != Freshness::Unknown;
-    drawFigures(painter, centre, Qt::AlignHCenter | Qt::AlignVCenter,
-                figure(known ? std::optional<double>(std::abs(m_force)) : std::nullopt, 2, tr("N")));
+    paintWords(painter, circle);
+    const QRectF legend(0, faceFoot(circle) + line * 0.3, width(), line);
     painter.setFont(caption);
-    painter.setPen(m_freshness == Freshness::Fresh ? colour::secondary : colour::text);
-    const QString words = m_freshness != Freshness::Fresh ? ageText(m_freshness, m_age)
-                          : std::abs(m_force) < 0.02      ? tr("no force")
-                          : m_force > 0                   ? tr("resistance")
-                                                          : tr("pull");
-    drawFigures(painter, QRectF(circle.left(), centre.bottom(), circle.width(), captionHeight), Qt::AlignHCenter | Qt::AlignVCenter, words);
-    const QRectF trail(width() * 0.36, height() - trailHeight - 2, width() * 0.64 - 2, trailHeight);
-    paintTrail(painter, trail);
     painter.setPen(colour::secondary);
-    drawFigures(painter, QRectF(0, trail.top(), trail.left(), trailHeight), Qt::AlignLeft | Qt::AlignVCenter,
+    const bool known = m_freshness != Freshness::Unknown;
+    drawFigures(painter, legend, Qt::AlignLeft | Qt::AlignVCenter,
                 tr("peak %1").arg(figure(known ? std::optional<double>(m_peak) : std::nullopt, 2, tr("N"))));
+    drawFigures(painter, legend, Qt::AlignRight | Qt::AlignVCenter, tr("10 s"));
+    paintTrail(painter, QRectF(1, legend.bottom() + 4, width() - 3, std::max(line, height() - legend.bottom() - 6)));
 }
 
 } // namespace console

@@ -3,6 +3,7 @@
 
 #include "model/instrument_state.hpp"
 
+#include <QPainterPath>
 #include <QWidget>
 
 namespace console {
@@ -22,7 +23,11 @@ private:
     double angleOf(double force) const;
     void paintArc(QPainter& painter, const QRectF& circle) const;
     void paintMark(QPainter& painter, const QRectF& circle, double force, const QString& words) const;
+    void paintWords(QPainter& painter, const QRectF& circle) const;
+    double faceFoot(const QRectF& circle) const;
+    QRectF faceCircle() const;
     void paintTrail(QPainter& painter, const QRectF& where) const;
+    QPainterPath trailPath(const QRectF& where) const;
 
     Freshness m_freshness = Freshness::Unknown;
     Duration m_age{};

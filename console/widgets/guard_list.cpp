@@ -1,15 +1,14 @@
-// Lines in columns of five; an empty box is missing, a tick is met. What is missing comes first, so what finds no room is met.
+// Lines in columns; what is missing comes first, so what finds no room is met wherever the room allows it.
 #include "widgets/guard_list.hpp"
 
 #include "widgets/figures.hpp"
 #include "widgets/theme.hpp"
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <QStringList>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 
 namespace console {
@@ -17,101 +16,132 @@ namespace console {
 using theme::TextRole;
 namespace colour = theme::colour;
 
-GuardList::GuardList(QWidget* parent) : QWidget(parent)
+std::vector<ShownGuard> shownGuards(const GuardChecklist& checklist, const PermitState& permit)
+{
+    const bool armed = permit.phase == PermitPhase::Armed || permit.phase == PermitPhase::Engaged;
+    const GuardSet kept = keptWhileArmed();
+    std::vector<ShownGuard> shown;
+    for (const GuardLine& line : checklist) {
+        const auto place = std::size_t(line.guard);
+        const bool met = armed ? permit.kept.test(place) : line.met;
+        shown.push_back({armed && !kept.test(place) ? GuardMark::NotAsked : met ? GuardMark::Met : GuardMark::Missing, line.text});
+    }
+    return shown;
+}
+
+void drawGuardMark(QPainter& painter, const QRectF& where, GuardMark mark)
+{
+    painter.setPen(QPen(mark == GuardMark::Missing ? colour::bright : colour::secondary, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    const double side = where.height();
+    if (mark == GuardMark::Met)
+        painter.drawPolyline(QPolygonF{where.topLeft() + QPointF(0, side * 0.55), where.topLeft() + QPointF(side * 0.4, side * 0.95),
+                                       where.topRight() + QPointF(0, side * 0.05)});
+    else if (mark == GuardMark::Missing)
+        painter.drawRect(where);
+    else
+        painter.drawLine(QPointF(where.left(), where.center().y()), QPointF(where.right(), where.center().y()));
+}
+
+GuardList::GuardList(QWidget* parent) : QAbstractButton(parent)
 {
     theme::setTextRole(this, TextRole::Caption);
-    setAccessibleName(tr("Conditions for motion"));
+    setAccessibleName(tr("Conditions for motion; F5 shows all of them"));
+    setFocusPolicy(Qt::TabFocus); // a press leaves the keys to the hand until the view has them
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState& permit)
 {
-    std::vector<GuardLine> lines(checklist.begin(), checklist.end());
-    if (permit.phase == PermitPhase::Armed || permit.phase == PermitPhase::Engaged) {
-        const GuardSet kept = keptWhileArmed();
-        std::erase_if(lines, [&kept](const GuardLine& line) { return !kept.test(std::size_t(line.guard)); });
-        for (GuardLine& line : lines)
-            line.met = permit.kept.test(std::size_t(line.guard));
-    }
-    std::stable_partition(lines.begin(), lines.end(), [](const GuardLine& line) { return !line.met; });
-    const auto same = [](const GuardLine& a, const GuardLine& b) { return a.guard == b.guard && a.met == b.met && a.text == b.text; };
-    if (std::equal(lines.begin(), lines.end(), m_lines.begin(), m_lines.end(), same))
+    auto lines = shownGuards(checklist, permit);
+    std::erase_if(lines, [](const ShownGuard& line) { return line.mark == GuardMark::NotAsked; });
+    std::stable_partition(lines.begin(), lines.end(), [](const ShownGuard& line) { return line.mark == GuardMark::Missing; });
+    if (lines == m_lines)
         return;
     m_lines = std::move(lines);
     QStringList missing;
-    for (const GuardLine& line : m_lines)
-        if (!line.met)
+    for (const ShownGuard& line : m_lines)
+        if (line.mark == GuardMark::Missing)
             missing << line.text;
     setAccessibleDescription(missing.isEmpty() ? tr("All conditions are met") : tr("Missing: %1").arg(missing.join(tr("; "))));
-    setToolTip(missing.join(QLatin1Char('\n')).toHtmlEscaped());
     update();
 }
 
-QSize GuardList::sizeHint() const { return {theme::px(this, 660), rows * QFontMetrics(font()).height()}; }
-
-// It gives way first: with less room its letters become smaller, and what is missing still comes before what is met.
-QSize GuardList::minimumSizeHint() const { return {theme::px(this, 400), sizeHint().height()}; }
-
-int GuardList::columnCount() const
+void GuardList::keyPressEvent(QKeyEvent* event)
 {
-    return std::clamp(int(width() / (QFontMetricsF(font()).averageCharWidth() * 22)), 1, int(guardCount) / rows);
+    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+        return QAbstractButton::keyPressEvent(event);
+    event->accept();
+    if (!event->isAutoRepeat())
+        click();
 }
 
-std::vector<double> GuardList::askedWidths(int columns, const QFont& font) const
+// It takes what its neighbours leave.
+QSize GuardList::sizeHint() const { return {theme::px(this, 400), 3 * QFontMetrics(font()).height()}; }
+
+int GuardList::rows() const
 {
-    const double mark = QFontMetricsF(font).height() * 1.8;
+    constexpr double slack = 2; // px, in all: descenders have it between themselves
+    return std::max(1, int((height() + slack) / QFontMetricsF(font()).height()));
+}
+
+int GuardList::mostColumns() const
+{
+    const int needed = (int(m_lines.size()) + rows() - 1) / rows();
+    return std::clamp(int(width() / (QFontMetricsF(font()).averageCharWidth() * 20)), 1, std::max(1, needed));
+}
+
+std::size_t GuardList::missingCount() const
+{
+    return std::size_t(
+        std::count_if(m_lines.begin(), m_lines.end(), [](const ShownGuard& line) { return line.mark == GuardMark::Missing; }));
+}
+
+std::size_t GuardList::writtenOut() const
+{
+    const auto room = std::size_t(columns() * rows());
+    return room < m_lines.size() ? room - 1 : m_lines.size();
+}
+
+std::vector<double> GuardList::askedWidths(int columns) const
+{
+    const double mark = QFontMetricsF(font()).height() * 1.5;
+    const auto tall = std::size_t(rows());
     std::vector<double> widths(std::size_t(columns), mark);
-    const std::size_t room = std::size_t(columns * rows);
+    const std::size_t room = std::size_t(columns) * tall;
     for (std::size_t i = 0; i < std::min(m_lines.size(), room); ++i) {
         const bool last = i + 1 == room && room < m_lines.size();
-        widths[i / rows] = std::max(widths[i / rows], figuresWidth(font, last ? overflowText(i) : m_lines[i].text) + mark);
+        widths[i / tall] = std::max(widths[i / tall], figuresWidth(font(), last ? overflowText(i) : m_lines[i].text) + mark);
     }
     return widths;
 }
 
-// No condition is cut short: letters become a little smaller, then fewer columns hold what is missing and the rest is counted.
-GuardList::Plan GuardList::plan() const
+// No condition is cut short and none is written smaller: what finds no room is counted, and a press shows it.
+int GuardList::columns() const
 {
-    constexpr std::array shares{1.0, 0.88, 0.76};
-    static constexpr int leastPixels = 10;
-    const auto missing = std::size_t(std::count_if(m_lines.begin(), m_lines.end(), [](const GuardLine& line) { return !line.met; }));
-    const auto smaller = [this](double share) {
-        QFont face = font();
-        face.setPixelSize(std::max(leastPixels, int(std::lround(face.pixelSize() * share))));
-        return face;
-    };
-    const auto fits = [this](int columns, const QFont& face) {
-        const auto asked = askedWidths(columns, face);
-        return std::accumulate(asked.begin(), asked.end(), 0.0) <= width();
-    };
-    for (const bool all : {true, false})
-        for (int columns = columnCount(); columns > 0; --columns) {
-            const std::size_t room = std::size_t(columns * rows);
-            if (all && missing > (room < m_lines.size() ? room - 1 : room))
-                continue;
-            for (const double share : shares)
-                if (fits(columns, smaller(share)))
-                    return {columns, smaller(share)};
-        }
-    return {1, smaller(shares.back())};
+    for (int columns = mostColumns(); columns > 1; --columns) {
+        const auto asked = askedWidths(columns);
+        if (std::accumulate(asked.begin(), asked.end(), 0.0) <= width())
+            return columns;
+    }
+    return 1;
 }
 
 // Each column as wide as its longest line asks for; what is over goes to all alike.
-std::vector<double> GuardList::columnWidths(const Plan& plan) const
+std::vector<double> GuardList::columnWidths(int columns) const
 {
-    const QFontMetricsF metrics(plan.font);
-    auto widths = askedWidths(plan.columns, plan.font);
+    auto widths = askedWidths(columns);
     const double asked = std::accumulate(widths.begin(), widths.end(), 0.0);
-    const double spare = (width() - asked) / plan.columns;
+    const double spare = (width() - asked) / columns;
     for (double& wide : widths)
-        wide = spare >= 0 ? wide + std::min(spare, metrics.height() * 2) : wide * width() / asked;
+        wide = spare >= 0 ? wide + std::min(spare, QFontMetricsF(font()).height() * 2) : wide * width() / asked;
     return widths;
 }
 
 QString GuardList::overflowText(std::size_t from) const
 {
-    const auto missing =
-        std::count_if(m_lines.begin() + std::ptrdiff_t(from), m_lines.end(), [](const GuardLine& line) { return !line.met; });
-    const auto met = std::ptrdiff_t(m_lines.size() - from) - missing;
+    const std::size_t missing = missingCount() > from ? missingCount() - from : 0;
+    const std::size_t met = m_lines.size() - from - missing;
     if (missing == 0)
         return tr("and %1 more met").arg(met);
     return met == 0 ? tr("and %1 more missing").arg(missing) : tr("and %1 more missing, %2 met").arg(missing).arg(met);
@@ -121,33 +151,28 @@ void GuardList::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const Plan how = plan();
-    painter.setFont(how.font);
-    const QFontMetricsF metrics(how.font);
-    const std::size_t room = std::size_t(how.columns * rows);
-    const std::vector<double> widths = columnWidths(how);
-    const double tall = double(height()) / rows;
+    if (hasFocus() || underMouse()) {
+        painter.setPen(QPen(hasFocus() ? colour::focus : colour::line, hasFocus() ? 2 : 1));
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    }
+    const QFontMetricsF metrics(font());
+    const int across = columns();
+    const auto down = std::size_t(rows());
+    const std::vector<double> widths = columnWidths(across);
+    const double tall = double(height()) / double(down);
     const double box = metrics.capHeight();
-    double left = 0;
-    for (std::size_t i = 0; i < std::min(room, m_lines.size()); ++i) {
-        if (i > 0 && i % rows == 0)
-            left += widths[i / rows - 1];
-        const QRectF cell(left, double(i % rows) * tall, widths[i / rows], tall);
-        const QRectF text = cell.adjusted(box + 9, 0, -6, 0);
-        if (i + 1 == room && room < m_lines.size()) {
-            painter.setPen(colour::secondary);
-            drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, overflowText(i));
-            return;
-        }
-        const GuardLine& line = m_lines[i];
-        const QRectF mark(cell.left() + 2, cell.center().y() - box / 2, box, box);
-        painter.setPen(QPen(line.met ? colour::secondary : colour::bright, 1.5));
-        if (line.met)
-            painter.drawPolyline(QPolygonF{mark.topLeft() + QPointF(0, box * 0.55), mark.topLeft() + QPointF(box * 0.4, box * 0.95),
-                                           mark.topRight() + QPointF(0, box * 0.05)});
-        else
-            painter.drawRect(mark);
-        drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(line.text, Qt::ElideRight, text.width()));
+    double left = theme::px(this, 4);
+    for (std::size_t i = 0; i < std::min(std::size_t(across) * down, m_lines.size()); ++i) {
+        if (i > 0 && i % down == 0)
+            left += widths[i / down - 1];
+        const QRectF cell(left, double(i % down) * tall, widths[i / down], tall);
+        const QRectF text = cell.adjusted(box + 9, 0, -2, 0);
+        const bool counted = i >= writtenOut();
+        const GuardMark mark = m_lines[i].mark;
+        if (!counted)
+            drawGuardMark(painter, QRectF(cell.left() + 2, cell.center().y() - box / 2, box, box), mark);
+        painter.setPen(mark == GuardMark::Missing ? colour::bright : colour::secondary);
+        drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, counted ? overflowText(i) : m_lines[i].text);
     }
 }
 

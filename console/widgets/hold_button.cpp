@@ -50,7 +50,8 @@ QSize HoldButton::sizeHint() const
     const QFontMetrics word(theme::font(TextRole::Title, theme::scaleOf(this)));
     const QFontMetrics line(theme::font(TextRole::Caption, theme::scaleOf(this)));
     const int width = std::max(word.horizontalAdvance(text()), line.horizontalAdvance(m_explanation));
-    return {width + theme::px(this, 24), word.height() + line.height() + theme::px(this, 20)};
+    const QSize written(width + theme::px(this, 16), word.height() + line.height() + theme::px(this, 20));
+    return written.expandedTo({theme::px(this, 156), theme::safetySide(this)});
 }
 
 void HoldButton::setHeld(bool held)

@@ -22,6 +22,7 @@ public:
 
     bool isHeld() const { return m_held; }
 
+    /// At least theme::safetySide() tall, and wider, so that its neighbours stand still when it says something else.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 

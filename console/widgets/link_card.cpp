@@ -2,12 +2,14 @@
 #include "widgets/link_card.hpp"
 
 #include "widgets/figures.hpp"
+#include "widgets/focus_return.hpp"
 #include "widgets/icons.hpp"
 #include "widgets/link_arrow.hpp"
 #include "widgets/sparkline.hpp"
 #include "widgets/theme.hpp"
 #include "widgets/touch_button.hpp"
 
+#include <QApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -27,6 +29,7 @@ LinkCard::LinkCard(quint32 peer, QWidget* parent) : QFrame(parent), m_peer(peer)
     theme::setTextRole(this, TextRole::Body);
     theme::setTextRole(m_action, TextRole::Strong);
     m_action->setAutoDefault(false);
+    m_action->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the hand
     m_action->setProperty("compact", true);
     connect(m_action, &QPushButton::clicked, this, &LinkCard::act);
 }
@@ -91,11 +94,16 @@ void LinkCard::updateButton()
         m_action->setText(text);
         m_action->setAccessibleName(may ? tr("%1 the link to %2").arg(text, m_device.title) : text);
     }
+    if (!may)
+        returnFocus(m_action);
     m_action->setEnabled(may);
 }
 
 void LinkCard::act()
 {
+    if (m_acted.isValid() && m_acted.elapsed() < QApplication::doubleClickInterval())
+        return; // the second click of a double one: the button may offer the opposite by now
+    m_acted.start();
     if (mayOpen(m_link.state))
         Q_EMIT openRequested(m_peer);
     else if (mayClose(m_link.state))

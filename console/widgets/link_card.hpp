@@ -3,6 +3,7 @@
 
 #include "model/session_model.hpp"
 
+#include <QElapsedTimer>
 #include <QFrame>
 
 class QPushButton;
@@ -43,6 +44,7 @@ private:
     DeviceNode m_device;
     Instant m_now;
     QPushButton* m_action;
+    QElapsedTimer m_acted; ///< since the last wish
 };
 
 } // namespace console

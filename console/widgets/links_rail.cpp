@@ -1,11 +1,12 @@
 // The rail follows the session model: one card per own link, in the topology's order.
 #include "widgets/links_rail.hpp"
 
+#include "widgets/focus_return.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/link_card.hpp"
+#include "widgets/touch_button.hpp"
 
 #include <QHBoxLayout>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -19,8 +20,8 @@ LinksRail::LinksRail(const SessionModel& sessions, QWidget* parent)
     : QFrame(parent),
       m_sessions(sessions),
       m_count(headingLabel(tr("Links"), this)),
-      m_openAll(new QPushButton(tr("Open all"), this)),
-      m_topology(new QPushButton(tr("Topology  F2"), this)),
+      m_openAll(new TouchButton(tr("Open all"), this)),
+      m_topology(new TouchButton(tr("Topology  F2"), this)),
       m_scroll(new QScrollArea(this)),
       m_column(new QVBoxLayout(this)),
       m_cardColumn(new QVBoxLayout)
@@ -31,6 +32,8 @@ LinksRail::LinksRail(const SessionModel& sessions, QWidget* parent)
     theme::setTextRole(m_topology, TextRole::Body);
     m_topology->setAccessibleName(tr("Show the topology"));
     m_topology->setProperty("compact", true);
+    for (QPushButton* button : {m_openAll, m_topology})
+        button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the hand
     auto* cards = new QWidget(m_scroll);
     m_cardColumn->setContentsMargins(0, 0, 0, 0);
     m_cardColumn->setSpacing(6);
@@ -64,8 +67,10 @@ void LinksRail::setMiniTopology(QWidget* topology)
 
 void LinksRail::rebuild()
 {
-    for (LinkCard* card : m_cards)
+    for (LinkCard* card : m_cards) {
+        returnFocus(card);
         card->deleteLater();
+    }
     m_cards.clear();
     for (const LinkNode& link : m_sessions.links()) {
         if (!link.own)
@@ -89,8 +94,9 @@ void LinksRail::fitMini()
     const int others =
         m_openAll->sizeHint().height() + m_topology->sizeHint().height() + 3 * m_column->spacing() + margins.top() + margins.bottom();
     const int room = std::min(height() - cards - others, width() * 3 / 4);
-    m_mini->setVisible(room >= width() / 2);
-    if (room >= width() / 2)
+    const bool fits = room >= width() * 2 / 5;
+    m_mini->setVisible(fits);
+    if (fits)
         m_mini->setFixedHeight(room);
 }
 
@@ -105,7 +111,10 @@ void LinksRail::refresh(Instant now)
     m_count->setText(m_sessions.ownLinkCount() == 0 ? tr("No links")
                                                     : tr("%1 of %2 open").arg(m_sessions.openCount()).arg(m_sessions.ownLinkCount()));
     const auto& links = m_sessions.links();
-    m_openAll->setEnabled(std::any_of(links.begin(), links.end(), [](const LinkNode& link) { return link.own && mayOpen(link.state); }));
+    const bool some = std::any_of(links.begin(), links.end(), [](const LinkNode& link) { return link.own && mayOpen(link.state); });
+    if (!some)
+        returnFocus(m_openAll);
+    m_openAll->setEnabled(some);
     fitMini();
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/labels.hpp"
 #include "widgets/log_lines.hpp"
 #include "widgets/sheet_button.hpp"
+#include "widgets/touch_line.hpp"
 
 #include <QDateTime>
 #include <QHBoxLayout>
@@ -20,16 +21,6 @@ namespace {
 constexpr int mostWords = 200; // characters of a filter
 constexpr std::array eventKinds{LogKind::Note, LogKind::Link, LogKind::Permit, LogKind::Alarm, LogKind::Operator, LogKind::Trouble};
 constexpr std::array alarmKinds{AlarmPriority::High, AlarmPriority::Medium, AlarmPriority::Low};
-
-QLineEdit* plainEdit(const QString& accessibleName, const QString& placeholder, QWidget* parent)
-{
-    auto* edit = new QLineEdit(parent);
-    theme::setTextRole(edit, TextRole::Body);
-    edit->setAccessibleName(accessibleName);
-    edit->setPlaceholderText(placeholder);
-    edit->setContextMenuPolicy(Qt::NoContextMenu);
-    return edit;
-}
 
 } // namespace
 
@@ -71,7 +62,6 @@ QPushButton* LogView::addToggle(QHBoxLayout* row, const QString& text, const QSt
     button->setAccessibleName(accessibleName);
     button->setCheckable(true);
     button->setProperty("compact", true);
-    button->setTight(true);
     row->addWidget(button);
     return button;
 }
@@ -86,10 +76,12 @@ QHBoxLayout* LogView::makeHead()
     m_logs[1] = addToggle(row, tr("Alarms"), tr("Show the alarm log, with what was kept of earlier runs"));
     row->addStretch(1);
     row->addWidget(m_count);
-    QLabel* leave = plainLabel(tr("F1 closes"), TextRole::Caption, this);
-    setInk(leave, colour::secondary);
+    auto* leave = new SheetButton(tr("To the cockpit  F1"), SheetButton::Enter::Clicks, this);
+    leave->setAccessibleName(tr("Leave the log"));
+    leave->setProperty("compact", true);
     row->addSpacing(18);
     row->addWidget(leave);
+    connect(leave, &QPushButton::clicked, this, &LogView::leaveRequested);
     connect(m_logs[0], &QPushButton::clicked, this, [this] { showLog(Log::Events); });
     connect(m_logs[1], &QPushButton::clicked, this, [this] { showLog(Log::Alarms); });
     connect(m_lines, &QAbstractItemView::clicked, this, &LogView::showWhole);
@@ -107,7 +99,7 @@ QHBoxLayout* LogView::makeFilters()
     m_kindRow->setSpacing(6);
     row->addLayout(m_kindRow);
     row->addSpacing(12);
-    m_words = plainEdit(tr("Only lines with these words"), tr("with these words"), this);
+    m_words = new TouchLine(tr("Only lines with these words"), tr("with these words"), this);
     m_words->setMaxLength(mostWords);
     m_words->setClearButtonEnabled(true);
     row->addWidget(m_words, 1);
@@ -125,12 +117,11 @@ QHBoxLayout* LogView::makeSaving()
     QLabel* into = plainLabel(tr("Into the file"), TextRole::Body, this);
     setInk(into, colour::secondary);
     row->addWidget(into);
-    m_path = plainEdit(tr("File that the lines shown are written into"), {}, this);
+    m_path = new TouchLine(tr("File that the lines shown are written into"), {}, this);
     row->addWidget(m_path, 1);
     m_save = new SheetButton(tr("Save lines shown"), SheetButton::Enter::Clicks, this);
     m_save->setAccessibleName(tr("Write the lines shown into the file"));
     m_save->setProperty("compact", true);
-    m_save->setTight(true);
     row->addWidget(m_save);
     connect(m_save, &QPushButton::clicked, this, &LogView::save);
     connect(m_path, &QLineEdit::returnPressed, this, &LogView::save);

@@ -44,6 +44,7 @@ public:
 
 Q_SIGNALS:
     void saveRequested(const QByteArray& text, const QString& path);
+    void leaveRequested();
 
 protected:
     void showEvent(QShowEvent* event) override;

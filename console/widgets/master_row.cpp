@@ -2,6 +2,7 @@
 #include "widgets/master_row.hpp"
 
 #include "widgets/figures.hpp"
+#include "widgets/focus_return.hpp"
 #include "widgets/theme.hpp"
 
 #include <QHBoxLayout>
@@ -16,7 +17,6 @@ namespace colour = theme::colour;
 
 namespace {
 
-constexpr int leastHeight = 24;    ///< pixels, so that it can be hit (WCAG 2.2, target size)
 constexpr double widestName = 320; ///< at the reference; what a device calls itself can be long
 
 bool lost(MasterLife life) { return life == MasterLife::Gone || life == MasterLife::Silent; }
@@ -58,8 +58,9 @@ QString MasterChip::name() const
 QSize MasterChip::sizeHint() const
 {
     const QFontMetrics metrics(font());
-    const int height = std::max(metrics.height() + theme::px(this, 6), leastHeight);
-    return {height + metrics.horizontalAdvance(name()) + int(figuresWidth(font(), m_words)) + theme::px(this, 28), height};
+    const int least = theme::touchSide(this);
+    const int width = metrics.height() + metrics.horizontalAdvance(name()) + int(figuresWidth(font(), m_words)) + theme::px(this, 34);
+    return {std::max(width, least), std::max(metrics.height() + theme::px(this, 6), least)};
 }
 
 void MasterChip::paintMark(QPainter& painter, const QRectF& where) const
@@ -84,7 +85,7 @@ void MasterChip::paintEvent(QPaintEvent*)
         painter.setBrush(m_status.inUse ? colour::raised : colour::panel);
         painter.drawRoundedRect(box, 4, 4);
     }
-    const double side = box.height() * 0.5;
+    const double side = QFontMetricsF(font()).height() * 0.75;
     const double pad = theme::px(this, 8);
     paintMark(painter, QRectF(box.left() + pad, box.center().y() - side / 2, side, side));
     const QFontMetricsF metrics(font());
@@ -119,11 +120,16 @@ void MasterRow::setMasters(const std::vector<MasterStatus>& masters, bool mayCha
     for (std::size_t place = 0; place < masters.size(); ++place) {
         auto* shown = chip(place);
         shown->setStatus(masters[place], lifeWords(masters[place], now));
-        shown->setEnabled(mayChange && !masters[place].inUse && masters[place].life != MasterLife::Gone);
+        const bool may = mayChange && !masters[place].inUse && masters[place].life != MasterLife::Gone;
+        if (!may)
+            returnFocus(shown);
+        shown->setEnabled(may);
         shown->show();
     }
-    for (std::size_t place = masters.size(); place < m_chips.size(); ++place)
+    for (std::size_t place = masters.size(); place < m_chips.size(); ++place) {
+        returnFocus(m_chips[place]);
         m_chips[place]->hide();
+    }
 }
 
 } // namespace console

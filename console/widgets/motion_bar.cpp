@@ -2,6 +2,7 @@
 #include "widgets/motion_bar.hpp"
 
 #include "widgets/figures.hpp"
+#include "widgets/focus_return.hpp"
 #include "widgets/guard_list.hpp"
 #include "widgets/hand_block.hpp"
 #include "widgets/hold_button.hpp"
@@ -11,6 +12,7 @@
 #include "widgets/small_button.hpp"
 #include "widgets/stop_button.hpp"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QStackedLayout>
 #include <QVBoxLayout>
@@ -22,6 +24,30 @@ namespace console {
 using theme::TextRole;
 namespace colour = theme::colour;
 
+namespace {
+
+/// Five millimetres, whatever the scale.
+class SafetyGap : public QWidget {
+public:
+    explicit SafetyGap(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed); }
+
+    QSize sizeHint() const override { return {theme::safetyGap(this), 0}; }
+};
+
+/// As wide for every force: what stands beside it stays where it is.
+class AcceptButton : public SmallButton {
+public:
+    using SmallButton::SmallButton;
+
+    QSize sizeHint() const override { return SmallButton::sizeHint().expandedTo({theme::px(this, 150), 0}); }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
+QString acceptText(double newtons) { return MotionBar::tr("Accept %1").arg(figure(newtons, 2, MotionBar::tr("N"))); }
+
+} // namespace
+
+// What shows is on the left, what acts on the right, each as tall as the bar.
 MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     : QFrame(parent),
       m_models(models),
@@ -34,11 +60,37 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
       m_pedal(new HoldButton(this)),
       m_stop(new StopButton(this)),
       m_masters(new MasterRow(this)),
-      m_acceptForce(new SmallButton({}, tr("Accept this force"),
-                                    tr("You have looked at it: the next arming within 30 s is not refused for it"), this)),
-      m_legend(plainLabel({}, TextRole::Caption, this))
+      m_acceptForce(new AcceptButton(acceptText(0), tr("Accept this force"),
+                                     tr("You have looked at it: the next arming within 30 s is not refused for it"), this)),
+      m_stopKeys(plainLabel({}, TextRole::Body, this)),
+      m_handKeys(plainLabel({}, TextRole::Body, this)),
+      m_viewKeys(plainLabel({}, TextRole::Body, this))
 {
     setAccessibleName(tr("Motion"));
+    nameButtons();
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(8, 3, 8, 2);
+    row->setSpacing(0);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(1);
+    left->addLayout(makeState(), 1);
+    left->addLayout(makeFoot());
+    row->addLayout(left, 1);
+    auto* swap = new QWidget(this);
+    m_armOrReset = new QStackedLayout(swap);
+    m_armOrReset->addWidget(m_arm);
+    m_armOrReset->addWidget(m_reset);
+    for (QWidget* safety : std::initializer_list<QWidget*>{swap, m_inject, m_pedal, m_stop}) {
+        row->addWidget(new SafetyGap(this));
+        row->addWidget(safety);
+    }
+    for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_inject, m_pedal, m_stop})
+        part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
+    connectButtons();
+}
+
+void MotionBar::nameButtons()
+{
     m_arm->setAccessibleName(tr("Arm: hold for one and a half seconds"));
     m_reset->setAccessibleName(tr("Reset the emergency stop: hold for one and a half seconds"));
     m_reset->setTexts(tr("RESET STOP"), tr("hold 1.5 s"));
@@ -47,36 +99,44 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     m_inject->setAccent(colour::text);
     m_pedal->setAccessibleName(tr("X-ray pedal: fluoroscopy while held"));
     m_pedal->setAccent(colour::xray);
-    m_acceptForce->setTight(true);
-    setInk(m_legend, colour::secondary);
-    m_legend->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(8, 4, 8, 3);
-    column->setSpacing(2);
+}
+
+QLayout* MotionBar::makeState()
+{
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
-    auto* swap = new QWidget(this);
-    m_armOrReset = new QStackedLayout(swap);
-    m_armOrReset->addWidget(m_arm);
-    m_armOrReset->addWidget(m_reset);
-    row->addWidget(m_permit, 5);
-    row->addWidget(m_guards, 12);
+    row->addWidget(m_permit);
+    row->addWidget(m_guards, 1);
     row->addWidget(m_hand);
-    row->addWidget(swap, 3);
-    for (QWidget* safety : std::initializer_list<QWidget*>{m_inject, m_pedal, m_stop}) {
-        row->addSpacing(10); // with gloves a finger beside one must not meet the next
-        row->addWidget(safety, 3);
-    }
-    for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_inject, m_pedal, m_stop})
-        part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
-    column->addLayout(row, 1);
-    auto* below = new QHBoxLayout;
-    below->setSpacing(14);
-    below->addWidget(m_masters);
-    below->addWidget(m_acceptForce);
-    below->addWidget(m_legend, 1);
-    column->addLayout(below);
-    connectButtons();
+    return row;
+}
+
+/// Its first place is the accepted force's, also while there is none: nothing moves when it comes, least of all under a finger.
+QLayout* MotionBar::makeFoot()
+{
+    theme::setTextRole(m_acceptForce, TextRole::Strong);
+    m_acceptForce->setProperty("emphasis", true);
+    QSizePolicy kept = m_acceptForce->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    m_acceptForce->setSizePolicy(kept);
+    m_acceptForce->hide();
+    setInk(m_handKeys, colour::secondary);
+    setInk(m_viewKeys, colour::secondary);
+    m_handKeys->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // beside several masters there may be no room for all of it
+    m_viewKeys->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    auto* keys = new QGridLayout;
+    keys->setHorizontalSpacing(22);
+    keys->setVerticalSpacing(0);
+    keys->setColumnStretch(1, 1);
+    keys->addWidget(m_stopKeys, 0, 0);
+    keys->addWidget(m_handKeys, 0, 1);
+    keys->addWidget(m_viewKeys, 1, 0, 1, 2);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    row->addWidget(m_acceptForce);
+    row->addWidget(m_masters);
+    row->addLayout(keys, 1);
+    return row;
 }
 
 void MotionBar::connectButtons()
@@ -85,6 +145,10 @@ void MotionBar::connectButtons()
     connect(m_inject, &HoldButton::holdChanged, this, &MotionBar::injectHoldChanged);
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
+    connect(m_guards, &GuardList::clicked, this, [this] {
+        if (m_models.permit.phase() != PermitPhase::Engaged) // a view takes the keys from the hand
+            Q_EMIT checklistRequested();
+    });
     connect(m_acceptForce, &QPushButton::clicked, this, [this] {
         if (m_forceRead)
             Q_EMIT forceAccepted(m_forceShown);
@@ -100,10 +164,13 @@ void MotionBar::connectButtons()
     });
 }
 
-void MotionBar::setKeyLegend(const QString& legend)
+void MotionBar::setKeyLegend(const KeyLegend& legend)
 {
-    m_legend->setText(legend);
-    m_legend->setToolTip(legend); // beside several masters there may be no room for all of it
+    m_stopKeys->setText(legend.stop);
+    m_handKeys->setText(legend.hand);
+    m_handKeys->setToolTip(legend.hand);
+    m_viewKeys->setText(legend.views);
+    m_viewKeys->setToolTip(legend.views);
 }
 
 void MotionBar::setPedalShown(bool held) { m_pedal->setProgress(held ? 1.0 : 0.0); }
@@ -186,12 +253,14 @@ void MotionBar::refreshForce(Instant now)
     } else if (!stands && instrument.mayAcceptForce(now)) {
         m_forceSince = now;
         m_forceShown = instrument.robot().value.guidewireForce;
-        m_acceptForce->setText(tr("Accept %1").arg(figure(m_forceShown, 2, tr("N"))));
+        m_acceptForce->setText(acceptText(m_forceShown));
     } else if (!stands) {
         m_forceSince.reset();
     }
     if (!m_acceptForce->isDown())
         m_forceRead = m_forceSince && now - *m_forceSince >= forceIsRead;
+    if (!m_forceSince)
+        returnFocus(m_acceptForce);
     m_acceptForce->setVisible(m_forceSince.has_value());
 }
 

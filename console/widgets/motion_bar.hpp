@@ -6,6 +6,7 @@
 #include <QFrame>
 
 class QLabel;
+class QLayout;
 class QStackedLayout;
 
 namespace console {
@@ -23,8 +24,13 @@ class MotionBar : public QFrame {
 public:
     explicit MotionBar(const ConsoleModels& models, QWidget* parent = nullptr);
 
-    /// Which keys do what; from the input device in use.
-    void setKeyLegend(const QString& legend);
+    /// Which keys do what.
+    struct KeyLegend {
+        QString stop; ///< first, and brighter: what stops
+        QString hand; ///< from the input device in use
+        QString views;
+    };
+    void setKeyLegend(const KeyLegend& legend);
 
     /// How a held button is shown, whichever way it is held.
     void setPedalShown(bool held);
@@ -39,8 +45,12 @@ Q_SIGNALS:
     void injectHoldChanged(bool held);
     void masterChosen(console::MasterKind kind);
     void forceAccepted(double newtons); ///< as it was shown
+    void checklistRequested();
 
 private:
+    QLayout* makeState();
+    QLayout* makeFoot();
+    void nameButtons();
     void connectButtons();
     void refreshArm(Instant now);
     void refreshReset(Instant now);
@@ -63,7 +73,9 @@ private:
     StopButton* m_stop;
     MasterRow* m_masters;
     SmallButton* m_acceptForce;
-    QLabel* m_legend;
+    QLabel* m_stopKeys;
+    QLabel* m_handKeys;
+    QLabel* m_viewKeys;
     QStackedLayout* m_armOrReset = nullptr;
     std::optional<Instant> m_resetSince;
     std::optional<Instant> m_forceSince; ///< when the force on its button was written there; nothing while there is none

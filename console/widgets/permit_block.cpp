@@ -35,7 +35,7 @@ QSize PermitBlock::sizeHint() const
     const double scale = theme::scaleOf(this);
     const QFontMetrics word(font());
     const QFontMetrics line(theme::font(TextRole::Caption, scale));
-    int widest = theme::px(this, 330);
+    int widest = theme::px(this, 300);
     for (int phase = 0; phase < permitPhaseCount; ++phase)
         widest = std::max(widest, word.horizontalAdvance(console::word(PermitPhase(phase))));
     return {widest + theme::px(this, 44), word.height() + 2 * line.height()};

@@ -42,7 +42,7 @@ void PictureControls::resizeEvent(QResizeEvent*)
 {
     int needed = m_rows->contentsMargins().left() + m_rows->contentsMargins().right() + m_rows->spacing();
     for (int i = 0; i < m_rows->count(); ++i)
-        needed += m_rows->itemAt(i)->minimumSize().width();
+        needed += m_rows->itemAt(i)->sizeHint().width();
     m_rows->setDirection(width() < needed ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
@@ -77,8 +77,11 @@ void PictureControls::buildWindowButtons()
 
 void PictureControls::buildSteppers()
 {
+    const auto part = [this] { m_row->addSpacerItem(new QSpacerItem(6, 0, QSizePolicy::Maximum)); }; // where there is room
     m_zoom = addStepper(tr("zoom"), [this](int steps) { Q_EMIT zoomRequested(steps); });
+    part(); // a plus and the next minus are not one button
     m_noise = addStepper(tr("noise reduction"), [this](int steps) { m_display.stepNoiseReduction(steps); });
+    part();
     m_edge = addStepper(tr("edge enhancement"), [this](int steps) { m_display.stepEdge(steps); });
 }
 

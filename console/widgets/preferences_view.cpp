@@ -3,11 +3,12 @@
 
 #include "widgets/choice_row.hpp"
 #include "widgets/labels.hpp"
+#include "widgets/row_area.hpp"
 #include "widgets/sheet_button.hpp"
+#include "widgets/touch_line.hpp"
 
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -84,12 +85,7 @@ void PreferencesView::makeHead(QVBoxLayout* column)
 
 QWidget* PreferencesView::makeEntries()
 {
-    auto* area = new QScrollArea(this);
-    area->setAccessibleName(tr("Entries"));
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus); // it follows the focus of its entries
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* area = new RowArea(tr("Entries"), this);
     auto* body = new QWidget(area);
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(0, 4, 8, 4);
@@ -182,11 +178,7 @@ QLineEdit* PreferencesView::addText(QVBoxLayout* column, const QString& name, co
     row->setSpacing(12);
     QLabel* title = plainLabel(name, TextRole::Strong, this);
     setInk(title, colour::bright);
-    auto* line = new QLineEdit(this);
-    theme::setTextRole(line, TextRole::Body);
-    line->setAccessibleName(name);
-    line->setPlaceholderText(whenEmpty);
-    line->setContextMenuPolicy(Qt::NoContextMenu);
+    auto* line = new TouchLine(name, whenEmpty, this);
     line->setMaxLength(mostLetters);
     row->addWidget(title);
     row->addWidget(line, 1);

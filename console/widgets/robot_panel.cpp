@@ -17,6 +17,49 @@ namespace console {
 using theme::TextRole;
 namespace colour = theme::colour;
 
+namespace {
+
+DriveReading driveReading(const DriveStatus& drives, Drive which)
+{
+    return {drives.current.at(std::size_t(which)), drives.temperature.at(std::size_t(which))};
+}
+
+AxisReading guidewireReading(AxisReading reading, const RobotStatus& robot, const DriveStatus& drives)
+{
+    const auto has = [&robot](LimitSwitch bit) { return (robot.limitSwitches & bit) != 0; };
+    reading.position = robot.guidewirePosition;
+    reading.velocity = robot.guidewireVelocity;
+    reading.angle = robot.guidewireAngle;
+    reading.rotation = robot.guidewireRotation;
+    reading.gripperClosed = robot.guidewireGripperClosed;
+    reading.softLow = has(GuidewireSoftLow);
+    reading.softHigh = has(GuidewireSoftHigh);
+    reading.hardLow = has(GuidewireHardLow);
+    reading.hardHigh = has(GuidewireHardHigh);
+    reading.advance = driveReading(drives, Drive::GuidewireAdvance);
+    reading.turn = driveReading(drives, Drive::GuidewireTurn);
+    return reading;
+}
+
+AxisReading catheterReading(AxisReading reading, const RobotStatus& robot, const DriveStatus& drives)
+{
+    const auto has = [&robot](LimitSwitch bit) { return (robot.limitSwitches & bit) != 0; };
+    reading.position = robot.catheterPosition;
+    reading.velocity = robot.catheterVelocity;
+    reading.angle = robot.catheterAngle;
+    reading.rotation = robot.catheterRotation;
+    reading.gripperClosed = robot.catheterGripperClosed;
+    reading.softLow = has(CatheterSoftLow);
+    reading.softHigh = has(CatheterSoftHigh);
+    reading.hardLow = has(CatheterHardLow);
+    reading.hardHigh = has(CatheterHardHigh);
+    reading.advance = driveReading(drives, Drive::CatheterAdvance);
+    reading.turn = driveReading(drives, Drive::CatheterTurn);
+    return reading;
+}
+
+} // namespace
+
 RobotPanel::RobotPanel(const ConsoleModels& models, QWidget* parent)
     : QFrame(parent),
       m_models(models),
@@ -52,6 +95,10 @@ RobotPanel::RobotPanel(const ConsoleModels& models, QWidget* parent)
     left->addWidget(m_drives);
     left->addWidget(m_arm);
     row->addLayout(left, 1);
+    auto* between = new QFrame(this);
+    between->setFrameStyle(int(QFrame::VLine) | int(QFrame::Plain));
+    setInk(between, colour::line);
+    row->addWidget(between);
     row->addWidget(m_force);
 }
 
@@ -87,11 +134,10 @@ void RobotPanel::refreshDrives(Instant now)
     const Freshness freshness = drives.freshness(now, InstrumentState::driveLimit);
     QString text = tr("Drives \u2014");
     if (freshness != Freshness::Unknown) {
-        const auto& v = drives.value;
-        const double warmest = *std::max_element(v.temperature.begin(), v.temperature.end());
-        const double current = *std::max_element(v.current.begin(), v.current.end());
-        text = tr("Drives %1 \u00B7 warmest %2 \u00B7 most current %3")
-                   .arg(v.allEnabled() ? tr("enabled") : tr("off"), figure(warmest, 0, tr("°C")), figure(current, 1, tr("A")));
+        const auto on = std::count(drives.value.enabled.begin(), drives.value.enabled.end(), true);
+        text = on == 0                     ? tr("Drives off")
+               : drives.value.allEnabled() ? tr("Drives enabled")
+                                           : tr("%1 of %2 drives enabled").arg(on).arg(driveCount);
     }
     m_drives->setText(text + QStringLiteral(" \u00B7 ") + ageText(freshness, drives.age(now)));
     setInk(m_drives, freshness == Freshness::Fresh ? colour::text : colour::secondary);
@@ -107,33 +153,14 @@ void RobotPanel::refreshDrives(Instant now)
 
 void RobotPanel::refresh(Instant now)
 {
-    const Aged<RobotStatus>& robot = m_instrument.robot();
-    const RobotStatus& v = robot.value;
-    const bool moving = m_models.permit.state().stream() == MotionStream::Motion;
-    const auto has = [&v](LimitSwitch bit) { return (v.limitSwitches & bit) != 0; };
-    AxisReading wire;
-    wire.freshness = robot.freshness(now, InstrumentState::statusLimit);
-    wire.age = robot.age(now);
-    AxisReading tube = wire;
-    wire.position = v.guidewirePosition;
-    wire.velocity = v.guidewireVelocity;
-    wire.angle = v.guidewireAngle;
-    wire.rotation = v.guidewireRotation;
-    wire.gripperClosed = v.guidewireGripperClosed;
-    wire.softLow = has(GuidewireSoftLow);
-    wire.softHigh = has(GuidewireSoftHigh);
-    wire.hardLow = has(GuidewireHardLow);
-    wire.hardHigh = has(GuidewireHardHigh);
-    tube.position = v.catheterPosition;
-    tube.velocity = v.catheterVelocity;
-    tube.angle = v.catheterAngle;
-    tube.rotation = v.catheterRotation;
-    tube.gripperClosed = v.catheterGripperClosed;
-    tube.softLow = has(CatheterSoftLow);
-    tube.softHigh = has(CatheterSoftHigh);
-    tube.hardLow = has(CatheterHardLow);
-    tube.hardHigh = has(CatheterHardHigh);
-    if (moving) {
+    const Aged<DriveStatus>& drives = m_instrument.drives();
+    AxisReading both;
+    both.freshness = m_instrument.robot().freshness(now, InstrumentState::statusLimit);
+    both.age = m_instrument.robot().age(now);
+    both.drives = drives.freshness(now, InstrumentState::driveLimit);
+    AxisReading wire = guidewireReading(both, m_instrument.robot().value, drives.value);
+    AxisReading tube = catheterReading(both, m_instrument.robot().value, drives.value);
+    if (m_models.permit.state().stream() == MotionStream::Motion) {
         const HandMotion& asked = m_models.hand.reading().motion;
         wire.askedVelocity = asked.guidewireVelocity;
         wire.askedRotation = asked.guidewireRotation;

@@ -3,12 +3,13 @@
 
 #include "widgets/choice_row.hpp"
 #include "widgets/labels.hpp"
+#include "widgets/row_area.hpp"
 #include "widgets/sheet_button.hpp"
+#include "widgets/touch_line.hpp"
 
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace console {
@@ -26,9 +27,9 @@ ScreensView::ScreensView(QWidget* parent)
     : QFrame(parent),
       m_leave(new SheetButton(tr("To the cockpit  F1"), SheetButton::Enter::Clicks, this)),
       m_save(new SheetButton(tr("Save layout"), SheetButton::Enter::Clicks, this)),
-      m_name(new QLineEdit(this)),
+      m_name(new TouchLine(tr("Name for the present layout"), tr("name for the present layout"), this)),
       m_words(plainLabel({}, TextRole::Body, this)),
-      m_area(new QScrollArea(this))
+      m_area(new RowArea(tr("Screens, pictures and layouts"), this))
 {
     setAccessibleName(tr("Screens and layouts"));
     setAutoFillBackground(true);
@@ -40,11 +41,6 @@ ScreensView::ScreensView(QWidget* parent)
     QLabel* title = plainLabel(tr("Screens and layouts"), TextRole::Title, this);
     setInk(title, colour::bright);
     m_words->setWordWrap(true);
-    m_area->setAccessibleName(tr("Screens, pictures and layouts"));
-    m_area->setWidgetResizable(true);
-    m_area->setFrameShape(QFrame::NoFrame);
-    m_area->setFocusPolicy(Qt::NoFocus); // it follows the focus of its rows
-    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     column->addWidget(title);
     column->addWidget(m_words);
     column->addWidget(m_area, 1);
@@ -55,11 +51,7 @@ ScreensView::ScreensView(QWidget* parent)
 
 void ScreensView::makeSaving(QVBoxLayout* column)
 {
-    theme::setTextRole(m_name, TextRole::Body);
-    m_name->setAccessibleName(tr("Name for the present layout"));
-    m_name->setPlaceholderText(tr("name for the present layout"));
     m_name->setMaxLength(longestName);
-    m_name->setContextMenuPolicy(Qt::NoContextMenu);
     m_save->setAccessibleName(tr("Save the present layout under this name"));
     auto* foot = new QHBoxLayout;
     foot->setSpacing(10);
@@ -126,8 +118,9 @@ void ScreensView::addScreens(QVBoxLayout* column)
 {
     QStringList choices{tr("none")};
     choices << m_state.further;
-    auto* second =
-        new ChoiceRow(tr("Second screen"), tr("Topology, trends and log. It moves nothing; the hand has no keys in it."), choices, m_body);
+    auto* second = new ChoiceRow(
+        tr("Second screen"), tr("Topology, conditions for motion, plots, trends and log. It moves nothing; the hand has no keys in it."),
+        choices, m_body);
     second->setValue(int(m_state.further.indexOf(m_state.second)) + 1,
                      m_state.further.isEmpty() ? tr("no further screen is there") : QString());
     auto* third = new ChoiceRow(tr("Third screen"), tr("The reference picture, at most as large as the live one."), choices, m_body);

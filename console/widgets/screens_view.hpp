@@ -8,11 +8,11 @@
 
 class QLabel;
 class QLineEdit;
-class QScrollArea;
 class QVBoxLayout;
 
 namespace console {
 
+class RowArea;
 class SheetButton;
 
 /// Shows and asks; the composition root does it.
@@ -59,7 +59,7 @@ private:
     SheetButton* m_save;
     QLineEdit* m_name;
     QLabel* m_words;
-    QScrollArea* m_area;
+    RowArea* m_area;
     QWidget* m_body = nullptr;
 };
 

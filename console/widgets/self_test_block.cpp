@@ -1,10 +1,11 @@
 // The buttons of the alarm self-test.
 #include "widgets/self_test_block.hpp"
 
+#include "widgets/focus_return.hpp"
 #include "widgets/theme.hpp"
+#include "widgets/touch_button.hpp"
 
 #include <QHBoxLayout>
-#include <QPushButton>
 
 namespace console {
 
@@ -28,14 +29,20 @@ SelfTestBlock::SelfTestBlock(QWidget* parent)
 
 void SelfTestBlock::setSoundWorks(bool works) { m_right->setText(works ? tr("Test seen and heard") : tr("Test seen; no sound here")); }
 
-void SelfTestBlock::setMayBegin(bool may) { m_begin->setEnabled(may); }
+void SelfTestBlock::setMayBegin(bool may)
+{
+    if (!may)
+        returnFocus(m_begin);
+    m_begin->setEnabled(may);
+}
 
 QPushButton* SelfTestBlock::add(const QString& text, const QString& accessibleName)
 {
-    auto* button = new QPushButton(text, this);
+    auto* button = new TouchButton(text, this);
     theme::setTextRole(button, theme::TextRole::Strong);
     button->setAccessibleName(accessibleName);
     button->setAutoDefault(false);
+    button->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the hand
     button->setProperty("compact", true);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     return button;
@@ -44,9 +51,14 @@ QPushButton* SelfTestBlock::add(const QString& text, const QString& accessibleNa
 void SelfTestBlock::setStep(AlarmSelfTest::Step step)
 {
     using Step = AlarmSelfTest::Step;
-    m_begin->setVisible(step == Step::NotDone || step == Step::Failed);
-    m_right->setVisible(step == Step::Asking);
-    m_wrong->setVisible(step == Step::Asking);
+    const auto show = [](QPushButton* button, bool shown) {
+        if (!shown)
+            returnFocus(button);
+        button->setVisible(shown);
+    };
+    show(m_begin, step == Step::NotDone || step == Step::Failed);
+    show(m_right, step == Step::Asking);
+    show(m_wrong, step == Step::Asking);
     setVisible(m_begin->isVisibleTo(this) || m_right->isVisibleTo(this));
 }
 

@@ -50,7 +50,14 @@ void SideWindow::addKeys()
     bind(Qt::Key_F1, [this] { Q_EMIT cockpitRequested(); });
 }
 
-void SideWindow::add(QWidget* part, int share) { m_column->addWidget(part, share); }
+void SideWindow::add(std::initializer_list<QWidget*> parts, int share)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    m_column->addLayout(row, share);
+    for (QWidget* part : parts)
+        row->addWidget(part, 1);
+}
 
 void SideWindow::closeEvent(QCloseEvent* event)
 {

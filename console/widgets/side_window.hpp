@@ -3,6 +3,8 @@
 
 #include <QWidget>
 
+#include <initializer_list>
+
 class QVBoxLayout;
 
 namespace console {
@@ -13,8 +15,8 @@ class SideWindow : public QWidget {
 public:
     explicit SideWindow(const QString& name);
 
-    /// Takes it; one below the other.
-    void add(QWidget* part, int share);
+    /// Takes them: a row, beneath the rows before it, and its parts side by side in equal width.
+    void add(std::initializer_list<QWidget*> parts, int share);
 
 Q_SIGNALS:
     void emergencyStopRequested(const QString& reason);

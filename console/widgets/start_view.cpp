@@ -35,10 +35,10 @@ StartView::StartView(const ConsoleModels& models, ProgramFacts program, QWidget*
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 14, 20, 12);
     column->setSpacing(8);
-    QLabel* title = plainLabel(tr("LiENa: a surgeon's console for remote vascular intervention"), TextRole::Title, this);
+    QLabel* title = plainLabel(tr("LiENa: a surgeon's console for remote vascular intervention"), TextRole::Alarm, this);
     title->setWordWrap(true);
     setInk(title, colour::bright);
-    QLabel* notice = plainLabel(researchNotice(), TextRole::Strong, this);
+    QLabel* notice = plainLabel(researchNotice(), TextRole::Title, this);
     notice->setWordWrap(true);
     column->addWidget(title);
     column->addWidget(notice);
@@ -68,7 +68,7 @@ QWidget* StartView::makeSteps()
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 6, 0, 6);
     grid->setHorizontalSpacing(18);
-    grid->setVerticalSpacing(5);
+    grid->setVerticalSpacing(9);
     grid->setColumnStretch(1, 1);
     const std::pair<QString, QString> steps[] = {
         {tr("F8"), tr("Alarm self-test: three colours and three sounds; say whether they were there. Before each arming.")},
@@ -79,9 +79,9 @@ QWidget* StartView::makeSteps()
     };
     int row = 0;
     for (const auto& [key, what] : steps) {
-        QLabel* name = plainLabel(key, TextRole::Strong, box);
+        QLabel* name = plainLabel(key, TextRole::Title, box);
         setInk(name, colour::bright);
-        QLabel* text = plainLabel(what, TextRole::Body, box);
+        QLabel* text = plainLabel(what, TextRole::Title, box);
         text->setWordWrap(true);
         grid->addWidget(name, row, 0, Qt::AlignTop | Qt::AlignRight);
         grid->addWidget(text, row++, 1);

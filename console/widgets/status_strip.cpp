@@ -10,6 +10,9 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <cmath>
+
 namespace console {
 
 using theme::TextRole;
@@ -53,7 +56,49 @@ QString modeWord(Mode mode)
     return {};
 }
 
-StripField::StripField(const QString& caption, const QString& widest, QWidget* parent) : QWidget(parent), m_value(new FigureLabel(this))
+namespace {
+
+constexpr double widestOfNames = 280; ///< px at the reference
+constexpr double leastOfNames = 90;
+
+} // namespace
+
+void NameLabel::setParts(const QString& before, const QString& name, const QString& after)
+{
+    m_before = before;
+    m_name = name;
+    m_after = after;
+    setText(before + name + after);
+    setToolTip(name.isEmpty() ? QString() : QStringLiteral("<qt>%1</qt>").arg(text().toHtmlEscaped()));
+}
+
+double NameLabel::keptWidth() const { return figuresWidth(font(), m_before) + figuresWidth(font(), m_after); }
+
+QSize NameLabel::sizeWith(double nameWidth) const
+{
+    const QSize asked = FigureLabel::sizeHint();
+    if (m_name.isEmpty())
+        return asked;
+    const double name = std::min(figuresWidth(font(), m_name), nameWidth);
+    return {int(std::ceil(keptWidth() + name)) + 1, asked.height()};
+}
+
+QSize NameLabel::sizeHint() const { return sizeWith(theme::px(this, widestOfNames)); }
+
+QSize NameLabel::minimumSizeHint() const { return sizeWith(theme::px(this, leastOfNames)); }
+
+void NameLabel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setFont(font());
+    painter.setPen(palette().color(foregroundRole()));
+    const double room = contentsRect().width() - keptWidth();
+    const QString name =
+        figuresWidth(font(), m_name) <= room ? m_name : QFontMetricsF(font()).elidedText(m_name, Qt::ElideRight, room * 0.96);
+    drawFigures(painter, contentsRect(), alignment(), m_before + name + m_after);
+}
+
+StripField::StripField(const QString& caption, const QString& widest, QWidget* parent) : QWidget(parent), m_value(new NameLabel(this))
 {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -69,11 +114,12 @@ StripField::StripField(const QString& caption, const QString& widest, QWidget* p
     setAccessibleName(caption);
 }
 
-void StripField::setValue(const QString& value)
+void StripField::setValue(const QString& before, const QString& name, const QString& after)
 {
+    const QString value = before + name + after;
     if (value == m_value->text())
         return;
-    m_value->setText(value);
+    m_value->setParts(before, name, after);
     m_value->setAccessibleName(accessibleName() + QStringLiteral(": ") + value);
 }
 
@@ -209,17 +255,24 @@ StatusStrip::StatusStrip(QWidget* parent)
 
 void StatusStrip::setTopology(const QString& name, const QString& hash)
 {
-    m_topology->setValue(name.isEmpty() ? tr("None loaded") : name + QStringLiteral("  ") + hash.left(6));
+    if (name.isEmpty())
+        return m_topology->setValue(tr("None loaded"));
+    m_topology->setValue({}, name, QStringLiteral("  ") + hash.left(6));
 }
 
 void StatusStrip::setPatient(const QString& name, const QString& id)
 {
-    m_patient->setValue(name.isEmpty() ? tr("Not named") : QStringLiteral("%1 \u00B7 %2").arg(name, id));
+    if (name.isEmpty())
+        return m_patient->setValue(tr("Not named"));
+    m_patient->setValue(id + QStringLiteral(" \u00B7 "), name, {});
 }
 
 void StatusStrip::setRole(const QString& user, OperatorRole role)
 {
-    m_role->setValue(QStringLiteral("%1 \u00B7 %2").arg(user.isEmpty() ? tr("Not signed in") : user, word(role)));
+    const QString as = QStringLiteral(" \u00B7 ") + word(role);
+    if (user.isEmpty())
+        return m_role->setValue(tr("Not signed in") + as);
+    m_role->setValue({}, user, as);
 }
 
 void StatusStrip::setRecorder(bool keeps) { m_recorder->setValue(keeps ? tr("Alarm log") : tr("Stopped")); }

@@ -17,16 +17,39 @@ enum class Mode { Standby, Ready, Armed, Engaged, Hold };
 Mode modeOf(PermitPhase phase);
 QString modeWord(Mode mode);
 
+/// A name between what is never cut. The name has bounds, and gives way when the row is full; the whole is in the tool tip.
+class NameLabel : public FigureLabel {
+    Q_OBJECT
+public:
+    using FigureLabel::FigureLabel;
+
+    void setParts(const QString& before, const QString& name, const QString& after);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    double keptWidth() const;
+    QSize sizeWith(double nameWidth) const;
+
+    QString m_before, m_name, m_after;
+};
+
 /// A caption above a value; the value is plain text.
 class StripField : public QWidget {
     Q_OBJECT
 public:
     StripField(const QString& caption, const QString& widest, QWidget* parent = nullptr);
-    void setValue(const QString& value);
+    void setValue(const QString& value) { setValue({}, {}, value); }
+    /// Of which `name` alone may be cut.
+    void setValue(const QString& before, const QString& name, const QString& after);
     QString value() const { return m_value->text(); }
 
 private:
-    FigureLabel* m_value;
+    NameLabel* m_value;
 };
 
 /// What the strip says about the X-ray beam.
@@ -70,7 +93,7 @@ public:
     explicit StatusStrip(QWidget* parent = nullptr);
 
     void setTopology(const QString& name, const QString& hash);
-    /// Two identifiers; empty: nobody is named.
+    /// Two identifiers; the second is always whole. Empty: nobody is named.
     void setPatient(const QString& name, const QString& id);
     void setRole(const QString& user, OperatorRole role);
     /// What is written down of the procedure.

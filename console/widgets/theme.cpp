@@ -92,6 +92,14 @@ int touchSide(const QWidget* widget)
     return std::max(leastTouchSide, px(widget, side));
 }
 
+int safetySide(const QWidget* widget)
+{
+    constexpr double side = 86;
+    return std::max(2 * leastTouchSide, px(widget, side));
+}
+
+int safetyGap(const QWidget* widget) { return px(widget, 22); }
+
 void apply(QApplication& application)
 {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -94,6 +94,12 @@ inline constexpr int leastTouchSide = 24; ///< pixels (WCAG 2.2, target size)
 /// The side of what a finger must hit: 12 mm on a screen of 27 inches, whatever its resolution, and never below leastTouchSide.
 int touchSide(const QWidget* widget);
 
+/// The side of what permits, starts or stops a movement, an injection or the beam: 20 mm there, and never below twice leastTouchSide.
+int safetySide(const QWidget* widget);
+
+/// Between two of those: 5 mm, so that a finger in a glove does not meet the next.
+int safetyGap(const QWidget* widget);
+
 /// Fusion, Inter, the dark palette and the style sheet.
 void apply(QApplication& application);
 

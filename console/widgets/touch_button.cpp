@@ -5,16 +5,17 @@
 
 namespace console {
 
-void TouchButton::setTight(bool tight)
+TouchButton::TouchButton(const QString& text, QWidget* parent) : QPushButton(text, parent)
 {
-    m_tight = tight;
-    updateGeometry();
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed); // a button of Qt is never narrower than its size hint
 }
 
 QSize TouchButton::sizeHint() const
 {
-    const QSize needed = QPushButton::sizeHint();
-    return m_tight ? needed : needed.expandedTo({theme::leastTouchSide, theme::touchSide(this)});
+    const int side = theme::touchSide(this);
+    return QPushButton::sizeHint().expandedTo({side, side});
 }
+
+QSize TouchButton::minimumSizeHint() const { return QPushButton::sizeHint().expandedTo({theme::leastTouchSide, theme::touchSide(this)}); }
 
 } // namespace console

@@ -5,20 +5,15 @@
 
 namespace console {
 
-/// At least theme::touchSide() tall, whatever is written on it, and never narrower than theme::leastTouchSide: rows have no room for more.
+/// At least theme::touchSide() tall and wide, whatever is written on it; a row without that room makes it narrower, and never lower.
 class TouchButton : public QPushButton {
     Q_OBJECT
 public:
-    using QPushButton::QPushButton;
-
-    /// In a row that has no room for that: as low as its text lets it be.
-    void setTight(bool tight);
+    explicit TouchButton(QWidget* parent = nullptr) : TouchButton({}, parent) {}
+    explicit TouchButton(const QString& text, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
-
-private:
-    bool m_tight = false;
+    QSize minimumSizeHint() const override;
 };
 
 } // namespace console

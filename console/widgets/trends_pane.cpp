@@ -76,7 +76,7 @@ void TrendsPane::refresh(const Limits& limits, Instant now)
     m_now = now;
     QStringList words;
     for (const Row& row : rows)
-        words << tr(row.name) + QLatin1Char(' ') + figure(m_book.latest(row.figure), row.decimals, QString::fromLatin1(row.unit));
+        words << tr(row.name) + QLatin1Char(' ') + figure(valueOf(row.figure), row.decimals, QString::fromLatin1(row.unit));
     setAccessibleDescription(words.join(QStringLiteral(", ")));
     update();
 }
@@ -97,6 +97,12 @@ std::optional<double> TrendsPane::limitOf(TrendFigure figure) const
     if (figure == TrendFigure::Force)
         return m_limits.force;
     return figure == TrendFigure::PictureAge ? m_limits.pictureAgeMs : std::nullopt;
+}
+
+// A picture grows old until the next one comes: its age is worth as much as the oldest that it became.
+std::optional<double> TrendsPane::valueOf(TrendFigure figure) const
+{
+    return figure == TrendFigure::PictureAge ? m_book.mostOfSecond(figure) : m_book.latest(figure);
 }
 
 void TrendsPane::paintEvent(QPaintEvent* event)
@@ -123,7 +129,7 @@ void TrendsPane::paintRow(QPainter& painter, const QRectF& where, std::size_t in
     const double valueWidth = figuresWidth(painter.font(), widest);
     painter.setPen(colour::secondary);
     painter.drawText(QRectF(where.left(), where.top(), nameWidth, where.height()), Qt::AlignLeft | Qt::AlignVCenter, tr(row.name));
-    const auto value = m_book.latest(row.figure);
+    const auto value = valueOf(row.figure);
     const auto limit = limitOf(row.figure);
     painter.setPen(value ? colour::text : colour::secondary);
     drawFigures(painter, QRectF(where.right() - valueWidth, where.top(), valueWidth, where.height()), Qt::AlignRight | Qt::AlignVCenter,

@@ -43,6 +43,7 @@ private:
     void paintRow(QPainter& painter, const QRectF& row, std::size_t index) const;
     void paintCourse(QPainter& painter, const QRectF& where, TrendFigure figure) const;
     std::optional<double> limitOf(TrendFigure figure) const;
+    std::optional<double> valueOf(TrendFigure figure) const;
     double headHeight() const;
 
     const TrendBook& m_book;

@@ -7,7 +7,7 @@
 
 namespace console {
 
-enum class View { Cockpit, Topology, Plots, Log, Start, About, Preferences, Screens };
+enum class View { Cockpit, Topology, Plots, Log, Start, About, Preferences, Screens, Checklist };
 
 /// The widgets belong to the window.
 class ViewStack {

@@ -22,7 +22,7 @@ Waterfall::Waterfall(QWidget* parent) : QWidget(parent)
 QSize Waterfall::sizeHint() const
 {
     const int line = QFontMetrics(font()).height();
-    return {theme::px(this, 420), int(pictureStageCount + 1) * (line + theme::px(this, 6))};
+    return {theme::px(this, 420), int(pictureStageCount + 2) * (line + theme::px(this, 6))};
 }
 
 void Waterfall::refresh(const PictureStages& stages, double limitMs, Instant now)
@@ -38,8 +38,11 @@ void Waterfall::refresh(const PictureStages& stages, double limitMs, Instant now
         m_steps.push_back({word(stage), begin, *summary});
         begin += summary->p50;
     }
-    if (const auto age = stages.ofAge(now))
+    const auto age = stages.ofAge(now);
+    if (age)
         m_steps.push_back({tr("age at the paint"), 0, *age});
+    if (const auto presenting = stages.ofPresenting(now); age && presenting)
+        m_steps.push_back({tr("to the screen"), age->p50, *presenting});
     QStringList words;
     for (const Step& step : m_steps)
         words << tr("%1: median %2, 99th percentile %3")
@@ -57,18 +60,41 @@ void Waterfall::paintEvent(QPaintEvent*)
         painter.drawText(rect(), Qt::AlignLeft | Qt::AlignTop, tr("No picture in the last minute"));
         return;
     }
-    double full = m_limit;
-    for (const Step& step : m_steps)
-        full = std::max(full, step.begin + step.summary.p99);
+    const double full = fullScale();
     const double tall = double(height()) / double(m_steps.size());
     for (std::size_t i = 0; i < m_steps.size(); ++i)
-        paintStep(painter, QRectF(0, double(i) * tall, width(), tall), m_steps[i], 1.05 * full);
+        paintStep(painter, QRectF(0, double(i) * tall, width(), tall), m_steps[i], full);
+}
+
+// By what was measured, so that the stages can be told apart; of the limit at least the half, so that a small age looks small.
+double Waterfall::fullScale() const
+{
+    double full = m_limit / 2;
+    for (const Step& step : m_steps)
+        full = std::max(full, step.begin + step.summary.p99);
+    return 1.05 * full;
+}
+
+// Where it lies beyond what is drawn, its line is the edge.
+void Waterfall::paintLimit(QPainter& painter, const QRectF& chart, double full, bool named) const
+{
+    const bool beyond = m_limit > full;
+    const double x = chart.left() + chart.width() * std::min(m_limit / full, 1.0);
+    painter.setPen(QPen(colour::strongLine, 1, Qt::DashLine));
+    painter.drawLine(QPointF(x, chart.top()), QPointF(x, chart.bottom()));
+    if (!named)
+        return;
+    painter.setPen(colour::secondary);
+    drawFigures(painter, QRectF(chart.left(), chart.top(), x - chart.left() - 6, chart.height()), Qt::AlignRight | Qt::AlignVCenter,
+                tr("limit %1").arg(figure(m_limit, 0, tr("ms"))) + (beyond ? QStringLiteral(" \u25B6") : QString()));
 }
 
 // The median is a bar; to where one picture in a hundred goes beyond is a line with an end.
 void Waterfall::paintStep(QPainter& painter, const QRectF& row, const Step& step, double full) const
 {
-    const double nameWidth = painter.fontMetrics().horizontalAdvance(tr("age at the paint")) * 1.15;
+    double nameWidth = 0;
+    for (const Step& each : m_steps)
+        nameWidth = std::max(nameWidth, painter.fontMetrics().horizontalAdvance(each.name) * 1.15);
     const double valueWidth = figuresWidth(painter.font(), tr("000.0 / 0000.0 ms"));
     painter.setPen(colour::secondary);
     painter.drawText(QRectF(row.left(), row.top(), nameWidth, row.height()), Qt::AlignLeft | Qt::AlignVCenter, step.name);
@@ -77,13 +103,7 @@ void Waterfall::paintStep(QPainter& painter, const QRectF& row, const Step& step
                 tr("%1 / %2").arg(QString::number(step.summary.p50, 'f', 1), figure(step.summary.p99, 1, tr("ms"))));
     const QRectF chart(row.left() + nameWidth, row.top(), row.width() - nameWidth - valueWidth - 12, row.height());
     const auto xOf = [&](double ms) { return chart.left() + chart.width() * std::clamp(ms / full, 0.0, 1.0); };
-    painter.setPen(QPen(colour::strongLine, 1, Qt::DashLine));
-    painter.drawLine(QPointF(xOf(m_limit), row.top()), QPointF(xOf(m_limit), row.bottom()));
-    if (&step == &m_steps.front()) {
-        painter.setPen(colour::secondary);
-        drawFigures(painter, QRectF(chart.left(), row.top(), xOf(m_limit) - chart.left() - 6, row.height()),
-                    Qt::AlignRight | Qt::AlignVCenter, tr("limit %1").arg(figure(m_limit, 0, tr("ms"))));
-    }
+    paintLimit(painter, chart, full, &step == &m_steps.front());
     const double middle = row.center().y();
     const double thick = row.height() * 0.46;
     const double begin = xOf(step.begin);

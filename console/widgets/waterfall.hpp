@@ -30,9 +30,11 @@ private:
         PictureStages::Summary summary;
     };
 
+    double fullScale() const;
     void paintStep(QPainter& painter, const QRectF& row, const Step& step, double full) const;
+    void paintLimit(QPainter& painter, const QRectF& chart, double full, bool named) const;
 
-    std::vector<Step> m_steps; ///< the last one is the whole
+    std::vector<Step> m_steps; ///< behind the stages the whole, and what comes on top of it
     double m_limit = 0;        ///< ms
 };
 

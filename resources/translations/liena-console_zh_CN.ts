@@ -98,8 +98,8 @@
         <translation>确认所显示的报警</translation>
     </message>
     <message>
-        <source>Pause the alarm sound for a minute, or end the pause</source>
-        <translation>暂停报警声一分钟，或结束暂停</translation>
+        <source>Pause the alarm sound for a while, or end the pause</source>
+        <translation>暂停报警声一段时间，或结束暂停</translation>
     </message>
     <message>
         <source>Acknowledge: %1</source>
@@ -231,8 +231,8 @@
         <translation>请让两端使用相同的文件；不要解锁。</translation>
     </message>
     <message>
-        <source>%1: %2 is overdue</source>
-        <translation>%1：%2 逾时未到</translation>
+        <source>%1: %2 overdue</source>
+        <translation>%1：%2逾时未到</translation>
     </message>
     <message>
         <source>Look at that device; what is shown of it is old.</source>
@@ -486,6 +486,34 @@
         <source>Robot: a drive is off</source>
         <translation>机器人：有驱动器未启用</translation>
     </message>
+    <message>
+        <source>report of its state</source>
+        <translation>状态报告</translation>
+    </message>
+    <message>
+        <source>position of the tip</source>
+        <translation>头端位置</translation>
+    </message>
+    <message>
+        <source>report of its drives</source>
+        <translation>驱动器报告</translation>
+    </message>
+    <message>
+        <source>limits of its axes</source>
+        <translation>各轴限位</translation>
+    </message>
+    <message>
+        <source>report of beam and dose</source>
+        <translation>射线与剂量报告</translation>
+    </message>
+    <message>
+        <source>Picture slow, fewer than %1 a second</source>
+        <translation>图像变慢，每秒少于 %1 幅</translation>
+    </message>
+    <message>
+        <source>Move slowly; have the line to the X-ray system looked at.</source>
+        <translation>请缓慢移动；请人检查通往 X 射线系统的线路。</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmService</name>
@@ -620,6 +648,22 @@
         <source>limits not reported</source>
         <translation>限位未报告</translation>
     </message>
+    <message>
+        <source>; drives %1, %2</source>
+        <translation>；驱动器 %1，%2</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>°C</source>
+        <translation>°C</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
 </context>
 <context>
     <name>console::BurstPlayer</name>
@@ -642,6 +686,52 @@
     <message>
         <source>the sound output has failed</source>
         <translation>声音输出已失效</translation>
+    </message>
+</context>
+<context>
+    <name>console::ChecklistPane</name>
+    <message>
+        <source>missing</source>
+        <translation>未满足</translation>
+    </message>
+    <message>
+        <source>met</source>
+        <translation>已满足</translation>
+    </message>
+    <message>
+        <source>not asked for while armed</source>
+        <translation>已解锁时不要求</translation>
+    </message>
+    <message>
+        <source>Conditions for motion</source>
+        <translation>运动条件</translation>
+    </message>
+    <message>
+        <source>All %1 conditions are met</source>
+        <translation>%1 项条件全部满足</translation>
+    </message>
+    <message>
+        <source>1 of %1 conditions is missing</source>
+        <translation>%1 项条件中有 1 项未满足</translation>
+    </message>
+    <message>
+        <source>%1 of %2 conditions are missing</source>
+        <translation>%2 项条件中有 %1 项未满足</translation>
+    </message>
+</context>
+<context>
+    <name>console::ChecklistView</name>
+    <message>
+        <source>Conditions for motion</source>
+        <translation>运动条件</translation>
+    </message>
+    <message>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
+    </message>
+    <message>
+        <source>Leave the conditions</source>
+        <translation>离开运动条件</translation>
     </message>
 </context>
 <context>
@@ -763,16 +853,12 @@
         <translation>驾驶舱</translation>
     </message>
     <message>
-        <source>Esc emergency stop · F12 hold</source>
-        <translation>Esc 急停 · F12 保持</translation>
+        <source>Esc emergency stop · F12 hold · F9 audio pause</source>
+        <translation>Esc 急停 · F12 保持 · F9 暂停报警声</translation>
     </message>
     <message>
-        <source>F6 preferences · F7 screens · F10 F11 change places</source>
-        <translation>F6 首选项 · F7 屏幕 · F10 F11 互换位置</translation>
-    </message>
-    <message>
-        <source>F8 alarm test · F9 audio pause · F1 cockpit · F2 topology · F3 plots · F4 log</source>
-        <translation>F8 报警自检 · F9 暂停报警声 · F1 驾驶舱 · F2 拓扑 · F3 曲线 · F4 日志</translation>
+        <source>F1 cockpit · F2 topology · F3 plots · F4 log · F5 conditions · F6 preferences · F7 screens · F8 alarm test · F10 F11 swap</source>
+        <translation>F1 驾驶舱 · F2 拓扑 · F3 曲线 · F4 日志 · F5 运动条件 · F6 首选项 · F7 屏幕 · F8 报警自检 · F10 F11 互换</translation>
     </message>
 </context>
 <context>
@@ -883,6 +969,10 @@
     <message>
         <source>Pause the alarm sound: F9</source>
         <translation>暂停报警声：F9</translation>
+    </message>
+    <message>
+        <source>Re-opening…</source>
+        <translation>正在重新打开…</translation>
     </message>
 </context>
 <context>
@@ -1047,6 +1137,14 @@
         <source>Repeat of the X-ray system, %1</source>
         <translation>X 射线系统数据转示，%1</translation>
     </message>
+    <message>
+        <source>≈ %1 injections · %2 mL/s</source>
+        <translation>≈ %1 次注射 · %2 mL/s</translation>
+    </message>
+    <message>
+        <source>%1, %2 ago</source>
+        <translation>%1，%2 前</translation>
+    </message>
 </context>
 <context>
     <name>console::EglContext</name>
@@ -1100,6 +1198,10 @@
     <message>
         <source>peak %1</source>
         <translation>峰值 %1</translation>
+    </message>
+    <message>
+        <source>10 s</source>
+        <translation>10 s</translation>
     </message>
 </context>
 <context>
@@ -1210,8 +1312,8 @@
 <context>
     <name>console::GuardList</name>
     <message>
-        <source>Conditions for motion</source>
-        <translation>运动条件</translation>
+        <source>Conditions for motion; F5 shows all of them</source>
+        <translation>运动条件；F5 显示全部</translation>
     </message>
     <message>
         <source>All conditions are met</source>
@@ -1261,8 +1363,8 @@
         <translation>时钟不确定度 ±%1 ms</translation>
     </message>
     <message>
-        <source>Clock not yet compared with the robot&apos;s</source>
-        <translation>时钟尚未与机器人比对</translation>
+        <source>Clocks not yet compared</source>
+        <translation>时钟尚未比对</translation>
     </message>
     <message>
         <source>Clocks compared</source>
@@ -1321,15 +1423,15 @@
         <translation>两端系统一致</translation>
     </message>
     <message>
-        <source>Identity of the robot&apos;s system not confirmed</source>
-        <translation>机器人系统一致性未确认</translation>
+        <source>System not confirmed</source>
+        <translation>系统一致性未确认</translation>
     </message>
     <message>
         <source>Robot reports</source>
         <translation>机器人有报告</translation>
     </message>
     <message>
-        <source>No recent report from the robot</source>
+        <source>No recent robot report</source>
         <translation>近期没有机器人报告</translation>
     </message>
     <message>
@@ -1337,7 +1439,7 @@
         <translation>驱动器正常</translation>
     </message>
     <message>
-        <source>Drives are not healthy, or not known</source>
+        <source>Drives faulty or unknown</source>
         <translation>驱动器不正常或未知</translation>
     </message>
     <message>
@@ -1369,7 +1471,7 @@
         <translation>主手可用</translation>
     </message>
     <message>
-        <source>Hand control does not answer</source>
+        <source>No hand control answers</source>
         <translation>主手无响应</translation>
     </message>
     <message>
@@ -1377,8 +1479,8 @@
         <translation>窗口有键盘焦点</translation>
     </message>
     <message>
-        <source>Window does not have the keyboard</source>
-        <translation>窗口没有键盘焦点</translation>
+        <source>The keyboard is elsewhere</source>
+        <translation>键盘焦点在别处</translation>
     </message>
     <message>
         <source>Dead-man released</source>
@@ -1433,7 +1535,7 @@
         <translation>患者端尚未允许解锁</translation>
     </message>
     <message>
-        <source>Patient side&apos;s word is not known</source>
+        <source>Patient side not heard</source>
         <translation>患者端是否允许未知</translation>
     </message>
     <message>
@@ -1471,6 +1573,10 @@
     <message>
         <source>This console only observes</source>
         <translation>本控制台仅供观察</translation>
+    </message>
+    <message>
+        <source>Remote input (%1): arm at the console itself</source>
+        <translation>远程输入（%1）：请在控制台本机解锁</translation>
     </message>
 </context>
 <context>
@@ -1677,8 +1783,8 @@
         <translation>期间未拍摄</translation>
     </message>
     <message>
-        <source>%1 of %2 that were taken did not come here</source>
-        <translation>期间拍摄 %2 幅，其中 %1 幅未到达本端</translation>
+        <source>%1 taken, %2 of them did not come here</source>
+        <translation>拍摄 %1 幅，其中 %2 幅未到达本端</translation>
     </message>
     <message>
         <source>Patient side</source>
@@ -1767,6 +1873,10 @@
     <message>
         <source>; </source>
         <translation>；</translation>
+    </message>
+    <message>
+        <source>%1 taken, all came</source>
+        <translation>拍摄 %1 幅，全部到达</translation>
     </message>
 </context>
 <context>
@@ -2420,8 +2530,8 @@
         <translation>显示报警日志，含以前运行所保留的部分</translation>
     </message>
     <message>
-        <source>F1 closes</source>
-        <translation>F1 关闭</translation>
+        <source>To the cockpit  F1</source>
+        <translation>到驾驶舱  F1</translation>
     </message>
     <message>
         <source>Only</source>
@@ -2494,6 +2604,10 @@
     <message>
         <source>Saved: %1</source>
         <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Leave the log</source>
+        <translation>离开日志</translation>
     </message>
 </context>
 <context>
@@ -2980,6 +3094,14 @@
         <translation>尚无可回放的内容</translation>
     </message>
     <message>
+        <source>no run has ended yet: there is no last image</source>
+        <translation>尚无曝光结束：没有末帧</translation>
+    </message>
+    <message>
+        <source>there is no picture to save yet</source>
+        <translation>尚无可保存的图像</translation>
+    </message>
+    <message>
         <source>picture saved: %1</source>
         <translation>图像已保存：%1</translation>
     </message>
@@ -3058,8 +3180,8 @@
         <translation>反相</translation>
     </message>
     <message>
-        <source>edge %1 %</source>
-        <translation>边缘 %1 %</translation>
+        <source>edge %1 %, %2</source>
+        <translation>边缘 %1 %，%2</translation>
     </message>
     <message>
         <source>SHUTTER</source>
@@ -3084,6 +3206,10 @@
     <message>
         <source>%1 mm @ isocentre plane (geometry)</source>
         <translation>%1 mm @ 等中心平面（几何）</translation>
+    </message>
+    <message>
+        <source>%1 mm @ isocentre</source>
+        <translation>%1 mm @ 等中心</translation>
     </message>
     <message>
         <source>frame %1  run %2</source>
@@ -3189,6 +3315,10 @@
 </context>
 <context>
     <name>console::PictureStages</name>
+    <message>
+        <source>before sending</source>
+        <translation>发送之前</translation>
+    </message>
     <message>
         <source>way to here</source>
         <translation>到此的途程</translation>
@@ -3687,8 +3817,8 @@
         <translation>%1 观察到：%2</translation>
     </message>
     <message>
-        <source>Heartbeats in the last second: %1 of %2</source>
-        <translation>最后一秒的心跳：%2 次中收到 %1 次</translation>
+        <source>Heartbeats in the second before the loss: %1 of %2</source>
+        <translation>丢失前一秒的心跳：%2 次中收到 %1 次</translation>
     </message>
     <message>
         <source>Last round trip: %1 ms</source>
@@ -3703,11 +3833,11 @@
         <translation>判定丢失前无数据 %1 ms</translation>
     </message>
     <message>
-        <source>Connections: to it %1, from it %2</source>
-        <translation>连接：去往对方%1，来自对方%2</translation>
+        <source>Our connection to it %1, its connection to us %2</source>
+        <translation>本端到对方的连接%1，对方到本端的连接%2</translation>
     </message>
     <message>
-        <source>stood</source>
+        <source>held</source>
         <translation>未断</translation>
     </message>
     <message>
@@ -3719,8 +3849,8 @@
         <translation>检查：%1</translation>
     </message>
     <message>
-        <source>Links of this console: %1 of %2 open</source>
-        <translation>本控制台的链路：已打开 %1/%2</translation>
+        <source>Other links of this console: %1</source>
+        <translation>本控制台的其他链路：%1</translation>
     </message>
     <message>
         <source>Re-open tried %1 times</source>
@@ -3928,7 +4058,59 @@
     </message>
     <message>
         <source>Silence %1 s</source>
-        <translation>静音 %1 秒</translation>
+        <translation>静音 %1 s</translation>
+    </message>
+    <message>
+        <source>%1 holds: CONFIRMED by its own report</source>
+        <translation>%1 保持：由其自身报告已确认</translation>
+    </message>
+    <message>
+        <source>same computer</source>
+        <translation>同一台计算机</translation>
+    </message>
+    <message>
+        <source>not open</source>
+        <translation>未打开</translation>
+    </message>
+    <message>
+        <source>%1 (%2) %3</source>
+        <translation>%1（%2）%3</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>it is another device</source>
+        <translation>它是另一台设备</translation>
+    </message>
+    <message>
+        <source>a certificate has expired</source>
+        <translation>证书已过期</translation>
+    </message>
+    <message>
+        <source>a certificate is not valid yet</source>
+        <translation>证书尚未生效</translation>
+    </message>
+    <message>
+        <source>a certificate was revoked</source>
+        <translation>证书已被吊销</translation>
+    </message>
+    <message>
+        <source>of an authority that is not known there</source>
+        <translation>签发机构不被认可</translation>
+    </message>
+    <message>
+        <source>The device answered but its identity was refused: %1</source>
+        <translation>设备有应答，但其身份被拒绝：%1</translation>
+    </message>
+    <message>
+        <source>This console has no network on its port with the address %1</source>
+        <translation>本控制台地址为 %1 的网口没有网络</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>已打开</translation>
     </message>
 </context>
 <context>
@@ -4146,26 +4328,6 @@
         <translation>驱动器 —</translation>
     </message>
     <message>
-        <source>Drives %1 · warmest %2 · most current %3</source>
-        <translation>驱动器%1 · 最高温度 %2 · 最大电流 %3</translation>
-    </message>
-    <message>
-        <source>enabled</source>
-        <translation>已启用</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>°C</source>
-        <translation>°C</translation>
-    </message>
-    <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
         <source>Tracker —</source>
         <translation>跟踪器 —</translation>
     </message>
@@ -4184,6 +4346,18 @@
     <message>
         <source>Robotic arm: %1</source>
         <translation>机械臂：%1</translation>
+    </message>
+    <message>
+        <source>Drives off</source>
+        <translation>驱动器关闭</translation>
+    </message>
+    <message>
+        <source>Drives enabled</source>
+        <translation>驱动器已启用</translation>
+    </message>
+    <message>
+        <source>%1 of %2 drives enabled</source>
+        <translation>%2 个驱动器中 %1 个已启用</translation>
     </message>
 </context>
 <context>
@@ -4266,8 +4440,8 @@
         <translation>未加载血管树。</translation>
     </message>
     <message>
-        <source>Vessels, tracked tip and C-arm. Arrows turn, plus and minus zoom, Home shows the vessels, End the C-arm.</source>
-        <translation>血管、所跟踪的头端和 C 形臂。方向键旋转，加减号缩放，Home 显示血管，End 显示 C 形臂。</translation>
+        <source>Vessels, tracked tip and C-arm. 4 6 8 2 turn, plus and minus zoom, Home shows the vessels, End the C-arm.</source>
+        <translation>血管、所跟踪的头端和 C 形臂。4 6 8 2 旋转，加减号缩放，Home 显示血管，End 显示 C 形臂。</translation>
     </message>
     <message>
         <source>BEFORE</source>
@@ -4395,8 +4569,8 @@
         <translation>第二屏幕</translation>
     </message>
     <message>
-        <source>Topology, trends and log. It moves nothing; the hand has no keys in it.</source>
-        <translation>拓扑、趋势和日志。它不引起任何运动；主手在其中没有按键。</translation>
+        <source>Topology, conditions for motion, plots, trends and log. It moves nothing; the hand has no keys in it.</source>
+        <translation>拓扑、运动条件、曲线、趋势和日志。它不引起任何运动；主手在其中没有按键。</translation>
     </message>
     <message>
         <source>no further screen is there</source>
@@ -4564,8 +4738,8 @@
         <translation>%1：%2 未发送：%3</translation>
     </message>
     <message>
-        <source>the identity of %1 was refused: %2</source>
-        <translation>%1 的身份被拒绝：%2</translation>
+        <source>a connection of %1 was not let in: %2</source>
+        <translation>%1 的连接未被接入：%2</translation>
     </message>
     <message>
         <source>this console stood still for %1 ms</source>
@@ -5097,6 +5271,10 @@ known here</source>
     <message>
         <source>age at the paint</source>
         <translation>绘制时的时龄</translation>
+    </message>
+    <message>
+        <source>to the screen</source>
+        <translation>送至屏幕</translation>
     </message>
     <message>
         <source>%1: median %2, 99th percentile %3</source>

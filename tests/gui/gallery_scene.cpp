@@ -7,6 +7,7 @@
 #include "imaging/reference_image_view.hpp"
 #include "input/keyboard_master.hpp"
 #include "widgets/about_view.hpp"
+#include "widgets/checklist_view.hpp"
 #include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
@@ -153,6 +154,7 @@ std::vector<GalleryState> galleryStates()
          }},
         {"plots", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), w.showView(console::View::Plots); }},
         {"restingforce", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), c.testAlarms(), c.restWithForce(); }},
+        {"conditions", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Checklist); }},
         {"start", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Start); }},
         {"about", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::About); }},
         {"preferences", [](InventedCockpit&, CockpitWindow& w) { w.showView(console::View::Preferences); }},
@@ -209,10 +211,14 @@ GalleryScene::GalleryScene(const QSize& size) : m_panes(std::make_unique<Picture
                                         QStringLiteral("/usr/share/doc/liena/OPERATING.md")};
     m_window.addView(console::View::Start, new console::StartView(m_cockpit.models, program));
     m_window.addView(console::View::Plots, new console::PlotsView(m_cockpit.models));
+    m_window.addView(console::View::Checklist, new console::ChecklistView(m_cockpit.models.permit));
     m_window.addView(console::View::Screens, new console::ScreensView);
     m_window.addView(console::View::Preferences, new console::PreferencesView);
     m_window.addView(console::View::About, new console::AboutView(m_cockpit.models, program));
     m_window.setKeyLegend(KeyboardMaster().legend());
+    // Nobody's, and longer than most: what is cut must be a name, and nothing else.
+    m_window.setPatient(QStringLiteral("Maximiliana Invented Freifrau von Hohenstein-Wittgenstein"), QStringLiteral("PID-2026-0004711"));
+    m_window.setOperator(QStringLiteral("Prof. Dr. Dr. Invented Schmidt-Rottluff"));
     m_window.resize(size);
     m_window.show();
 }

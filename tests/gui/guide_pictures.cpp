@@ -10,6 +10,7 @@
 #include <QDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
@@ -31,7 +32,8 @@ public:
     /// False at the first state that is not reached.
     bool work()
     {
-        return idle() && open() && armed() && engaged() && roadmap() && frozen() && interrupted() && lost() && reopened() && views();
+        return idle() && topology() && open() && armed() && engaged() && roadmap() && frozen() && interrupted() && lost() && reopened() &&
+               views();
     }
 
     /// What was taken until now.
@@ -60,16 +62,20 @@ private:
         wishes.voice = &voice;
         wishes.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
         wishes.system.timing = R"(heartbeat="20ms" suspect="150ms" lost="250ms" reconnect="800ms")";
-        wishes.pictureTiming = R"(heartbeat="50ms" suspect="500ms" lost="800ms" reconnect="2s")"; // a frozen picture, and the link stands
+        wishes.pictureTiming = R"(heartbeat="50ms" suspect="2s" lost="4s" reconnect="6s")"; // a frozen picture, and the link stands
         wishes.system.name = R"(name="cerebrovascular" title="Remote vascular intervention")";
         return wishes;
     }
+
+    static constexpr int settling = 150;   ///< ms
+    static constexpr int frozenFor = 1500; ///< ms, so that the seconds beside the word count something
 
     static bool until(const std::function<bool()>& reached) { return QTest::qWaitFor(reached, Theatre::patience); }
 
     /// Written later: a console that compresses pictures stands still, and says so.
     bool take(const char* state)
     {
+        QTest::qWait(settling); // what was just asked for is laid out and painted, and what is heard goes on being heard
         m_theatre.window().refresh(std::chrono::steady_clock::now());
         QCoreApplication::processEvents();
         m_taken.emplace_back(QString::fromLatin1(state), m_theatre.window().grab().toImage());
@@ -79,7 +85,20 @@ private:
     PictureCondition picture() const { return m_theatre.models().picture.reading(std::chrono::steady_clock::now()).condition; }
     quint32 robotId() const { return m_theatre.files.idOf("robot").value(); }
 
-    bool idle() { return QTest::qWaitForWindowActive(&m_theatre.window()) && take("idle"); }
+    bool idle()
+    {
+        m_theatre.window().setPatient(QStringLiteral("Example, Eva"), QStringLiteral("PID 4711-0815"));
+        return QTest::qWaitForWindowActive(&m_theatre.window()) && take("idle");
+    }
+
+    /// As the guide comes to it: before the first link is opened.
+    bool topology()
+    {
+        QTest::keyClick(&m_theatre.window(), Qt::Key_F2);
+        const bool taken = take("topology");
+        QTest::keyClick(&m_theatre.window(), Qt::Key_F1);
+        return taken;
+    }
 
     bool open()
     {
@@ -114,11 +133,21 @@ private:
         return made;
     }
 
-    /// The link stands longer than a picture may be old.
+    /// While moving, which is what the guide tells of; and the link stands longer than a picture may be old.
     bool frozen()
     {
+        if (!m_theatre.armAndMove())
+            return false;
         m_theatre.xray->freeze();
-        const bool seen = until([this] { return picture() == PictureCondition::Frozen; }) && take("frozen");
+        const auto told = [this] {
+            const auto& alarms = m_theatre.models().alarms.alarms();
+            const bool stale = std::any_of(alarms.begin(), alarms.end(),
+                                           [](const Alarm& alarm) { return alarm.condition == AlarmCondition::PictureStale; });
+            return stale && picture() == PictureCondition::Frozen && m_theatre.phase() == PermitPhase::Hold;
+        };
+        const bool held = until(told);
+        QTest::qWait(frozenFor);
+        const bool seen = held && take("frozen");
         m_theatre.xray->thaw();
         m_theatre.releaseAll();
         return seen && until([this] { return m_theatre.models().sessions.allOpen(); });
@@ -159,8 +188,9 @@ private:
     bool views()
     {
         m_theatre.readAccount();
-        for (const auto& [key, name] : {std::pair{Qt::Key_F2, "topology"}, std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"},
-                                        std::pair{Qt::Key_F6, "preferences"}, std::pair{Qt::Key_F7, "screens"}}) {
+        m_theatre.acknowledgeAlarms();
+        for (const auto& [key, name] : {std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"}, std::pair{Qt::Key_F6, "preferences"},
+                                        std::pair{Qt::Key_F7, "screens"}}) {
             QTest::keyClick(&m_theatre.window(), key);
             if (!take(name))
                 return false;

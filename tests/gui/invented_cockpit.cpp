@@ -163,12 +163,14 @@ void InventedCockpit::paintPictures(Duration since)
         stamp.painted = now - since - (89 - i) * 66ms;
         stamp.captured = stamp.painted - 78ms;
         stamp.captureNs = quint64(QDateTime::currentMSecsSinceEpoch() - qint64(milliseconds(since)) - 78) * 1000000U;
+        stamp.beforeSending = 21ms;
         stamp.arrived = stamp.painted - 20ms;
         stamp.decoding = 6ms;
         stamp.filters = 5ms;
         stamp.window = 2ms;
         stamp.filterDelay = i % 3 == 0 ? 14ms : 11ms;
         models.picture.notePainted(stamp);
+        models.picture.notePresented(stamp.frame, i % 4 == 0 ? 5ms : 3ms);
     }
 }
 
@@ -198,7 +200,7 @@ void InventedCockpit::openAll()
     tip.valid = true;
     tip.error = 0.4;
     models.instrument.receiveTip(tip, now - 21ms);
-    models.instrument.receiveInjection({3, 4.8, InjectionProgress::Done, {}});
+    models.instrument.receiveInjection({3, 4.8, InjectionProgress::Done, {}}, now - 42s);
     AcquisitionStatus xray;
     xray.mode = AcquisitionMode::Fluoroscopy;
     xray.beamOn = true;

@@ -119,6 +119,105 @@ private Q_SLOTS:
         QCOMPARE(courseOf(AlarmPriority::Medium, true).colours, 1);
     }
 
+    /// Behind an acknowledged one of higher priority: the band itself is steady then.
+    void whatNobodyAcknowledgedFlashesAsAChipToo_data()
+    {
+        QTest::addColumn<int>("priority");
+        QTest::addColumn<bool>("acknowledged");
+        QTest::addColumn<bool>("flashes");
+        QTest::newRow("high") << int(AlarmPriority::High) << false << true;
+        QTest::newRow("medium") << int(AlarmPriority::Medium) << false << true;
+        QTest::newRow("low") << int(AlarmPriority::Low) << false << false;
+        QTest::newRow("medium, acknowledged") << int(AlarmPriority::Medium) << true << false;
+    }
+
+    void whatNobodyAcknowledgedFlashesAsAChipToo()
+    {
+        QFETCH(int, priority);
+        QFETCH(bool, acknowledged);
+        QFETCH(bool, flashes);
+        Band room(AlarmPriority::High);
+        room.band.setAlarms({alarm(AlarmPriority::High, true), alarm(AlarmPriority(priority), acknowledged)});
+        const QImage lit = room.at(0ms);
+        const QImage dim = room.at(900ms); // both clocks are off then
+        QCOMPARE(room.at(900ms, badgeWord), room.at(0ms, badgeWord));
+        int changed = 0;
+        for (int x = 0; x < wide; ++x)
+            changed += lit.pixel(x, tall / 4) != dim.pixel(x, tall / 4) ? 1 : 0;
+        if (!flashes) {
+            QCOMPARE(changed, 0);
+            return;
+        }
+        QVERIFY2(changed > 200, qPrintable(QString::number(changed))); // the whole chip
+        QCOMPARE(room.at(1700ms), lit);                                // and on again
+    }
+
+    void chipsGiveWayToTheHighestAlarmsText()
+    {
+        Band room(AlarmPriority::High);
+        auto first = alarm(AlarmPriority::High, false);
+        first.text = QStringLiteral("Vascular robot: its topology or message sets are others than ours, all three");
+        const QFontMetricsF large(theme::font(theme::TextRole::Alarm, 1));
+        QVERIFY(large.horizontalAdvance(first.text) > 1100); // of about 1650
+        const auto textOf = [&](const std::vector<Alarm>& alarms) {
+            room.band.setAlarms(alarms);
+            return room.at(0ms, QRect(240, 0, 1000, tall)); // in smaller letters it would be another
+        };
+        const QImage alone = textOf({first});
+        QCOMPARE(textOf({first, alarm(AlarmPriority::Medium, false), alarm(AlarmPriority::Low, false)}), alone);
+    }
+
+    void buttonsAreAsLargeAsAFinger_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        for (const QSize& screen : {QSize(2560, 1440), QSize(1920, 1080), QSize(1366, 768)})
+            QTest::addRow("%d", screen.height()) << screen;
+    }
+
+    void buttonsAreAsLargeAsAFinger()
+    {
+        QFETCH(QSize, screen);
+        CockpitStage stage(screen);
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        auto* band = stage.window.findChild<AlarmBand*>();
+        band->setFoldedSheets({{1, QStringLiteral("Robot link lost, 0:12")}});
+        QCoreApplication::processEvents();
+        int looked = 0;
+        for (const auto* button : band->findChildren<QPushButton*>()) {
+            if (!button->isVisible())
+                continue;
+            ++looked;
+            QVERIFY2(button->height() >= theme::touchSide(button), qPrintable(button->text()));
+            QVERIFY2(band->rect().contains(QRect(button->mapTo(band, QPoint()), button->size())), qPrintable(button->text()));
+        }
+        QVERIFY(looked >= 3);
+        QCOMPARE(band->geometry(), stage.window.regionGeometry(Region::Alarm));
+        for (const char* name : {"Open all closed links, one after the other", "Show the topology"}) {
+            const auto* button = stage.named<QPushButton>(QString::fromLatin1(name));
+            QVERIFY(button != nullptr && button->height() >= theme::touchSide(button));
+        }
+    }
+
+    /// Its time runs every second; a press that lasts longer, and the keys that were moved there, stay with it.
+    void aFoldedSheetsChipStaysWhileItsTimeRuns()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto* band = stage.window.findChild<AlarmBand*>();
+        QSignalSpy asked(band, &AlarmBand::sheetRequested);
+        band->setFoldedSheets({{1, QStringLiteral("Robot link lost, 0:12")}});
+        auto* chip = stage.named<QPushButton>(QStringLiteral("Show again: Robot link lost, 0:12"));
+        QVERIFY(chip);
+        QTest::mousePress(chip, Qt::LeftButton);
+        band->setFoldedSheets({{1, QStringLiteral("Robot link lost, 0:13")}});
+        QCOMPARE(stage.named<QPushButton>(QStringLiteral("Show again: Robot link lost, 0:13")), chip);
+        QTest::mouseRelease(chip, Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);
+    }
+
     void theTextNeverFlashes()
     {
         for (const auto priority : {AlarmPriority::High, AlarmPriority::Medium}) {
@@ -268,7 +367,7 @@ private Q_SLOTS:
         QVERIFY(stage.ready());
         auto& alarms = stage.cockpit.models.alarms;
         QSignalSpy asked(&stage.window, &CockpitWindow::audioPauseRequested);
-        const QString name = QStringLiteral("Pause the alarm sound for a minute, or end the pause");
+        const QString name = QStringLiteral("Pause the alarm sound for a while, or end the pause");
         QVERIFY(!stage.named<QPushButton>(name));
         const auto now = std::chrono::steady_clock::now();
         alarms.update({{AlarmCondition::ForceWarn, 0, AlarmPriority::Medium, false, QStringLiteral("Force"), QStringLiteral("Stop."), 0}},

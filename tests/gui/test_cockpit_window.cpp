@@ -130,8 +130,9 @@ private Q_SLOTS:
         QVERIFY(waterfall->accessibleDescription().contains(QStringLiteral("No picture")));
         stage.cockpit.openAll();
         stage.window.findChild<PlotsView*>()->refresh(stage.cockpit.now);
-        for (const char* words : {"way to here: median 58.0 ms", "decoding: median 6.0 ms", "filter's delay: median 11.0 ms",
-                                  "filter's delay: median 11.0 ms, 99th percentile 14.0 ms"})
+        for (const char* words :
+             {"before sending: median 21.0 ms", "way to here: median 37.0 ms", "to the screen: median 3.0 ms", "decoding: median 6.0 ms",
+              "filter's delay: median 11.0 ms", "filter's delay: median 11.0 ms, 99th percentile 14.0 ms"})
             QVERIFY2(waterfall->accessibleDescription().replace(QChar::Nbsp, QLatin1Char(' ')).contains(QString::fromLatin1(words)),
                      qPrintable(waterfall->accessibleDescription()));
         auto* trip = stage.named<FigureLabel>(QStringLiteral("Round trip, 60 s, 99 %"));

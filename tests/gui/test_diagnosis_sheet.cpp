@@ -114,6 +114,57 @@ private Q_SLOTS:
         QCOMPARE(armed.count(), 0);
     }
 
+    void aReopeningThatRunsIsNotAskedForAgain()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        button(stage, QStringLiteral("Re-open channel"))->setFocus();
+        stage.cockpit.models.sessions.setLinkState(robotId, LinkState::Reopening, stage.cockpit.now);
+        stage.refresh();
+        SheetButton* running = button(stage, QStringLiteral("Re-opening\u2026"));
+        QVERIFY(running != nullptr && !running->isEnabled());
+        QCOMPARE(QApplication::focusWidget(), button(stage, QStringLiteral("Run checks")));
+        QSignalSpy reopen(&stage.window, &CockpitWindow::reopenRequested);
+        QTest::mouseClick(running, Qt::LeftButton);
+        QCOMPARE(reopen.count(), 0);
+        stage.cockpit.models.sessions.setLinkState(robotId, LinkState::StandBy, stage.cockpit.now);
+        stage.refresh();
+        QVERIFY(button(stage, QStringLiteral("Re-open channel"))->isEnabled());
+    }
+
+    /// There is nothing to check from here, and the keys are the sheet's all the same.
+    void anIncidentBetweenOthersTakesTheKeysToo()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        IncidentRecord others;
+        others.id = 9;
+        others.a = robotId;
+        others.b = armId;
+        others.since = stage.cockpit.now;
+        stage.cockpit.models.incidents.raise(others, stage.cockpit.now);
+        QVERIFY(button(stage, QStringLiteral("Run checks")) == nullptr);
+        QCOMPARE(QApplication::focusWidget(), button(stage, QStringLiteral("Fold")));
+        QVERIFY(!stage.window.handHasKeys());
+    }
+
+    void foldDoesNotTouchWhatIsBelow()
+    {
+        CockpitStage stage(QSize(2560, 1440));
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        const auto place = [&stage](const char* text) {
+            const auto* one = button(stage, QString::fromLatin1(text));
+            return QRect(one->mapTo(&stage.window, QPoint()), one->size());
+        };
+        QTRY_VERIFY(place("Save report").top() - place("Fold").bottom() > 5);
+    }
+
     void liesOverReferenceAndSceneOnly_data()
     {
         QTest::addColumn<QSize>("screen");

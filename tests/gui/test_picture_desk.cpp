@@ -2,6 +2,7 @@
 #include "app/picture_desk.hpp"
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
+#include "imaging/scene_view.hpp"
 #include "sample_frames.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/small_button.hpp"
@@ -144,12 +145,67 @@ private Q_SLOTS:
     void savesPicturesAndSaysSo()
     {
         Desk desk;
-        desk.click(QStringLiteral("Save picture")); // there is none
+        desk.click(QStringLiteral("Save picture"));
+        QCOMPARE(desk.live->told(), QStringLiteral("there is no picture to save yet"));
         QVERIFY(desk.send(1));
+        desk.live->grab();
+        const QRegion before = desk.live->overlayRegion();
         desk.click(QStringLiteral("Save picture"));
         const QDir saved(desk.folder.filePath(QStringLiteral("saved")));
         QTRY_COMPARE(saved.entryList({QStringLiteral("*_live_*.png")}, QDir::Files).size(), 1);
         QTRY_COMPARE(saved.entryList({QStringLiteral("*_live_*.dcm")}, QDir::Files).size(), 1);
+        QTRY_VERIFY(desk.live->told().startsWith(QStringLiteral("picture saved: ")));
+        desk.live->grab();
+        QVERIFY(!(desk.live->overlayRegion() - before).isEmpty()); // where the eye is
+        QVERIFY(QRegion(desk.live->rect()).contains(desk.live->overlayRegion().boundingRect()));
+        QVERIFY(desk.reference->told().isEmpty());
+    }
+
+    void saysWhyNothingCouldBeSaved()
+    {
+        Desk desk;
+        QVERIFY(desk.send(1));
+        QFile inTheWay(desk.folder.filePath(QStringLiteral("saved")));
+        QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+        desk.click(QStringLiteral("Save picture"));
+        QTRY_VERIFY(desk.live->told().contains(QStringLiteral("cannot be made")));
+    }
+
+    void answersButtonsThatCannotDoAnything()
+    {
+        Desk desk;
+        desk.click(QStringLiteral("Review"));
+        QCOMPARE(desk.reference->told(), QStringLiteral("there is nothing to review yet"));
+        desk.click(QStringLiteral("Roadmap"));
+        QVERIFY(desk.reference->told().startsWith(QStringLiteral("no roadmap: ")));
+        desk.click(QStringLiteral("Last image hold"));
+        QCOMPARE(desk.reference->told(), QStringLiteral("no run has ended yet: there is no last image"));
+        desk.click(QStringLiteral("Save reference picture"));
+        QCOMPARE(desk.reference->told(), QStringLiteral("there is no picture to save yet"));
+        QVERIFY(desk.live->told().isEmpty());
+        QTRY_VERIFY_WITH_TIMEOUT(desk.reference->told().isEmpty(), 8000); // it does not stay
+    }
+
+    void sceneLeavesTheHandItsOwn()
+    {
+        Desk desk;
+        auto* scene = new SceneView;
+        desk.window.setSceneView(scene);
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        QSignalSpy hand(&desk.window, &CockpitWindow::handKeyPressed);
+        QSignalSpy focus(&desk.window, &CockpitWindow::handFocusChanged);
+        QTest::mouseClick(scene, Qt::LeftButton, {}, scene->rect().center());
+        QCOMPARE(focus.count(), 0);
+        const OrbitCamera camera = scene->camera();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Up); // moves the wire, and not the camera
+        QCOMPARE(hand.count(), 1);
+        scene->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(scene, Qt::Key_Left);
+        QCOMPARE(hand.count(), 2);
+        QCOMPARE(scene->camera(), camera);
+        QTest::keyClick(scene, Qt::Key_4);
+        QCOMPARE(hand.count(), 2);
+        QVERIFY(scene->camera() != camera);
     }
 
     void boundsFilterByTheAgeLimit()

@@ -5,11 +5,13 @@
 #include "imaging/live_image_view.hpp"
 #include "widgets/choice_row.hpp"
 #include "widgets/preferences_view.hpp"
+#include "widgets/row_area.hpp"
 #include "widgets/sheet_button.hpp"
 #include "widgets/trends_pane.hpp"
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -115,6 +117,47 @@ private Q_SLOTS:
         QVERIFY(stage.cockpit.models.alarms.audioPauseLeft(stage.cockpit.now + std::chrono::seconds(119)));
         QCOMPARE(stage.kept(), stage.desk.preferences());
         QCOMPARE(stage.kept().audioPause, std::chrono::seconds(120));
+    }
+
+    /// Wherever the list stands, each line of it is there in its whole height or not at all.
+    void noLineIsCutByTheEdgeOfTheList()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        auto* list = stage.view->findChild<RowArea*>();
+        QVERIFY(list != nullptr);
+        QTRY_VERIFY(list->verticalScrollBar()->maximum() > 100);
+        const auto seen = [list](const QLabel* label, const QPoint& at) {
+            return list->viewport()->childAt(label->mapTo(list->viewport(), at)) == label;
+        };
+        int whole = 0;
+        for (int place = 0; place <= list->verticalScrollBar()->maximum(); place += 5) {
+            list->verticalScrollBar()->setValue(place);
+            for (const QLabel* label : list->widget()->findChildren<QLabel*>()) {
+                const bool top = seen(label, {1, 1});
+                QCOMPARE(seen(label, {1, label->height() - 2}), top);
+                whole += top ? 1 : 0;
+            }
+        }
+        QVERIFY(whole > 100);
+    }
+
+    void theRowInFocusIsWhole()
+    {
+        Prepared stage;
+        QVERIFY(stage.open());
+        auto* list = stage.view->findChild<RowArea*>();
+        int looked = 0;
+        for (int i = 0; i < 120; ++i) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            QWidget* focus = QApplication::focusWidget();
+            if (!list->widget()->isAncestorOf(focus))
+                continue;
+            ++looked;
+            const QPoint at = focus->mapTo(list->viewport(), focus->rect().center());
+            QVERIFY2(list->viewport()->childAt(at) == focus, qPrintable(focus->accessibleName()));
+        }
+        QVERIFY(looked > 20);
     }
 
     void aClickIsMarkedOnlyWhenItCounts()

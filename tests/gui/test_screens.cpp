@@ -4,6 +4,10 @@
 #include "cockpit_stage.hpp"
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
+#include "shown_texts.hpp"
+#include "widgets/checklist_view.hpp"
+#include "widgets/log_lines.hpp"
+#include "widgets/plots_view.hpp"
 #include "widgets/screens_view.hpp"
 #include "widgets/side_window.hpp"
 
@@ -188,6 +192,29 @@ private Q_SLOTS:
         const QSize live = stage.window.regionGeometry(Region::Live).size();
         QTRY_VERIFY(copy->width() <= live.width() && copy->height() <= live.height());
         QVERIFY(!copy->size().isEmpty());
+    }
+
+    void theSecondScreenShowsTopologyConditionsPlotsAndLogWhole()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        stage.cockpit.openAll();
+        Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
+        auto* side = stage.desk->second();
+        QTRY_VERIFY(side->isVisible());
+        const auto* conditions = side->findChild<ChecklistPane*>();
+        QVERIFY(conditions && side->findChild<TopologyCanvas*>() && side->findChild<PlotsView*>() && side->findChild<LogLines*>());
+        QSet<QString> told;
+        for (const QWidget* row : conditions->findChildren<QWidget*>())
+            told.insert(row->accessibleName());
+        for (const GuardLine& line : stage.cockpit.models.permit.checklist())
+            QVERIFY2(told.contains(line.text), qPrintable(line.text));
+        QStringList wrong;
+        QTRY_VERIFY2((wrong = unreadableTexts(*side)).isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+        for (const QWidget* widget : side->findChildren<QWidget*>())
+            QVERIFY2(widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() || !widget->isVisible() ||
+                         !widget->accessibleName().isEmpty(),
+                     widget->metaObject()->className());
     }
 
     void aFurtherScreenInFocusTakesTheKeysFromTheHandAndStillStops()

@@ -1,12 +1,14 @@
 // The live topology: plan, choosing with mouse and keys, progress of Open all, and what is honestly not known.
 #include "editor/link_row.hpp"
 #include "editor/topology_canvas.hpp"
+#include "editor/topology_items.hpp"
 #include "editor/topology_layout.hpp"
 #include "editor/topology_view.hpp"
 #include "invented_cockpit.hpp"
 #include "widgets/sheet_button.hpp"
 #include "widgets/theme.hpp"
 
+#include <QGraphicsScene>
 #include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
@@ -93,6 +95,29 @@ private Q_SLOTS:
         QTest::mouseClick(shown.view.canvas()->viewport(), Qt::LeftButton, {}, shown.view.canvas()->placeOfLink(cockpitId, armId));
         QCOMPARE(chosen.count(), 1);
         QCOMPARE(QApplication::focusWidget(), shown.row(armId)->findChild<SheetButton*>());
+    }
+
+    void noLineIsDrawnThroughALabel()
+    {
+        Shown shown;
+        QVERIFY(QTest::qWaitForWindowActive(&shown.view));
+        const TopologyCanvas* canvas = shown.view.canvas();
+        std::vector<LinkLabel*> labels;
+        std::vector<LinkItem*> lines;
+        for (QGraphicsItem* item : canvas->scene()->items()) {
+            if (auto* label = dynamic_cast<LinkLabel*>(item))
+                labels.push_back(label);
+            else if (auto* line = dynamic_cast<LinkItem*>(item))
+                lines.push_back(line);
+        }
+        QCOMPARE(labels.size(), std::size_t(5));
+        QCOMPARE(lines.size(), labels.size());
+        for (LinkItem* line : lines) {
+            line->setCurrent(true); // which raises it
+            for (const LinkLabel* label : labels)
+                QVERIFY(label->zValue() > line->zValue());
+            QCOMPARE(dynamic_cast<LinkLabel*>(canvas->itemAt(canvas->mapFromScene(line->labelBox().center()))) != nullptr, true);
+        }
     }
 
     void tabAndEnterLeadToALinksButton()

@@ -44,4 +44,27 @@ struct LivePane {
     FramePipeline pipeline;
 };
 
+// Calls `check` with each pixel of the picture that no mark covers; returns how many there are.
+template <typename Check>
+int forEachPicturePixel(const LivePane& pane, Check check)
+{
+    const QRect area = pane.view.pictureRect();
+    const QRegion picture = QRegion(area) - pane.view.overlayRegion();
+    int count = 0;
+    for (const QRect& part : picture)
+        for (int y = part.top(); y <= part.bottom(); ++y)
+            for (int x = part.left(); x <= part.right(); ++x, ++count)
+                check(x, y, x - area.left(), y - area.top());
+    return count;
+}
+
+inline int differingPixels(const QImage& a, const QImage& b, const QRect& area)
+{
+    int differing = 0;
+    for (int y = area.top(); y <= area.bottom(); ++y)
+        for (int x = area.left(); x <= area.right(); ++x)
+            differing += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+    return differing;
+}
+
 } // namespace console::samples

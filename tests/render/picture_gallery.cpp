@@ -70,6 +70,7 @@ bool paintLive(const QDir& folder, const char* name, const DisplaySettings& sett
     state.expect(15, now - std::chrono::seconds(3));
     DisplayState display;
     auto* view = new LiveImageView(state);
+    theme::setTextRole(view, theme::TextRole::Caption);
     view->setClock([&now] { return now; });
     auto* controls = new PictureControls(display);
     PicturePane pane(view, controls);
@@ -96,6 +97,7 @@ bool paintLive(const QDir& folder, const char* name, const DisplaySettings& sett
 bool paintReference(const QDir& folder, PictureRole role, double scale)
 {
     auto* view = new ReferenceImageView;
+    theme::setTextRole(view, theme::TextRole::Caption);
     auto* controls = new ReviewControls;
     PicturePane pane(view, controls);
     view->showPicture(pictureWith({}, role));

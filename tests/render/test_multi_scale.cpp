@@ -87,8 +87,8 @@ void TestMultiScale::isStrongerWithThePercentage()
 
 void TestMultiScale::leavesStrongContrastAlone()
 {
-    const double found = raised(8, 400, 100); // 80 % of it there and back
-    QVERIFY2(found < 1.15, qPrintable(QString::number(found)));
+    const double found = raised(8, 400, 100); // its tops are strong; its slopes are less, and are raised a little
+    QVERIFY2(found < 1.25, qPrintable(QString::number(found)));
 }
 
 void TestMultiScale::doesNothingAtZero()

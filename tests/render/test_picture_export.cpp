@@ -66,6 +66,7 @@ class TestPictureExport : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void writesSecondaryCapture();
+    void savesOfOneRunBelongTogether();
     void leavesOutWhatIsNotKnown();
     void namesAndWordsTellWhatItIs();
     void writesPng();
@@ -79,7 +80,9 @@ void TestPictureExport::writesSecondaryCapture()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.dcm"));
-    const DisplayPicture sent = picture();
+    DisplayPicture sent = picture();
+    sent.settings.edge = 30;
+    sent.settings.edgeMethod = EdgeMethod::MultiScale;
     QCOMPARE(saveSecondaryCapture(sent, path), QString());
     DcmFileFormat file;
     QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
@@ -89,6 +92,7 @@ void TestPictureExport::writesSecondaryCapture()
     QCOMPARE(valueOf(dataset, DCM_QualityControlImage), QStringLiteral("YES"));
     QCOMPARE(valueOf(dataset, DCM_BurnedInAnnotation), QStringLiteral("YES"));
     QCOMPARE(valueOf(dataset, DCM_ConversionType), QStringLiteral("WSD"));
+    QVERIFY(valueOf(dataset, DCM_DerivationDescription).contains(QStringLiteral("edge 30 %, multi-scale")));
     QCOMPARE(valueOf(dataset, DCM_PatientName), QString());
     QVERIFY(dataset.tagExists(DCM_PatientName));
     QCOMPARE(valueOf(dataset, DCM_PixelSpacingCalibrationType), QStringLiteral("GEOMETRY"));
@@ -111,6 +115,36 @@ void TestPictureExport::writesSecondaryCapture()
     for (int x = 0; x < 100; ++x)
         words += pixels[12 * size.width() + x] != (x + 12) % 256 ? 1 : 0;
     QVERIFY(words > 50);
+}
+
+void TestPictureExport::savesOfOneRunBelongTogether()
+{
+    const QTemporaryDir folder;
+    QList<QString> paths;
+    for (const char* run : {"one", "two"}) {
+        PictureSaver saver(folder.filePath(QString::fromLatin1(run)));
+        QSignalSpy saved(&saver, &PictureSaver::saved);
+        for (int count = 1; count <= 2; ++count) {
+            saver.save(picture(), picture().image);
+            QTRY_COMPARE(saved.count(), count);
+            paths << saved.last().first().toString();
+        }
+    }
+    QStringList studies;
+    QStringList series;
+    QStringList instances;
+    for (const QString& path : paths) {
+        DcmFileFormat file;
+        QVERIFY(file.loadFile((path + QStringLiteral(".dcm")).toLocal8Bit().constData()).good());
+        studies << valueOf(*file.getDataset(), DCM_StudyInstanceUID);
+        series << valueOf(*file.getDataset(), DCM_SeriesInstanceUID);
+        instances << valueOf(*file.getDataset(), DCM_SOPInstanceUID);
+    }
+    QVERIFY(!studies[0].isEmpty() && !series[0].isEmpty());
+    QCOMPARE(studies[1], studies[0]);
+    QCOMPARE(series[1], series[0]);
+    QVERIFY(studies[2] != studies[0] && series[2] != series[0]);
+    QCOMPARE(instances.removeDuplicates(), 0);
 }
 
 void TestPictureExport::leavesOutWhatIsNotKnown()

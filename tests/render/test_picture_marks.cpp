@@ -1,4 +1,5 @@
 // Tests of what is written on the live picture: how it is reduced and treated, how old it is, and that nothing covers another.
+#include "imaging/figure_cells.hpp"
 #include "imaging/picture_overlay.hpp"
 #include "live_pane.hpp"
 
@@ -31,6 +32,23 @@ QRegion cautionPixels(const QImage& image)
     return region;
 }
 
+QFont bodyFont()
+{
+    QFont font;
+    font.setPixelSize(16);
+    return font;
+}
+
+QRect differenceOf(const QImage& a, const QImage& b)
+{
+    QRect different;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x)
+            if (a.pixel(x, y) != b.pixel(x, y))
+                different |= QRect(x, y, 1, 1);
+    return different;
+}
+
 int pixelCount(const QRegion& region)
 {
     int count = 0;
@@ -51,6 +69,11 @@ private Q_SLOTS:
     void writesAgeLine_data();
     void writesAgeLine();
     void roundsUncertaintyUp();
+    void noFigureMovesAnother_data();
+    void noFigureMovesAnother();
+    void frozenSecondsStandStill();
+    void wordsThatTellAHoldAreLarge();
+    void keepsFactsApart();
     void saysHowItWasTreated();
     void coversNoMarkWithAnother_data();
     void coversNoMarkWithAnother();
@@ -167,6 +190,95 @@ void TestPictureMarks::roundsUncertaintyUp()
     QVERIFY(!ageLine(reading).contains(QStringLiteral("\u00B1")));
 }
 
+void TestPictureMarks::noFigureMovesAnother_data()
+{
+    QTest::addColumn<QSize>("area");
+    QTest::newRow("in the corner") << QSize(1100, 1100);
+    QTest::newRow("below the source") << QSize(520, 520);
+    QTest::newRow("in two rows") << QSize(300, 400);
+}
+
+// AGE gets another figure, and a narrower one: NET, PROC and the rate stay where they are, pixel by pixel.
+void TestPictureMarks::noFigureMovesAnother()
+{
+    QFETCH(QSize, area);
+    DisplayPicture picture;
+    picture.about = *samples::frame(1, frameSize, 8, PixelEncoding::Raw);
+    PictureReading reading;
+    reading.condition = PictureCondition::Live;
+    reading.network = std::chrono::milliseconds(31);
+    reading.processing = std::chrono::milliseconds(67);
+    std::vector<QImage> seen;
+    QRegion region;
+    for (const int age : {98, 1111, 111, 888}) {
+        reading.age = std::chrono::milliseconds(age);
+        QImage image(area, QImage::Format_RGB32);
+        image.fill(Qt::black);
+        QPainter painter(&image);
+        const PictureOverlay overlay(image.rect(), picture, reading, 1, {}, bodyFont());
+        overlay.paint(painter);
+        QVERIFY(region.isEmpty() || region == overlay.region());
+        QVERIFY(QRect(QPoint(), area).contains(overlay.region().boundingRect()));
+        region = overlay.region();
+        seen.push_back(image);
+    }
+    const QRect changed = differenceOf(seen[0], seen[1]) | differenceOf(seen[0], seen[2]) | differenceOf(seen[0], seen[3]);
+    QVERIFY(!changed.isEmpty());
+    const double room = figuresWidth(bodyFont(), QStringLiteral("8888 ±88 ms"));
+    QVERIFY2(changed.width() <= room, qPrintable(QStringLiteral("%1 of %2").arg(changed.width()).arg(room)));
+}
+
+void TestPictureMarks::frozenSecondsStandStill()
+{
+    DisplayPicture picture;
+    picture.about = *samples::frame(1, frameSize, 8, PixelEncoding::Raw);
+    PictureReading reading;
+    reading.condition = PictureCondition::Frozen;
+    QRegion region;
+    for (const int tenths : {4, 11, 108, 1111}) {
+        reading.frozenFor = std::chrono::milliseconds(100 * tenths);
+        const PictureOverlay overlay(QRect(0, 0, 600, 600), picture, reading, 1, {}, bodyFont());
+        QVERIFY(region.isEmpty() || region == overlay.region());
+        region = overlay.region();
+    }
+}
+
+// 24 pixels where the text has 16; beside the plate below, which is narrower.
+void TestPictureMarks::wordsThatTellAHoldAreLarge()
+{
+    QFont head = bodyFont();
+    head.setPixelSize(24);
+    const int plate = QFontMetrics(head).height() + bodyFont().pixelSize() / 2;
+    for (const PictureCondition condition : {PictureCondition::Held, PictureCondition::Frozen}) {
+        DisplayPicture picture;
+        picture.about = *samples::frame(1, frameSize, 8, PixelEncoding::Raw);
+        PictureReading reading;
+        reading.condition = condition;
+        const PictureOverlay overlay(QRect(0, 0, 520, 520), picture, reading, 1, {}, bodyFont());
+        int rows = 0;
+        for (int y = 80; y < 200; ++y)
+            rows += overlay.region().contains(QPoint(360, y)) ? 1 : 0;
+        QVERIFY2(rows >= plate, qPrintable(QStringLiteral("%1: %2 of %3").arg(word(condition)).arg(rows).arg(plate)));
+    }
+}
+
+void TestPictureMarks::keepsFactsApart()
+{
+    DisplayPicture picture;
+    picture.about = *samples::frame(18, frameSize, 12, PixelEncoding::Raw);
+    picture.window = {1062, 1825};
+    for (int width = 200; width <= 1200; width += 7) {
+        TextPlates plates(bodyFont());
+        const QRect where(0, 0, width, 400);
+        const QRect bar = placeScale(plates, where, picture, 1);
+        const QRegion scale = plates.region();
+        placeFacts(plates, where, bar, picture, 1);
+        QVERIFY(where.contains(plates.region().boundingRect()));
+        for (const QRect& part : plates.region() - scale)
+            QVERIFY2(!scale.intersects(part.adjusted(-plates.gap(), 0, plates.gap(), 0)), qPrintable(QString::number(width)));
+    }
+}
+
 void TestPictureMarks::saysHowItWasTreated()
 {
     DisplayPicture picture;
@@ -182,7 +294,9 @@ void TestPictureMarks::saysHowItWasTreated()
     picture.settings.edge = 30;
     picture.settings.shutter = ShutterShape::Circle;
     QCOMPARE(windowLine(picture), QStringLiteral("C 2048  W 4096  SIGMOID  AUTO"));
-    QCOMPARE(treatmentLine(picture), QStringLiteral("INVERTED  noise 60 %  edge 30 %  SHUTTER  display calibrated"));
+    QCOMPARE(treatmentLine(picture), QStringLiteral("INVERTED  noise 60 %  edge 30 %, unsharp mask  SHUTTER  display calibrated"));
+    picture.settings.edgeMethod = EdgeMethod::MultiScale;
+    QVERIFY(treatmentLine(picture).contains(QStringLiteral("edge 30 %, multi-scale  ")));
     picture.treatment.k = 0.7;
     QVERIFY(treatmentLine(picture).contains(QStringLiteral("noise 40 of 60 %  ")));
     picture.treatment.filterIsBounded = true;

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void reviewNeverCountsAsLive();
     void livePictureIsNotShownAsReference();
     void hasDashedFrameAndItsWord();
+    void saysWhatItIsInLargeLetters();
     void neverSaysLive();
     void vesselsLieOverRoadmapsOnly();
     void roadmapIsAsFrozenAsTheLivePicture();
@@ -128,6 +129,26 @@ void TestReferenceImage::hasDashedFrameAndItsWord()
     view.setPlace(QStringLiteral("3 of 9"));
     QVERIFY(view.grab().toImage() != hold);
     QVERIFY(view.accessibleDescription().startsWith(QStringLiteral("REVIEW")));
+}
+
+// However small the pane: 24 pixels where its window's texts have 16. Beside the plate below, which is narrower.
+void TestReferenceImage::saysWhatItIsInLargeLetters()
+{
+    for (const QSize pane : {QSize(562, 520), QSize(421, 390)}) {
+        ReferenceImageView view;
+        QFont body = view.font();
+        body.setPixelSize(16);
+        view.setFont(body);
+        view.resize(pane);
+        view.showPicture(pictureWith(PictureRole::Hold, 1));
+        view.grab();
+        QFont head = body;
+        head.setPixelSize(24);
+        int rows = 0;
+        for (int y = 0; y < 100; ++y)
+            rows += view.overlayRegion().contains(view.pictureRect().topLeft() + QPoint(200, y)) ? 1 : 0;
+        QVERIFY2(rows >= QFontMetrics(head).height() + 8, qPrintable(QString::number(rows)));
+    }
 }
 
 void TestReferenceImage::neverSaysLive()

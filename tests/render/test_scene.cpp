@@ -1,12 +1,7 @@
 // Tests of the three-dimensional scene: drawn off-screen by EGL, without a display server.
-#include "imaging/frame_pipeline.hpp"
 #include "imaging/scene.hpp"
-#include "imaging/scene_view.hpp"
-#include "sample_frames.hpp"
 
 #include <QProcess>
-#include <QTemporaryDir>
-#include <QWheelEvent>
 #include <QtTest>
 
 using namespace console;
@@ -70,16 +65,12 @@ private Q_SLOTS:
     void tipMovesInThePicture();
     void patientsRightIsOnTheLeftFromTheFront();
     void staleTipIsHollowAndGrey();
+    void tipIsFoundFromFarAway();
     void drawsWireOnlyInsideVessels();
     void drawsCArmOnlyWithKnownGeometry();
     void putsPictureOnTheDetectorUnmirrored();
     void dimsPictureThatIsNotLive();
     void usesNoAlarmColour();
-    void viewShowsWhatTheSceneDraws();
-    void viewTurnsByMouseAndKeyboard();
-    void viewDrawsNothingWhileHidden();
-    void viewSaysThatVesselsAreMissing();
-    void viewEndsWhileDrawing();
     void loadsNoOtherQt();
 
 private:
@@ -163,6 +154,23 @@ void TestScene::staleTipIsHollowAndGrey()
     QVERIFY(drawnPixels(stale) < drawnPixels(fresh) * 8 / 10); // one sees through it
 }
 
+void TestScene::tipIsFoundFromFarAway()
+{
+    SceneState state;
+    state.tip = tipAt({0, 0, 0});
+    m_scene->show(state);
+    OrbitCamera camera = fromTheFront();
+    camera.fit(1000);
+    const QImage image = m_scene->render(camera, pane);
+    QRect tip;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            if (isTipGreen(image.pixel(x, y)))
+                tip |= QRect(x, y, 1, 1);
+    QVERIFY2(tip.width() >= 6, qPrintable(QString::number(tip.width())));
+    QVERIFY2((tip.center() - QPoint(pane.width() / 2, pane.height() / 2)).manhattanLength() < 2 * tip.height(), "it stays where it is");
+}
+
 void TestScene::drawsWireOnlyInsideVessels()
 {
     SceneState state;
@@ -243,120 +251,6 @@ void TestScene::usesNoAlarmColour()
     state.cArm = CArmGeometry{20, 10, 1100, 750, {300, 300}, {}};
     m_scene->show(state);
     QCOMPARE(pixelsThat(m_scene->render(OrbitCamera(), pane), isAlarmHue), 0);
-}
-
-void TestScene::viewShowsWhatTheSceneDraws()
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("tree.swc"));
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("1 2 0 0 -60 4 -1\n2 2 0 0 0 4 1\n3 2 0 0 60 3 2\n");
-    file.close();
-    SceneView view;
-    view.resize(pane);
-    view.loadVessels(path);
-    view.show();
-    QTRY_VERIFY(view.drawings() > 0);
-    QCOMPARE(view.unavailable(), QString());
-    QTRY_VERIFY(drawnPixels(view.drawing()) > 200);
-    TipPose pose;
-    pose.valid = true;
-    pose.quaternion = {1, 0, 0, 0};
-    view.showTip(pose, false);
-    QTRY_VERIFY(pixelsThat(view.drawing(), isTipGreen) > 5);
-    pose.valid = false; // alarm 11: the overlay of the tip goes
-    view.showTip(pose, false);
-    QTRY_COMPARE(pixelsThat(view.drawing(), isTipGreen), 0);
-    QVERIFY(view.grab().toImage().size() == pane);
-    const auto without = view.grab().toImage();
-    view.showTipBefore(pose); // not valid: no place is claimed
-    QCOMPARE(view.grab().toImage(), without);
-    pose.valid = true;
-    pose.position = {0, 0, 30};
-    view.showTipBefore(pose);
-    const auto with = view.grab().toImage();
-    const auto place = view.camera().project(toScene({0, 0, 30}), pane);
-    QVERIFY(place);
-    const QRectF ring(*place - QPointF(11, 11), QSizeF(22, 22));
-    int changed = 0;
-    for (int y = 0; y < pane.height(); ++y)
-        for (int x = 0; x < pane.width(); ++x)
-            changed += ring.contains(x, y) && with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
-    QVERIFY2(changed > 40, qPrintable(QString::number(changed)));
-    view.showTipBefore(std::nullopt);
-    QCOMPARE(view.grab().toImage(), without);
-}
-
-void TestScene::viewTurnsByMouseAndKeyboard()
-{
-    SceneView view;
-    view.resize(pane);
-    view.show();
-    QTRY_VERIFY(view.drawings() > 0);
-    const OrbitCamera start = view.camera();
-    const quint64 drawings = view.drawings();
-    QTest::mousePress(&view, Qt::LeftButton, {}, {100, 100});
-    QTest::mouseMove(&view, {150, 120});
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, {150, 120});
-    QVERIFY(view.camera() != start);
-    QTRY_VERIFY(view.drawings() > drawings);
-    QTest::mouseDClick(&view, Qt::LeftButton, {}, {100, 100});
-    QCOMPARE(view.camera(), start);
-    QWheelEvent wheel({100, 100}, view.mapToGlobal(QPointF(100, 100)), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
-    QCoreApplication::sendEvent(&view, &wheel);
-    QVERIFY(view.camera().distance() < start.distance());
-    QTest::keyClick(&view, Qt::Key_Home);
-    QCOMPARE(view.camera(), start);
-    QTest::keyClick(&view, Qt::Key_Left);
-    QVERIFY(view.camera().azimuth() != start.azimuth());
-    QTest::keyClick(&view, Qt::Key_Right);
-    QCOMPARE(view.camera(), start);
-    QTest::keyClick(&view, Qt::Key_Plus);
-    QVERIFY(view.camera().distance() < start.distance());
-    QTest::keyClick(&view, Qt::Key_Minus);
-    QTest::keyClick(&view, Qt::Key_Up);
-    QVERIFY(view.camera().elevation() > start.elevation());
-    QTest::keyClick(&view, Qt::Key_End);
-    QVERIFY(view.camera().distance() > 2 * start.distance());
-}
-
-void TestScene::viewDrawsNothingWhileHidden()
-{
-    SceneView view;
-    view.resize(pane);
-    TipPose pose;
-    pose.valid = true;
-    view.showTip(pose, false);
-    QCoreApplication::processEvents();
-    QCOMPARE(view.drawings(), quint64(0));
-    view.show();
-    QTRY_VERIFY(view.drawings() > 0);
-}
-
-void TestScene::viewSaysThatVesselsAreMissing()
-{
-    SceneView view;
-    view.resize(pane);
-    view.show();
-    QVERIFY(view.notice().contains(QStringLiteral("No vessel tree")));
-    view.loadVessels(QStringLiteral("/nowhere/cerebral.swc"));
-    QVERIFY(view.notice().contains(QStringLiteral("/nowhere/cerebral.swc cannot be read")));
-    QCOMPARE(view.accessibleDescription(), view.notice());
-    QTRY_VERIFY(view.drawings() > 0); // the rest of the scene works all the same
-}
-
-void TestScene::viewEndsWhileDrawing()
-{
-    for (int round = 0; round < 5; ++round) {
-        SceneView view;
-        view.resize(pane);
-        view.show();
-        if (round % 2 == 0)
-            QTRY_VERIFY(view.drawings() > 0);
-        for (int turn = 0; turn < 10; ++turn)
-            QTest::keyClick(&view, Qt::Key_Left);
-    }
 }
 
 void TestScene::loadsNoOtherQt()

@@ -139,6 +139,60 @@ private Q_SLOTS:
         QCOMPARE(test.step(), AlarmSelfTest::Step::NotDone);
     }
 
+    void aHangIsHeardWheneverSomebodyReliesOnTheSound_data()
+    {
+        QTest::addColumn<int>("phase");
+        QTest::addColumn<bool>("awaitingRobot");
+        QTest::addColumn<bool>("highAlarm");
+        QTest::addColumn<bool>("relied");
+        for (const auto phase : {PermitPhase::Off, PermitPhase::Standby, PermitPhase::Ready, PermitPhase::Incident, PermitPhase::Verifying})
+            for (const bool high : {false, true})
+                QTest::addRow("%s%s", qPrintable(word(phase)), high ? ", high alarm" : "") << int(phase) << false << high << high;
+        for (const auto phase : {PermitPhase::Armed, PermitPhase::Engaged, PermitPhase::Hold})
+            QTest::addRow("%s", qPrintable(word(phase))) << int(phase) << false << false << true;
+        QTest::newRow("ARM is held") << int(PermitPhase::Arming) << false << false << false;
+        QTest::newRow("the robot was asked to arm") << int(PermitPhase::Arming) << true << false << true;
+        QTest::newRow("ARM is held, high alarm") << int(PermitPhase::Arming) << false << true << true;
+    }
+
+    void aHangIsHeardWheneverSomebodyReliesOnTheSound()
+    {
+        QFETCH(int, phase);
+        QFETCH(bool, awaitingRobot);
+        QFETCH(bool, highAlarm);
+        QFETCH(bool, relied);
+        PermitState permit;
+        permit.phase = PermitPhase(phase);
+        permit.awaitingRobot = awaitingRobot;
+        QCOMPARE(attended(permit, highAlarm), relied);
+    }
+
+    /// What the service beats, as the watchdog's pipe has it.
+    void aHighAlarmAloneIsBeatenAsAttended()
+    {
+        Room room;
+        const QString program = room.folder.filePath(QStringLiteral("listener"));
+        const QString heard = room.folder.filePath(QStringLiteral("heard"));
+        QFile script(program);
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        script.write("#!/bin/sh\nexec cat > '" + heard.toUtf8() + "'\n");
+        script.close();
+        QVERIFY(script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        const auto beats = [&heard] {
+            QFile file(heard);
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        AlarmService service(room.cockpit.models, room.watch, room.settings(program));
+        service.start();
+        QTRY_VERIFY(beats().contains('i'));
+        QVERIFY(!beats().contains('a'));
+        room.cockpit.models.alarms.update(
+            {{C::ForceStop, 0, AlarmPriority::High, true, QStringLiteral("FORCE"), QStringLiteral("Stop."), 0}}, room.cockpit.now, 1000);
+        QTRY_VERIFY(beats().contains('a'));
+        service.acknowledge(room.cockpit.models.alarms.highest()->id, QString());
+        QTRY_VERIFY(beats().endsWith('i'));
+    }
+
     void theSelfTestIsLoggedWithWhoConfirmedIt()
     {
         Room room;

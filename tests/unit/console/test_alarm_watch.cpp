@@ -157,7 +157,7 @@ const std::vector<Case>& deviceCases()
         {"13 contrast low", robot([](auto& s) { s.contrastRemaining = 4.5; }), C::ContrastLow},
         {"13 contrast empty",
          [robot](Watched& w) {
-             w.models().instrument.receiveInjection({9, 2, InjectionProgress::Running, {}});
+             w.models().instrument.receiveInjection({9, 2, InjectionProgress::Running, {}}, w.now);
              robot([](auto& s) { s.contrastRemaining = 0; })(w);
          },
          C::ContrastEmpty},
@@ -226,6 +226,33 @@ private Q_SLOTS:
         QCOMPARE(w.models().alarms.raisedInAll(), raised);
         passTime(w, 3s, 20, 19);
         QVERIFY(!w.priorityOf(C::PaintingBehind));
+    }
+
+    void fewerPicturesThanExpectedAreTold()
+    {
+        Watched w;
+        w.cockpit.arm();
+        const auto play = [&w](int perSecond, Duration time) {
+            const auto period = Duration(1s) / perSecond;
+            for (Duration passed{}; passed < time; passed += period) {
+                w.now += period;
+                PictureStamp stamp = *w.models().picture.newest();
+                ++stamp.frame;
+                stamp.painted = w.now;
+                stamp.captured = w.now - 80ms;
+                w.models().picture.notePainted(stamp);
+                w.look();
+            }
+        };
+        play(15, 3s);
+        QVERIFY(!w.priorityOf(C::PictureSlow));
+        play(12, 2s); // for a moment it is none
+        QVERIFY(!w.priorityOf(C::PictureSlow));
+        play(12, 2s);
+        QCOMPARE(w.priorityOf(C::PictureSlow), std::optional(AlarmPriority::Low));
+        QVERIFY(w.models().picture.reading(w.now).keepsRate); // caution, and no hold
+        play(15, 2s);
+        QVERIFY(!w.priorityOf(C::PictureSlow));
     }
 
     void eachConditionIsRaisedByItsCause_data()

@@ -86,6 +86,12 @@ const std::vector<Case>& cases()
         {"air kerma 3 Gy", [](auto& r) { r.airKerma = 3000; }, C::AirKerma, Low, Low, true},
         {"fluoroscopy 5 min", [](auto& r) { r.fluoroscopyTime = 300; }, C::FluoroscopyTime, Low, Low, true},
         {"air kerma 5 Gy", [](auto& r) { r.airKerma = 5000; }, C::AirKerma, Medium, Medium, true},
+        {"picture slow",
+         [](auto& r) {
+             r.picture.condition = PictureCondition::Live;
+             r.pictureSlow = true;
+         },
+         C::PictureSlow, Low, std::nullopt, false},
         {"painting",
          [](auto& r) {
              r.painting = PaintingReading{15, 11};
@@ -178,6 +184,25 @@ private Q_SLOTS:
         list.acknowledge(at(300)->id, 0);
         QVERIFY(at(599)->acknowledged);
         QVERIFY(!at(600)->acknowledged);
+    }
+
+    void overdueReportsHaveTheirTitles_data()
+    {
+        QTest::addColumn<QString>("message");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("tip") << QStringLiteral("TipPose") << QStringLiteral("Vascular robot: position of the tip overdue");
+        QTest::newRow("dose") << QStringLiteral("AcquisitionStatus") << QStringLiteral("Vascular robot: report of beam and dose overdue");
+        QTest::newRow("another set's") << QStringLiteral("PumpFlow") << QStringLiteral("Vascular robot: PumpFlow overdue");
+    }
+
+    void overdueReportsHaveTheirTitles()
+    {
+        QFETCH(QString, message);
+        QFETCH(QString, text);
+        auto readings = calm();
+        readings.links[0].title = QStringLiteral("Vascular robot");
+        readings.links[0].deadlineMissed = message;
+        QCOMPARE(presentAlarms(readings).front().text, text);
     }
 
     void calmRaisesNothing()

@@ -17,7 +17,7 @@ class TestBeatWatch : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void armedAndSilentForMoreThanTheLimitIsAHang()
+    void attendedAndSilentForMoreThanTheLimitIsAHang()
     {
         BeatWatch watch(60s);
         watch.take('a', start);
@@ -28,7 +28,7 @@ private Q_SLOTS:
         QCOMPARE(watch.look(start + 2h), State::Watching);
     }
 
-    void silenceWhileNotArmedIsNone()
+    void silenceWhileIdleIsNone()
     {
         BeatWatch watch(60s);
         QCOMPARE(watch.look(start + 1h), State::Watching);
@@ -39,14 +39,14 @@ private Q_SLOTS:
         QCOMPARE(watch.look(start + 1h), State::Over);
     }
 
-    void anArmedDeathIsSoundedForItsTime_data()
+    void anAttendedDeathIsSoundedForItsTime_data()
     {
         QTest::addColumn<bool>("hung");
         QTest::newRow("while beating") << false;
         QTest::newRow("while hung") << true;
     }
 
-    void anArmedDeathIsSoundedForItsTime()
+    void anAttendedDeathIsSoundedForItsTime()
     {
         QFETCH(bool, hung);
         BeatWatch watch(60s);

@@ -80,6 +80,8 @@ private Q_SLOTS:
         QTest::newRow("observer that arms") << QStringLiteral("--role observer --unattended 5")
                                             << QStringLiteral("--role observer: an unattended run arms");
         QTest::newRow("no number") << QStringLiteral("--patient Wang") << QStringLiteral("named by two identifiers");
+        QTest::newRow("number too long") << QStringLiteral("--patient Wang --patient-id A-12345678901234567890123456789012")
+                                         << QStringLiteral("--patient-id: 34 characters, at most 32");
         QTest::newRow("no name") << QStringLiteral("--patient-id A-1234") << QStringLiteral("named by two identifiers");
     }
 

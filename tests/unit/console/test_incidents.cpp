@@ -1,81 +1,12 @@
 // The words of the diagnosis prompt, and the incidents behind it.
-#include "model/incident_model.hpp"
-#include "model/session_model.hpp"
+#include "lost_links.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
 
 using namespace console;
+using namespace console::test;
 using namespace std::chrono_literals;
-
-namespace {
-
-constexpr quint32 cockpit = 0x40018208;
-constexpr quint32 robot = 0x00008208;
-constexpr quint32 xray = 0x20010208;
-constexpr quint32 arm = 0x60008208;
-const Instant start = Instant{} + 1h;
-
-void fill(SessionModel& sessions)
-{
-    SessionModel::Topology topology;
-    topology.name = QStringLiteral("t");
-    const auto add = [&topology](quint32 id, const char* title, const char* site, bool self) {
-        DeviceNode node;
-        node.id = id;
-        node.title = QString::fromLatin1(title);
-        node.site = QString::fromLatin1(site);
-        node.self = self;
-        topology.devices.push_back(node);
-    };
-    add(cockpit, "Cockpit", "surgeon", true);
-    add(robot, "Robot", "patient", false);
-    add(arm, "Arm", "patient", false);
-    add(xray, "X-ray", "patient", false);
-    topology.links = {{robot, cockpit}, {arm, cockpit}, {xray, cockpit}, {robot, arm}};
-    sessions.setTopology(topology);
-    for (const auto peer : {robot, arm, xray})
-        sessions.setLinkState(peer, LinkState::Open, start);
-}
-
-IncidentRecord lost(quint32 peer)
-{
-    IncidentRecord record;
-    record.id = 11;
-    record.a = std::min(peer, cockpit);
-    record.b = std::max(peer, cockpit);
-    record.peer = peer;
-    record.cause = LossKind::HeartbeatLost;
-    record.since = start;
-    LinkDiagnosis diagnosis;
-    diagnosis.heartbeatsExpected = 50;
-    diagnosis.heartbeatsReceived = 44;
-    diagnosis.lastRoundTrip = 1500us;
-    diagnosis.silence = 610ms;
-    diagnosis.toPeerConnected = true;
-    diagnosis.fromPeerConnected = true;
-    record.diagnosis = diagnosis;
-    return record;
-}
-
-IncidentRecord interrupted(quint32 peer)
-{
-    auto record = lost(peer);
-    record.cause = LossKind::None;
-    record.diagnosis.reset();
-    return record;
-}
-
-PromptSurroundings around()
-{
-    PromptSurroundings value;
-    value.robot = robot;
-    value.lostLinks = 1;
-    value.ownLinks = 3;
-    return value;
-}
-
-} // namespace
 
 class TestIncidents : public QObject {
     Q_OBJECT
@@ -176,63 +107,22 @@ private Q_SLOTS:
         SessionModel sessions;
         fill(sessions);
         const auto lines = promptContent(lost(robot), sessions, around(), start).evidence;
-        QVERIFY(lines.contains(QStringLiteral("Heartbeats in the last second: 44 of 50")));
+        QVERIFY(lines.contains(QStringLiteral("Heartbeats in the second before the loss: 44 of 50")));
         QVERIFY(lines.contains(QStringLiteral("Last round trip: 1.5 ms")));
         QVERIFY(lines.contains(QStringLiteral("Silent for 610 ms before it was given up")));
-        QVERIFY(lines.contains(QStringLiteral("Links of this console: 3 of 3 open")));
+        QVERIFY(lines.contains(QStringLiteral("Our connection to it held, its connection to us held")));
     }
 
-    void advisesByWhatTheProbeFound_data()
-    {
-        QTest::addColumn<ProbeFinding>("probe");
-        QTest::addColumn<quint32>("peer");
-        QTest::addColumn<int>("lostLinks");
-        QTest::addColumn<QString>("cause");
-        QTest::addColumn<QString>("tryFirst");
-        const auto row = [](const char* name, ProbeFinding probe, quint32 peer, int count, const char* cause, const char* first) {
-            QTest::newRow(name) << probe << peer << count << QString::fromUtf8(cause) << QString::fromUtf8(first);
-        };
-        row("interface", ProbeFinding::InterfaceDown, robot, 1, "This console has no network", "at this side");
-        row("no route", ProbeFinding::NoRoute, robot, 1, "no way to the hospital", "VPN");
-        row("host", ProbeFinding::HostUnreachable, robot, 1, "others there do", "Power");
-        row("refused", ProbeFinding::ConnectionRefused, robot, 1, "its program is not running", "Restart the program");
-        row("identity", ProbeFinding::TlsFailure, robot, 1, "identity was refused", "Do not bypass");
-        row("silent", ProbeFinding::PeerSilent, robot, 1, "hangs or is overloaded", "Wait 2 s");
-        row("not probed", ProbeFinding::NotProbed, robot, 1, "run the checks", "Run checks");
-        row("all lost", ProbeFinding::PeerSilent, robot, 3, "All links were lost at once", "VPN of this console");
-        row("all lost, interface", ProbeFinding::InterfaceDown, robot, 3, "This console has no network", "at this side");
-        row("only pictures", ProbeFinding::PeerSilent, xray, 1, "Only the pictures are lost", "motion stays inhibited");
-        row("pictures, identity", ProbeFinding::TlsFailure, xray, 1, "identity was refused", "Do not bypass");
-    }
-
-    void advisesByWhatTheProbeFound()
-    {
-        QFETCH(ProbeFinding, probe);
-        QFETCH(quint32, peer);
-        QFETCH(int, lostLinks);
-        QFETCH(QString, cause);
-        QFETCH(QString, tryFirst);
-        SessionModel sessions;
-        fill(sessions);
-        auto incident = lost(peer);
-        incident.diagnosis->probe = probe;
-        auto seen = around();
-        seen.lostLinks = lostLinks;
-        const auto content = promptContent(incident, sessions, seen, start);
-        QVERIFY2(content.likelyCause.contains(cause), qPrintable(content.likelyCause));
-        QVERIFY2(content.tryFirst.contains(tryFirst), qPrintable(content.tryFirst));
-    }
-
-    void neverPromisesToResume()
+    void namesTheOtherLinksAndWhetherTheyAreOpen()
     {
         SessionModel sessions;
         fill(sessions);
-        for (const auto probe : {ProbeFinding::NotProbed, ProbeFinding::PeerSilent, ProbeFinding::Reachable, ProbeFinding::TlsFailure}) {
-            auto incident = lost(robot);
-            incident.diagnosis->probe = probe;
-            const auto content = promptContent(incident, sessions, around(), start);
-            QVERIFY(!(content.likelyCause + content.tryFirst + content.patient).contains(QStringLiteral("resume"), Qt::CaseInsensitive));
-        }
+        sessions.setLinkState(xray, LinkState::StandBy, start);
+        const auto lines = promptContent(lost(robot), sessions, around(), start).evidence;
+        const auto others = QStringLiteral("Other links of this console: Arm (same computer) open, X-ray (patient) not open");
+        QVERIFY2(lines.contains(others), qPrintable(lines.join(QLatin1Char('\n'))));
+        sessions.setTopology({});
+        QVERIFY(!promptContent(lost(robot), sessions, around(), start).evidence.join(QLatin1Char(' ')).contains(QStringLiteral("Other")));
     }
 
     void incidentOfOthersIsNotOursToReopen()
@@ -293,12 +183,15 @@ private Q_SLOTS:
         model.interrupt(interrupted(robot), start);
         const auto interruption = model.interruptions().front().id;
         QSignalSpy decided(&model, &IncidentModel::interruptionDecided);
-        model.raise(lost(robot), start + 500ms);
+        auto later = lost(robot);
+        later.since = start + 500ms;
+        model.raise(later, start + 500ms);
         QCOMPARE(decided.size(), 1);
         QCOMPARE(decided.front().at(0).toULongLong(), interruption);
         QCOMPARE(decided.front().at(1).toULongLong(), quint64(11));
         QVERIFY(model.interruptions().empty());
         QCOMPARE(model.incident(11)->flaps, 1);             // one loss, told twice
+        QCOMPARE(model.incident(11)->since, start);         // its time runs on
         model.interrupt(interrupted(robot), start + 600ms); // told late
         QVERIFY(model.interruptions().empty());
     }
@@ -337,6 +230,13 @@ private Q_SLOTS:
         QCOMPARE(content.headline, QStringLiteral("Robot link interrupted"));
         QVERIFY(!content.decided && !content.healed && !content.holdConfirmed);
         QVERIFY(content.patient.contains(QStringLiteral("not confirmed yet")));
+        auto seen = around();
+        seen.robotHeldAt = start - 1ms; // before the interruption: it says nothing of now
+        QVERIFY(!promptContent(model.interruptions().front(), sessions, seen, start + 200ms).holdConfirmed);
+        seen.robotHeldAt = start + 40ms;
+        content = promptContent(model.interruptions().front(), sessions, seen, start + 200ms);
+        QVERIFY(content.holdConfirmed);
+        QCOMPARE(content.patient, QStringLiteral("Robot holds: CONFIRMED by its own report"));
         model.heal(robot, start + 312ms);
         content = promptContent(model.interruptions().front(), sessions, around(), start + 5s);
         QCOMPARE(content.headline, QStringLiteral("Robot link was interrupted"));

@@ -115,16 +115,17 @@ private Q_SLOTS:
     {
         InstrumentState instrument;
         QSignalSpy changes(&instrument, &InstrumentState::injectionChanged);
-        instrument.endWatch();
+        instrument.endWatch(start);
         QCOMPARE(changes.count(), 0);
-        instrument.receiveInjection({7, 2.5, InjectionProgress::Running, {}});
+        instrument.receiveInjection({7, 2.5, InjectionProgress::Running, {}}, start);
         QVERIFY(instrument.injecting());
-        instrument.endWatch();
+        instrument.endWatch(start + 3s);
         QVERIFY(!instrument.injecting());
         QCOMPARE(changes.count(), 2);
         QCOMPARE(instrument.injections().back().progress, InjectionProgress::Stopped);
         QCOMPARE(instrument.injections().back().delivered, 2.5);
         QVERIFY(!instrument.injections().back().reason.isEmpty());
+        QCOMPARE(instrument.injectionHeard(), std::optional<Instant>(start + 3s));
     }
 };
 

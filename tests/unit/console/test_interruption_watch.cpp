@@ -153,7 +153,7 @@ private Q_SLOTS:
         w.watch.update(w.cockpit.now);
         bool found = false;
         for (const auto& line : accountLines(w.account()))
-            found = found || line.text.contains(QStringLiteral("42 of 48"));
+            found = found || line.text.contains(QStringLiteral("48 taken, 42 of them"));
         QVERIFY(found);
     }
 };

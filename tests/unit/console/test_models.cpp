@@ -161,10 +161,29 @@ private Q_SLOTS:
     void injectionIsReplacedByItsNewerReport()
     {
         InstrumentState state;
-        state.receiveInjection({4, 0, InjectionProgress::Accepted, {}});
-        state.receiveInjection({4, 2.5, InjectionProgress::Done, {}});
+        QVERIFY(!state.injectionHeard());
+        state.receiveInjection({4, 0, InjectionProgress::Accepted, {}}, start);
+        state.receiveInjection({4, 2.5, InjectionProgress::Done, {}}, start + 3s);
         QCOMPARE(state.injections().size(), std::size_t(1));
         QCOMPARE(state.injections().front().delivered, 2.5);
+        QCOMPARE(state.injectionHeard(), std::optional<Instant>(start + 3s));
+        // The age is that of the last one, whatever is still told of those before it.
+        state.receiveInjection({5, 0, InjectionProgress::Accepted, {}}, start + 9s);
+        state.receiveInjection({4, 2.5, InjectionProgress::Done, {}}, start + 20s);
+        QCOMPARE(state.injectionHeard(), std::optional<Instant>(start + 9s));
+    }
+
+    void aPeakThatIsResetBeginsWithThePresentForce()
+    {
+        InstrumentState state;
+        RobotStatus status;
+        status.guidewireForce = -1.2;
+        state.receiveRobot(status, start);
+        status.guidewireForce = 0.3;
+        state.receiveRobot(status, start + 10ms);
+        QCOMPARE(state.peakForce(), 1.2);
+        state.resetPeakForce();
+        QCOMPARE(state.peakForce(), 0.3);
     }
 
     void logIsAnHonestListModel()

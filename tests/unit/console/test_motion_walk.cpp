@@ -90,7 +90,7 @@ public:
         if (m_world.pictureRuns)
             m_world.shown = m_world.now - 60ms;
         disturb();
-        if (m_world.link == LinkState::Suspect && m_world.now - m_world.linkSince > GuardLimits().suspectGrace && m_needs.armedAt)
+        if (m_world.link == LinkState::Suspect && m_world.now - m_world.linkSince > GuardReadings().heartbeat && m_needs.armedAt)
             ends("suspect");
         operate();
         if (!m_frozen)

@@ -11,7 +11,7 @@ namespace {
 
 const Instant start = Instant{} + 1h;
 
-StageShares shares(Duration way) { return {way, 2ms, 3ms, 1ms, 4ms, 10ms}; }
+StageShares shares(Duration way) { return {5ms, way, 2ms, 3ms, 1ms, 4ms, 10ms}; }
 
 } // namespace
 
@@ -45,7 +45,7 @@ private Q_SLOTS:
         QCOMPARE(stages.of(PictureStage::Way, now)->p50, 50.0);
         QCOMPARE(stages.of(PictureStage::Way, now)->p99, 99.0);
         QCOMPARE(stages.of(PictureStage::FilterDelay, now)->p50, 10.0);
-        QCOMPARE(stages.ofAge(now)->p50, 70.0); // the stages of one picture add up
+        QCOMPARE(stages.ofAge(now)->p50, 75.0); // the stages of one picture add up
     }
 
     void forgetsAfterAMinute()
@@ -57,6 +57,36 @@ private Q_SLOTS:
         QVERIFY(!stages.of(PictureStage::Way, start + 122s)); // though nothing was painted since
     }
 
+    void presentingComesOnTopOfTheAge()
+    {
+        PictureStages stages;
+        stages.notePresented(9ms); // of nothing
+        QVERIFY(!stages.ofPresenting(start));
+        stages.note(shares(20ms), start);
+        QVERIFY(!stages.ofPresenting(start)); // painted, and not handed over yet
+        const auto age = stages.ofAge(start)->p50;
+        stages.notePresented(4ms);
+        QCOMPARE(stages.ofPresenting(start)->p50, 4.0);
+        QCOMPARE(stages.ofAge(start)->p50, age);
+        stages.note(shares(20ms), start + 66ms);
+        QCOMPARE(stages.ofPresenting(start + 66ms)->p99, 4.0); // the second one counts when it is there
+    }
+
+    void onlyTheNewestPictureIsPresented()
+    {
+        PictureState state;
+        PictureStamp stamp;
+        stamp.frame = 7;
+        stamp.captured = start - 60ms;
+        stamp.arrived = start - 25ms;
+        stamp.painted = start;
+        state.notePainted(stamp);
+        state.notePresented(6, 3ms);
+        QVERIFY(!state.stages().ofPresenting(start));
+        state.notePresented(7, 3ms);
+        QCOMPARE(state.stages().ofPresenting(start)->p50, 3.0);
+    }
+
     /// The state of the picture feeds it: what is painted, by its stamp.
     void addsUpToTheAgeAtThePaint()
     {
@@ -64,6 +94,7 @@ private Q_SLOTS:
         PictureStamp stamp;
         stamp.frame = 1;
         stamp.captured = start - 60ms;
+        stamp.beforeSending = 12ms;
         stamp.arrived = start - 25ms;
         stamp.decoding = 8ms;
         stamp.filters = 4ms;
@@ -72,7 +103,8 @@ private Q_SLOTS:
         stamp.painted = start;
         state.notePainted(stamp);
         const auto of = [&state](PictureStage stage) { return state.stages().of(stage, start)->p50; };
-        QCOMPARE(of(PictureStage::Way), 35.0);
+        QCOMPARE(of(PictureStage::Sending), 12.0);
+        QCOMPARE(of(PictureStage::Way), 23.0);
         QCOMPARE(of(PictureStage::Waiting), 10.0);
         QCOMPARE(of(PictureStage::Decoding), 8.0);
         QCOMPARE(of(PictureStage::Filters), 4.0);

@@ -149,7 +149,7 @@ private Q_SLOTS:
         for (; at < rose + 3s; at += 66ms) {
             state.notePainted(stamp(++frame, at));
             QVERIFY2(state.reading(at).keepsRate, qPrintable(QString::number(milliseconds(at - rose))));
-            QCOMPARE(state.reading(at).atRate, state.reading(at).shownPerSecond >= 10); // arming waits until it is there
+            QCOMPARE(state.reading(at).atRate, state.reading(at).shownPerSecond > 10); // arming waits until it is there
         }
         const auto fell = at;
         bool told = false;
@@ -158,6 +158,42 @@ private Q_SLOTS:
             told = told || !state.reading(at).keepsRate;
         }
         QVERIFY(told);
+    }
+
+    void twoThirdsOfTheRateAreNotEnoughAndLittleMoreIsCaution_data()
+    {
+        QTest::addColumn<double>("expected");
+        QTest::addColumn<int>("shown");
+        QTest::addColumn<bool>("keeps");
+        QTest::addColumn<bool>("slow");
+        QTest::newRow("all") << 15.0 << 15 << true << false;
+        QTest::newRow("one less") << 15.0 << 14 << true << false;
+        QTest::newRow("two less") << 15.0 << 13 << true << true;
+        QTest::newRow("little more than two thirds") << 15.0 << 11 << true << true;
+        QTest::newRow("two thirds") << 15.0 << 10 << false << true;
+        QTest::newRow("slow pulses") << 7.5 << 7 << true << false;
+        QTest::newRow("slow pulses, two thirds") << 7.5 << 5 << false << true;
+        QTest::newRow("quick pulses, a tenth less") << 30.0 << 27 << true << false;
+        QTest::newRow("quick pulses, two thirds") << 30.0 << 20 << false << true;
+    }
+
+    void twoThirdsOfTheRateAreNotEnoughAndLittleMoreIsCaution()
+    {
+        QFETCH(double, expected);
+        QFETCH(int, shown);
+        QFETCH(bool, keeps);
+        QFETCH(bool, slow);
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(expected, start);
+        const auto now = start + 5s;
+        for (int i = shown; i > 0; --i)
+            state.notePainted(stamp(quint32(shown - i + 1), now - (i - 1) * (Duration(1s) / shown)));
+        const auto reading = state.reading(now);
+        QCOMPARE(int(reading.shownPerSecond), shown);
+        QCOMPARE(reading.keepsRate, keeps);
+        QCOMPARE(reading.atRate, keeps);
+        QCOMPARE(reading.slow, slow);
     }
 
     /// Within the second it is held against the lowest, and the second is not begun anew.

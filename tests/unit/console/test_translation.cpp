@@ -2,6 +2,7 @@
 #include "link/message_intake.hpp"
 #include "link/session_intake.hpp"
 #include "link/translate.hpp"
+#include "protocol/message_access.hpp"
 
 #include <liena/message_set.hpp>
 
@@ -206,6 +207,22 @@ private Q_SLOTS:
         QVERIFY(!frame->ageAtArrival); // the clocks were not compared
         frame.reset();
         QVERIFY(watch.expired());
+    }
+
+    void frameTellsWhatPassedBeforeItWasSent()
+    {
+        auto m = compose("cbct-xray", "XrayFrame");
+        m.set("capture_ns", std::uint64_t(1'000'000'000));
+        const auto sent = [&m](std::uint64_t ns, std::optional<std::chrono::nanoseconds> latency) {
+            liena::MessageAccess::setMeta(m, {}, {}, {ns});
+            liena::MessageAccess::setArrival(m, std::chrono::steady_clock::now(), latency);
+            return xrayFrame(std::make_shared<const liena::Message>(m), 1ms);
+        };
+        const auto frame = sent(1'021'000'000, 9ms);
+        QCOMPARE(frame->beforeSending, Duration(21ms));
+        QCOMPARE(frame->ageAtArrival.value(), Duration(30ms));
+        QVERIFY(!sent(999'999'999, 9ms)->ageAtArrival); // sent before it was taken: a lie or a fault
+        QVERIFY(!sent(1'021'000'000, std::nullopt)->ageAtArrival);
     }
 
     void unknownMessageIsToldOnce()

@@ -46,6 +46,25 @@ private Q_SLOTS:
         QCOMPARE(book.latest(TrendFigure::RoundTrip).value(), 19.0);
     }
 
+    /// As a picture's age does: it grows until the next one comes.
+    void tellsTheMostOfTheLastSecond()
+    {
+        TrendBook book;
+        QVERIFY(!book.mostOfSecond(TrendFigure::PictureAge));
+        const auto note = [&book](std::optional<double> age, Duration at) {
+            TrendReading reading;
+            reading.pictureAgeMs = age;
+            book.note(reading, start + at);
+        };
+        for (int i = 0; i < 30; ++i)
+            note(i == 12 ? 300 : 80 + 20 * (i % 3), i * 100ms);
+        QCOMPARE(book.latest(TrendFigure::PictureAge).value(), 120.0);
+        note(80, 3000ms);
+        QCOMPARE(book.mostOfSecond(TrendFigure::PictureAge).value(), 120.0);
+        note(std::nullopt, 3100ms);
+        QVERIFY(!book.mostOfSecond(TrendFigure::PictureAge)); // what was known before is not known now
+    }
+
     void tellsHowAFigureLay()
     {
         TrendBook book;

@@ -1,0 +1,201 @@
+// The status strip, the force gauge, the drives, contrast and dose: what they say, and what they do when it is too much or too old.
+#include "cockpit_stage.hpp"
+#include "shown_texts.hpp"
+#include "widgets/axis_panel.hpp"
+#include "widgets/dose_panel.hpp"
+#include "widgets/force_gauge.hpp"
+#include "widgets/status_strip.hpp"
+
+#include <QLabel>
+
+#include <algorithm>
+
+using namespace console;
+using namespace console::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+QString painted(QWidget& widget)
+{
+    QString all;
+    for (const ShownText& shown : textsPaintedBy(widget))
+        all += shown.text;
+    return all;
+}
+
+/// The panel of the instrument whose name begins so.
+AxisPanel* axis(const CockpitStage& stage, const QString& name)
+{
+    for (auto* panel : stage.window.findChildren<AxisPanel*>())
+        if (panel->accessibleName() == name)
+            return panel;
+    return nullptr;
+}
+
+QLabel* labelWith(const QWidget& within, const QString& words)
+{
+    for (auto* label : within.findChildren<QLabel*>())
+        if (label->text().contains(words))
+            return label;
+    return nullptr;
+}
+
+/// Columns of the picture's lower third in which the trail is drawn: nothing else there is as bright.
+std::vector<int> trailColumns(const QImage& picture)
+{
+    std::vector<int> columns;
+    for (int x = 0; x < picture.width(); ++x)
+        for (int y = picture.height() * 2 / 3; y < picture.height(); ++y)
+            if (picture.pixelColor(x, y).blue() > 2 * theme::colour::line.blue()) {
+                columns.push_back(x);
+                break;
+            }
+    return columns;
+}
+
+} // namespace
+
+class TestPanels : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void theSecondIdentifierIsWholeHoweverLongTheNameIs_data()
+    {
+        QTest::addColumn<QSize>("screen");
+        for (const QSize& size : {QSize(2560, 1440), QSize(1920, 1080), QSize(1366, 768)})
+            QTest::addRow("%d", size.height()) << size;
+    }
+
+    void theSecondIdentifierIsWholeHoweverLongTheNameIs()
+    {
+        QFETCH(QSize, screen);
+        CockpitStage stage(screen);
+        QVERIFY(stage.ready());
+        const QString name = QStringLiteral("Maximiliana <b>Konstantina</b> Freifrau von und zu Hohenstein-Wittgenstein-Berleburg");
+        stage.window.setPatient(name, QStringLiteral("PID-2026-0004711"));
+        stage.window.setOperator(QStringLiteral("Prof. Dr. Dr. Anneliese Schmidt-Rottluff"));
+        stage.refresh();
+        auto* label = stage.named<NameLabel>(QStringLiteral("Patient: PID-2026-0004711 \u00B7 ") + name);
+        QVERIFY(label != nullptr);
+        QVERIFY(label->toolTip().contains(name.toHtmlEscaped()));
+        QTRY_VERIFY2(painted(*label).startsWith(QStringLiteral("PID-2026-0004711 \u00B7 Max")), qPrintable(painted(*label)));
+        QVERIFY(painted(*label).endsWith(QChar(0x2026)));
+        for (const ShownText& shown : textsPaintedBy(*label))
+            QVERIFY2(shown.ink.right() <= label->width() + 1.5, qPrintable(shown.text));
+        const auto* strip = stage.window.findChild<StatusStrip*>();
+        for (const QWidget* mark :
+             {static_cast<QWidget*>(strip->findChild<XrayMark*>()), static_cast<QWidget*>(strip->findChild<ModeMark*>())})
+            QVERIFY2(mark->width() >= mark->sizeHint().width(), mark->metaObject()->className());
+    }
+
+    void aShortNameIsWhole()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.window.setPatient(QStringLiteral("Invented, Eva"), QStringLiteral("4711"));
+        stage.refresh();
+        auto* label = stage.named<NameLabel>(QStringLiteral("Patient: 4711 \u00B7 Invented, Eva"));
+        QVERIFY(label != nullptr);
+        QTRY_COMPARE(painted(*label), QStringLiteral("4711 \u00B7 Invented, Eva"));
+    }
+
+    void eachDriveShowsItsOwnWarmthAndCurrent()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.window.refresh(stage.cockpit.now);
+        const auto shows = [&stage](const QString& instrument, const QString& advance, const QString& turn) {
+            auto* panel = axis(stage, instrument);
+            const QString words = painted(*panel);
+            return words.contains(advance) && words.contains(turn) && panel->accessibleDescription().contains(advance);
+        };
+        QTRY_VERIFY(shows(QStringLiteral("Guidewire"), QStringLiteral("38\u00A0\u00B0C \u00B7 0.4\u00A0A"),
+                          QStringLiteral("36\u00A0\u00B0C \u00B7 0.2\u00A0A")));
+        QTRY_VERIFY(shows(QStringLiteral("Catheter"), QStringLiteral("41\u00A0\u00B0C \u00B7 0.5\u00A0A"),
+                          QStringLiteral("35\u00A0\u00B0C \u00B7 0.1\u00A0A")));
+    }
+
+    void theTrailIsBrokenWhereNothingWasHeard()
+    {
+        InstrumentState instrument;
+        const Instant now = std::chrono::steady_clock::now();
+        RobotStatus status;
+        status.guidewireForce = 0.8;
+        for (Duration ago = 10s; ago >= 0ms; ago -= 50ms)
+            if (ago > 7s || ago < 3s) // four seconds of silence
+                instrument.receiveRobot(status, now - ago);
+        ForceGauge gauge;
+        gauge.resize(350, 350);
+        gauge.setState(instrument, now);
+        const auto columns = trailColumns(gauge.grab().toImage());
+        const auto between = [&columns](int from, int to) {
+            return std::count_if(columns.begin(), columns.end(), [from, to](int x) { return x > from && x < to; });
+        };
+        QVERIFY(between(20, 95) > 60);
+        QCOMPARE(between(120, 230), 0);
+        QVERIFY(between(260, 345) > 60);
+    }
+
+    void theLastInjectionSaysHowItEndedAndWhen()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        auto& instrument = stage.cockpit.models.instrument;
+        const auto* panel = stage.window.findChild<DosePanel*>();
+        const Instant now = stage.cockpit.now;
+        instrument.receiveInjection({9, 2.1, InjectionProgress::Stopped, QStringLiteral("HOLD")}, now - 65s);
+        stage.window.refresh(now);
+        const auto* outcome = labelWith(*panel, QStringLiteral("stopped, 1:05 ago"));
+        QVERIFY(outcome != nullptr);
+        QCOMPARE(outcome->palette().color(QPalette::WindowText), theme::colour::bright); // unlike one that was given whole
+        const auto* amount = labelWith(*panel, QStringLiteral("2.1\u00A0mL"));
+        QVERIFY(amount != nullptr);
+        QCOMPARE(amount->palette().color(QPalette::WindowText), theme::colour::bright);
+        stage.window.refresh(now + 3s); // the robot is not heard any more
+        QVERIFY(amount->palette().color(QPalette::WindowText) != theme::colour::bright);
+        instrument.receiveInjection({10, 5, InjectionProgress::Done, {}}, now);
+        stage.window.refresh(now + 7s);
+        const auto* done = labelWith(*panel, QStringLiteral("done, 0:07 ago"));
+        QVERIFY(done != nullptr);
+        QCOMPARE(done->palette().color(QPalette::WindowText), theme::colour::secondary);
+    }
+
+    void contrastLeftIsCountedInInjectionsWithTheirRate()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        const auto* panel = stage.window.findChild<DosePanel*>();
+        stage.window.refresh(stage.cockpit.now);
+        QVERIFY(labelWith(*panel, QStringLiteral("\u2248 15 injections \u00B7 2 mL/s")) != nullptr);
+        stage.window.refresh(stage.cockpit.now + 3s); // and by then some may have been given
+        QVERIFY(labelWith(*panel, QStringLiteral("\u2248 15")) == nullptr);
+        QVERIFY(labelWith(*panel, QStringLiteral("\u2248 \u2014 injections")) != nullptr);
+    }
+
+    /// As near to its value as can be, and apart from what stands above.
+    void aCaptionBelongsToTheValueBeneathIt()
+    {
+        CockpitStage stage({2560, 1440});
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.refresh();
+        const auto* panel = stage.window.findChild<DosePanel*>();
+        const auto* caption = labelWith(*panel, QStringLiteral("Air kerma"));
+        const auto* value = labelWith(*panel, QStringLiteral("mGy"));
+        const auto* above = labelWith(*panel, QStringLiteral("injections"));
+        QVERIFY(caption && value && above);
+        QVERIFY(value->font().pixelSize() >= 24);
+        QTRY_VERIFY2(caption->y() - above->geometry().bottom() > 2 * (value->y() - caption->geometry().bottom()),
+                     qPrintable(QStringLiteral("%1 above, %2 below")
+                                    .arg(caption->y() - above->geometry().bottom())
+                                    .arg(value->y() - caption->geometry().bottom())));
+    }
+};
+
+QTEST_MAIN(TestPanels)
+#include "test_panels.moc"

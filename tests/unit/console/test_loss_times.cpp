@@ -1,0 +1,136 @@
+// When a loss began and when the picture was taken, by this console's clock and by no other; and what the readings take over.
+#include "flapping_link.hpp"
+#include "invented_cockpit.hpp"
+#include "link/session_intake.hpp"
+#include "model/present_readings.hpp"
+
+#include <QDateTime>
+#include <QTest>
+
+using namespace console;
+using namespace console::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+qint64 wallNow() { return QDateTime::currentMSecsSinceEpoch(); }
+
+qint64 wholeMs(Duration duration) { return std::chrono::duration_cast<std::chrono::milliseconds>(duration).count(); }
+
+} // namespace
+
+class TestLossTimes : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    /// The end that first said so may be another device, with a clock that is hours off.
+    void aLossBeganWhenThisConsoleLearntOfIt()
+    {
+        InventedCockpit cockpit;
+        SessionIntake intake(cockpit.models);
+        liena::SessionEvent raised;
+        raised.kind = liena::SessionEvent::Kind::IncidentRaised;
+        raised.peer = liena::DeviceId(armId);
+        raised.at = cockpit.now;
+        raised.incident.id = 5;
+        raised.incident.a = liena::DeviceId(robotId);
+        raised.incident.b = liena::DeviceId(armId);
+        raised.incident.since = liena::Timestamp{1'000'000'000};
+        const auto before = wallNow();
+        intake.take(raised);
+        const auto* record = cockpit.models.incidents.incident(5);
+        QVERIFY(record != nullptr && record->sinceWallMs >= before && record->sinceWallMs <= wallNow());
+    }
+
+    void itsTimeRunsOnFromTheInterruption()
+    {
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        SessionIntake intake(cockpit.models);
+        FlappingLink link(intake);
+        link.interrupt(cockpit.now);
+        const auto begun = cockpit.models.incidents.interruptions().front().sinceWallMs;
+        link.decide(cockpit.now + 500ms);
+        const auto& incidents = cockpit.models.incidents.incidents();
+        QCOMPARE(incidents.size(), std::size_t(1));
+        QCOMPARE(incidents.front().since, cockpit.now);
+        QCOMPARE(incidents.front().sinceWallMs, begun);
+    }
+
+    void aConnectionThatWasNotLetInIsNotSaidToBeAnIdentity()
+    {
+        InventedCockpit cockpit;
+        SessionIntake intake(cockpit.models);
+        liena::SessionEvent refused;
+        refused.kind = liena::SessionEvent::Kind::IdentityRefused;
+        refused.peer = liena::DeviceId::broadcast();
+        refused.detail = "10.0.0.7:50022: the peer closed the connection";
+        intake.take(refused);
+        const auto& log = cockpit.models.log;
+        const auto line = log.data(log.index(log.rowCount() - 1, 0)).toString();
+        QVERIFY2(!line.contains(QStringLiteral("identity")), qPrintable(line));
+    }
+
+    void aFrozenPictureWasTakenByThisConsolesClock_data()
+    {
+        QTest::addColumn<bool>("compared");
+        QTest::newRow("clocks compared: when it was taken") << true;
+        QTest::newRow("not compared: when it was painted") << false;
+    }
+
+    void aFrozenPictureWasTakenByThisConsolesClock()
+    {
+        QFETCH(bool, compared);
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        auto stamp = *cockpit.models.picture.newest();
+        ++stamp.frame;
+        stamp.captureNs = 3'600'000'000'000U; // an hour after 1970: that device's clock was never set
+        if (!compared)
+            stamp.captured.reset();
+        cockpit.models.picture.notePainted(stamp);
+        const auto taken = compared ? *stamp.captured : stamp.painted;
+        const auto now = cockpit.now + 2s;
+        const auto before = wallNow() - wholeMs(now - taken);
+        const auto around = promptSurroundings(cockpit.models, now);
+        const auto after = wallNow() - wholeMs(now - taken);
+        QVERIFY(around.frozenSinceWallMs.has_value());
+        QVERIFY2(*around.frozenSinceWallMs >= before && *around.frozenSinceWallMs <= after,
+                 qPrintable(QString::number(*around.frozenSinceWallMs - before)));
+    }
+
+    void theRobotsOwnWordCountsWhileItsLinkIsOpenAndItIsFresh()
+    {
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        auto& models = cockpit.models;
+        QCOMPARE(promptSurroundings(models, cockpit.now).robotHeldAt, models.instrument.robot().received);
+        QVERIFY(!promptSurroundings(models, cockpit.now + 10s).robotHeldAt);
+        models.sessions.setLinkState(robotId, LinkState::Reconnecting, cockpit.now);
+        QVERIFY(!promptSurroundings(models, cockpit.now).robotHeldAt);
+        models.sessions.setLinkState(robotId, LinkState::Open, cockpit.now);
+        models.instrument.receiveRobot(cockpit.status(RobotState::Engaged), cockpit.now);
+        QVERIFY(!promptSurroundings(models, cockpit.now).robotHeldAt);
+    }
+
+    void guardsReadTheTopologysHeartbeatAndWhereTheKeysComeFrom()
+    {
+        InventedCockpit cockpit;
+        auto& models = cockpit.models;
+        SessionModel::Topology topology;
+        topology.devices = models.sessions.devices();
+        topology.links = {{cockpitId, armId}, {cockpitId, robotId}};
+        topology.heartbeats = {10ms, 50ms};
+        models.sessions.setTopology(topology);
+        models.remoteInput = QStringLiteral("XRDP");
+        const auto readings = guardReadings(models, robotId, true, cockpit.now);
+        QCOMPARE(readings.heartbeat, Duration(50ms));
+        QCOMPARE(readings.remoteInput, QStringLiteral("XRDP"));
+        topology.heartbeats.clear();
+        models.sessions.setTopology(topology);
+        QCOMPARE(guardReadings(models, robotId, true, cockpit.now).heartbeat, Duration(20ms));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLossTimes)
+#include "test_loss_times.moc"
