@@ -1,4 +1,4 @@
-// A robot and an X-ray system that do what a test says.
+// A robot, an X-ray system and an arm that do what a test says.
 #include "puppet_devices.hpp"
 
 #include <algorithm>
@@ -13,9 +13,10 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds turnLength{10};
-constexpr std::uint64_t leastHold = 20; ///< turns
-constexpr std::uint64_t silence = 50;   ///< turns without a command; longer than the reference robot's, for sanitizers
-constexpr double commandLength = 0.002; ///< s
+constexpr std::uint64_t leastHold = 20;          ///< turns
+constexpr std::uint64_t silence = 50;            ///< turns without a command; longer than the reference robot's, for sanitizers
+constexpr double commandLength = 0.002;          ///< s
+constexpr std::chrono::seconds movementsKept{5}; ///< of an engagement
 constexpr milliseconds pedalLease{400};
 constexpr std::uint16_t edge = 64;
 constexpr int vesselRows = 3;
@@ -98,11 +99,18 @@ void PuppetRobot::onMotion(const Message& message)
         return;
     m_commandedAt = m_turns;
     const bool engaged = message.get<bool>("engaged");
+    const bool anew = engaged && m_state == State::Armed;
     m_state = engaged ? State::Engaged : State::Armed;
     const double velocity = message.get<double>("guidewire_velocity");
     if (!engaged)
         return;
+    if (anew) {
+        m_engagedAt = message.arrival();
+        m_newest.clear();
+    }
     ++(velocity == 0 ? m_engagedAtRest : m_movements);
+    if (velocity != 0 && message.arrival() - m_engagedAt < movementsKept)
+        m_newest.push_back({message.arrival() - m_engagedAt, velocity});
     m_position += velocity * commandLength;
 }
 
@@ -164,6 +172,8 @@ void PuppetRobot::turn(DistributedSystem& system)
             m_alterStatus(status);
         if (m_alterTip)
             m_alterTip(tip);
+        if (m_alterDrives)
+            m_alterDrives(drives);
     }
     system.publish(status);
     system.publish(tip);
@@ -204,6 +214,18 @@ void PuppetRobot::alterTip(Alter alter)
 {
     const std::lock_guard lock(m_mutex);
     m_alterTip = std::move(alter);
+}
+
+void PuppetRobot::alterDrives(Alter alter)
+{
+    const std::lock_guard lock(m_mutex);
+    m_alterDrives = std::move(alter);
+}
+
+std::vector<PuppetRobot::Movement> PuppetRobot::newestMovements() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_newest;
 }
 
 void PuppetRobot::standStill(std::chrono::milliseconds time)
@@ -261,7 +283,7 @@ void PuppetXray::build(DistributedSystem& system)
     system.every(milliseconds(50), [this, &system] { sendStatus(system); });
 }
 
-bool PuppetXray::beamOn() const { return m_pedal && std::chrono::steady_clock::now() - m_commandedAt <= pedalLease; }
+bool PuppetXray::beamOn() const { return m_always || (m_pedal && std::chrono::steady_clock::now() - m_commandedAt <= pedalLease); }
 
 void PuppetXray::sendPicture(DistributedSystem& system)
 {
@@ -288,6 +310,8 @@ void PuppetXray::sendPicture(DistributedSystem& system)
         frame.set("rows", edge).set("columns", edge).set("bits_stored", 8).set("window_centre", 128.0).set("window_width", 256.0);
         frame.set("photometric", std::string_view("MONOCHROME2"));
         frame.set("pixels", std::span<const std::byte>(m_pixels));
+        if (m_alterFrame)
+            m_alterFrame(frame);
     }
     system.publish(frame);
 }
@@ -318,10 +342,37 @@ std::optional<std::chrono::steady_clock::time_point> PuppetXray::takenAt(std::ui
     return found != m_taken.end() ? std::optional(found->second) : std::nullopt;
 }
 
-void PuppetXray::alterStatus(std::function<void(Message&)> alter)
+void PuppetXray::alterStatus(Alter alter)
 {
     const std::lock_guard lock(m_mutex);
     m_alterStatus = std::move(alter);
 }
+
+void PuppetXray::alterFrame(Alter alter)
+{
+    const std::lock_guard lock(m_mutex);
+    m_alterFrame = std::move(alter);
+}
+
+void PuppetXray::setBeam(bool always)
+{
+    const std::lock_guard lock(m_mutex);
+    m_always = always;
+}
+
+void PuppetXray::standStill(std::chrono::milliseconds time)
+{
+    m_device->post([time] { std::this_thread::sleep_for(time); });
+}
+
+PuppetArm::PuppetArm(Settings settings)
+    : m_device(std::move(settings), [this](DistributedSystem& system) {
+          system.every(milliseconds(20), [this, &system] {
+              Message status = system.report("ArmStatus").value();
+              status.set("state", std::string_view(m_fault ? "Fault" : "Hold")).set("holding", true).set("brake", true);
+              system.publish(status);
+          });
+      })
+{}
 
 } // namespace liena::test

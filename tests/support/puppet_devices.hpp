@@ -1,8 +1,9 @@
-// A robot and an X-ray system in this process that do what a test says, lies included.
+// A robot, an X-ray system and an arm in this process that do what a test says, lies included.
 #pragma once
 
 #include "test_system.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <random>
 #include <set>
+#include <vector>
 
 namespace liena::test {
 
@@ -34,10 +36,20 @@ public:
     void setForce(double newtons);
     void setInjector(bool stuck); ///< an injection that begins while it is runs until it is not
 
-    /// Changes each report before it is sent: its own fields, or those of TipPose. Network thread; empty: nothing is changed.
+    /// Changes each report before it is sent: its own fields, or those of TipPose or of DriveStatus. Network thread; empty: nothing is
+    /// changed.
     using Alter = std::function<void(Message&)>;
     void alterStatus(Alter alter);
     void alterTip(Alter alter);
+    void alterDrives(Alter alter);
+
+    /// One command that moved it.
+    struct Movement {
+        std::chrono::nanoseconds engagedFor; ///< since the first command of its engagement arrived
+        double velocity = 0;                 ///< of the guidewire, mm/s
+    };
+    /// Of the newest engagement, and of its first seconds only.
+    std::vector<Movement> newestMovements() const;
 
     /// Its network thread does nothing for so long: no report, no heartbeat.
     void standStill(std::chrono::milliseconds time);
@@ -73,6 +85,9 @@ private:
     std::optional<Claim> m_claim;
     Alter m_alterStatus;
     Alter m_alterTip;
+    Alter m_alterDrives;
+    std::chrono::steady_clock::time_point m_engagedAt;
+    std::vector<Movement> m_newest;
     int m_armRequests = 0;
     int m_movements = 0;
     std::set<std::uint32_t> m_injections;
@@ -108,8 +123,15 @@ public:
     /// When a picture was taken; nothing for one that was not stamped.
     std::optional<std::chrono::steady_clock::time_point> takenAt(std::uint32_t frame) const;
 
-    /// Changes each AcquisitionStatus before it is sent. Network thread; empty: nothing is changed.
-    void alterStatus(std::function<void(Message&)> alter);
+    /// Changes each AcquisitionStatus, or each picture, before it is sent. Network thread; empty: nothing is changed.
+    using Alter = std::function<void(Message&)>;
+    void alterStatus(Alter alter);
+    void alterFrame(Alter alter);
+
+    void setBeam(bool always); ///< on, whoever has its pedal
+
+    /// Its network thread does nothing for so long: no picture, no heartbeat.
+    void standStill(std::chrono::milliseconds time);
 
 private:
     void build(DistributedSystem& system);
@@ -119,7 +141,9 @@ private:
 
     mutable std::mutex m_mutex;
     Pictures m_pictures = Pictures::Good;
-    std::function<void(Message&)> m_alterStatus;
+    Alter m_alterStatus;
+    Alter m_alterFrame;
+    bool m_always = false;
     bool m_pedal = false;
     std::chrono::steady_clock::time_point m_commandedAt;
     std::uint32_t m_press = 0;
@@ -127,6 +151,18 @@ private:
     std::map<std::uint32_t, std::chrono::steady_clock::time_point> m_taken; ///< stamped ones, by number
     std::mt19937 m_random{1};
     std::vector<std::byte> m_pixels;
+    TestDevice m_device; ///< last
+};
+
+/// A robotic arm that stands and reports. Any thread.
+class PuppetArm {
+public:
+    explicit PuppetArm(Settings settings);
+
+    void setFault(bool fault) { m_fault = fault; }
+
+private:
+    std::atomic<bool> m_fault{false};
     TestDevice m_device; ///< last
 };
 

@@ -3,6 +3,7 @@
 
 #include "app/preference_store.hpp"
 
+#include <QApplication>
 #include <QDeadlineTimer>
 #include <QTest>
 
@@ -30,6 +31,8 @@ std::vector<liena::test::DeviceSpec> devicesOf(const Theatre::Wishes& wishes)
         devices.push_back(titled(reference::arm, "Robotic arm", "patient"));
     if (wishes.rival)
         devices.push_back(titled({"cockpit-2", "0x40018209", reference::cockpit.set}, "Second cockpit", "surgeon"));
+    if (wishes.secondXray)
+        devices.push_back(titled({"xray-2", "0x20010209", reference::xray.set}, "Second C-arm", "patient"));
     return devices;
 }
 
@@ -41,6 +44,8 @@ std::vector<std::string> linksOf(const Theatre::Wishes& wishes)
         links.insert(links.end(), {"cockpit arm", "arm robot"});
     if (wishes.rival)
         links.push_back("cockpit-2 robot");
+    if (wishes.secondXray)
+        links.push_back("cockpit xray-2");
     return links;
 }
 
@@ -130,16 +135,28 @@ bool Theatre::openAll()
 {
     if (!QTest::qWaitForWindowActive(&window()))
         return false;
-    QTest::keyClick(&window(), Qt::Key_F2);
+    strike(Qt::Key_F2);
     if (!click(QStringLiteral("Open all")) || !QTest::qWaitFor([this] { return models().sessions.allOpen(); }, patience))
         return false;
-    QTest::keyClick(&window(), Qt::Key_F1);
+    strike(Qt::Key_F1);
     return true;
 }
 
-void Theatre::hold(int key) { QTest::keyPress(&window(), static_cast<Qt::Key>(key)); }
+QWidget* Theatre::keyTarget()
+{
+    auto* focus = QApplication::focusWidget();
+    return focus != nullptr ? focus : &window();
+}
 
-void Theatre::release(int key) { QTest::keyRelease(&window(), static_cast<Qt::Key>(key)); }
+void Theatre::hold(int key) { QTest::keyPress(keyTarget(), static_cast<Qt::Key>(key)); }
+
+void Theatre::release(int key) { QTest::keyRelease(keyTarget(), static_cast<Qt::Key>(key)); }
+
+void Theatre::strike(int key)
+{
+    hold(key);
+    release(key);
+}
 
 void Theatre::releaseAll()
 {
@@ -203,8 +220,10 @@ bool Theatre::arm()
 bool Theatre::armAndMove(const Hand& hand)
 {
     const QDeadlineTimer deadline(3 * patience);
+    if (!QTest::qWaitFor([this] { return models().instrument.robot().known(); }, patience))
+        return false; // a place that is not known yet is none to have moved from
     const auto before = robotStatus().guidewirePosition;
-    const auto moved = [&] { return robotStatus().guidewirePosition > before + 0.5; };
+    const auto moved = [&] { return phase() == PermitPhase::Engaged && robotStatus().guidewirePosition > before + 0.5; };
     while (!moved()) {
         if (deadline.hasExpired())
             return false;

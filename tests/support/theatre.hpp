@@ -32,6 +32,7 @@ public:
         bool devices = true;                          ///< as processes; otherwise the test brings its own
         bool arm = true;                              ///< the robotic arm is part of the system
         bool rival = false;                           ///< a second cockpit has a link to the robot: `cockpit-2`
+        bool secondXray = false;                      ///< the cockpit has a link to another one, which it does not work with: `xray-2`
         liena::test::TestSystem::Options system = {}; ///< timing, for one
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
         QString user;
@@ -61,8 +62,12 @@ public:
     /// By the topology view, and back to the cockpit.
     bool openAll();
 
+    /// Where a key that is pressed now goes: to whatever has the focus. Without one, in another window's time, to the cockpit.
+    QWidget* keyTarget();
+
     void hold(int key);
     void release(int key);
+    void strike(int key); ///< pressed and released
     void releaseAll();
 
     bool reaches(PermitPhase wanted);

@@ -1,0 +1,119 @@
+// The stage of the tests of what must never be possible: the console's own window, with a robot and an X-ray system that lie.
+#pragma once
+
+#include "puppet_theatre.hpp"
+#include "widgets/hold_button.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace console::test {
+
+struct NeverStage : PuppetTheatre {
+    static constexpr int patience = Theatre::patience;
+
+    using PuppetTheatre::PuppetTheatre;
+
+    std::unique_ptr<QWidget> other; ///< another window, in front
+
+    bool open() { return theatre.openAll(); }
+    PermitPhase phase() const { return theatre.phase(); }
+    bool mayMove() const { return phase() == PermitPhase::Armed || phase() == PermitPhase::Engaged; }
+
+    /// Waits for so many of the robot's turns, ten milliseconds each; false when the console was armed at any time between.
+    bool staysUnarmed(std::uint64_t turns)
+    {
+        bool armed = mayMove();
+        const auto watch = QObject::connect(
+            &theatre.models().permit, &PermitModel::phaseChanged, &theatre.window(),
+            [&armed](PermitPhase, PermitPhase to) { armed = armed || to == PermitPhase::Armed || to == PermitPhase::Engaged; });
+        const auto begun = robot.turns();
+        const bool passed = QTest::qWaitFor([&] { return robot.turns() >= begun + turns; }, patience);
+        QObject::disconnect(watch);
+        return passed && !armed;
+    }
+
+    /// A key that the keyboard repeats while it is held.
+    void repeat(Qt::Key key, int times)
+    {
+        for (int i = 0; i < times; ++i) {
+            QKeyEvent up(QEvent::KeyRelease, key, Qt::NoModifier, QString(), true);
+            QCoreApplication::sendEvent(theatre.keyTarget(), &up);
+            QKeyEvent down(QEvent::KeyPress, key, Qt::NoModifier, QString(), true);
+            QCoreApplication::sendEvent(theatre.keyTarget(), &down);
+        }
+    }
+
+    HoldButton* holdButton(const QString& name)
+    {
+        for (auto* button : theatre.window().findChildren<HoldButton*>())
+            if (button->isVisible() && button->accessibleName().startsWith(name))
+                return button;
+        return nullptr;
+    }
+
+    HoldButton* arm() { return holdButton(QStringLiteral("Arm:")); }
+    HoldButton* inject() { return holdButton(QStringLiteral("Inject contrast:")); }
+
+    /// Waits for so many of the robot's turns; whether no further injection was asked of it.
+    bool staysDry(std::uint64_t turns)
+    {
+        const int before = robot.injections();
+        const auto begun = robot.turns();
+        return QTest::qWaitFor([&] { return robot.turns() >= begun + turns; }, patience) && robot.injections() == before;
+    }
+
+    /// The hand has its keys again.
+    void comeToTheFront()
+    {
+        theatre.window().activateWindow();
+        (void)QTest::qWaitForWindowActive(&theatre.window());
+        theatre.strike(Qt::Key_F1);
+    }
+
+    /// What a hand does that holds every key but ARM, and presses again what moves.
+    bool nothingComesBack()
+    {
+        const int moved = robot.movements();
+        theatre.hold(Qt::Key_F);
+        theatre.hold(Qt::Key_D);
+        theatre.hold(Qt::Key_Up);
+        if (!staysUnarmed(150))
+            return false;
+        theatre.release(Qt::Key_D);
+        theatre.hold(Qt::Key_D);
+        return staysUnarmed(50) && robot.movements() == moved;
+    }
+
+    /// Waits until what was under way when motion ended has arrived: a command lives no longer.
+    bool settles()
+    {
+        const auto ended = robot.turns();
+        return QTest::qWaitFor([&] { return robot.turns() > ended + 10; }, patience);
+    }
+};
+
+/// Something that is done to the cockpit, and how it is undone.
+struct Attempt {
+    const char* name;
+    void (*make)(NeverStage&);
+    void (*undo)(NeverStage&);
+};
+
+inline void addRows(const std::vector<Attempt>& attempts)
+{
+    QTest::addColumn<int>("number");
+    for (std::size_t i = 0; i < attempts.size(); ++i)
+        QTest::newRow(attempts[i].name) << int(i);
+}
+
+inline bool logTells(const Theatre& theatre, const QString& start)
+{
+    const auto& lines = theatre.models().log.lines();
+    return std::any_of(lines.begin(), lines.end(), [&start](const LogLine& line) { return line.text.startsWith(start); });
+}
+
+} // namespace console::test
