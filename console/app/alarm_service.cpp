@@ -15,8 +15,10 @@ QString named(const QString& who) { return who.isEmpty() ? AlarmService::tr("the
 
 } // namespace
 
-bool attended(const PermitState& permit, bool unacknowledgedHigh)
+bool attended(const PermitState& permit, bool unacknowledgedHigh, bool holdAwaited)
 {
+    if (holdAwaited)
+        return true;
     switch (permit.phase) {
     case PermitPhase::Armed:
     case PermitPhase::Engaged:
@@ -103,7 +105,7 @@ void AlarmService::run()
     const auto now = std::chrono::steady_clock::now();
     const bool high = m_models.alarms.unacknowledgedHigh();
     if (m_watchdog)
-        m_watchdog->beat(attended(m_models.permit.state(), high), now);
+        m_watchdog->beat(attended(m_models.permit.state(), high, m_watch.holdAwaited() || m_models.instrument.stopUnheard()), now);
     m_models.selfTest.update(high, now);
     m_sounder.update(now);
 }

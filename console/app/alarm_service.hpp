@@ -21,9 +21,9 @@ struct AlarmSettings {
 };
 
 /// A person relies on what this console sounds: a hang must not be silent then. With a high alarm that nobody acknowledged, since the
-/// hang would end its sound; in hold, since the robot's hold may still turn out not to be confirmed; and from the request to arm on, since
-/// the robot may be armed before its answer is read.
-bool attended(const PermitState& permit, bool unacknowledgedHigh);
+/// hang would end its sound; in hold, and wherever the robot has not confirmed a hold or a stop yet, since that may turn out to be an
+/// alarm; and from the request to arm on, since the robot may be armed before its answer is read.
+bool attended(const PermitState& permit, bool unacknowledgedHigh, bool holdAwaited);
 
 /// GUI thread only. What of it fails is itself an alarm, and stops nothing.
 class AlarmService : public QObject {

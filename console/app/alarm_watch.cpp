@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::chrono::seconds overdueMemory{5};
 constexpr std::chrono::seconds paintingSpan{2};
-constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures, before it is told
+constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures without a gap, before it is told; of enough, before it ends
 constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
 constexpr quint64 fewPictures = 10;                ///< in that time; below it one late picture would be a large part
 
@@ -104,7 +104,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     if (const auto asked = m_models.instrument.stopUnheard())
         all.stopUnheard = now - *asked;
     all.picture = m_models.picture.reading(now);
-    all.pictureSlow = m_slowSince && now - *m_slowSince >= slowSpan;
+    all.pictureSlow = m_pictureSlow;
     all.pictureLimit = m_models.picture.limit();
     all.line = lineLimits(m_models.picture.profile());
     const auto& robot = m_models.instrument.robot();
@@ -153,10 +153,16 @@ void AlarmWatch::noteDelivered(quint64 delivered, Instant now)
 
 void AlarmWatch::noteRate(Instant now)
 {
-    if (!m_models.picture.reading(now).slow)
-        m_slowSince.reset();
-    else if (!m_slowSince)
-        m_slowSince = now;
+    if (m_models.picture.reading(now).slow == m_pictureSlow) {
+        m_rateChanged.reset();
+        return;
+    }
+    if (!m_rateChanged)
+        m_rateChanged = now;
+    if (now - *m_rateChanged < slowSpan)
+        return;
+    m_pictureSlow = !m_pictureSlow;
+    m_rateChanged.reset();
 }
 
 std::optional<PaintingReading> AlarmWatch::painting() const

@@ -25,6 +25,9 @@ public:
     /// A peer's report is overdue; it counts until reports come again.
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
 
+    /// Motion ended, and the robot has not said yet that it holds.
+    bool holdAwaited() const { return m_stopAt.has_value(); }
+
     // What this program says of itself, each in words; empty: it works.
     void setSoundTrouble(const QString& trouble) { m_soundTrouble = trouble; }
     void setWatchdogTrouble(const QString& trouble) { m_watchdogTrouble = trouble; }
@@ -58,8 +61,9 @@ private:
     bool m_troubleWhileEngaged = false; ///< motion has ended by the time that its cause is looked at
     std::map<quint32, Overdue> m_overdue;
     std::map<quint32, LineQuality> m_lines;
-    std::deque<Counted> m_counted;      ///< of the last two seconds
-    std::optional<Instant> m_slowSince; ///< too few pictures are shown, without a gap
+    std::deque<Counted> m_counted;        ///< of the last two seconds
+    bool m_pictureSlow = false;           ///< too few pictures are shown, and not only for a moment
+    std::optional<Instant> m_rateChanged; ///< since when it is the other way round, without a gap
     QString m_soundTrouble;
     QString m_watchdogTrouble;
 };

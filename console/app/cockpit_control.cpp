@@ -222,7 +222,14 @@ void CockpitControl::setArmHeld(bool held) { apply(held ? PermitEventKind::ArmPr
 
 void CockpitControl::setPedal(bool wanted)
 {
-    const bool down = wanted && m_models.role == OperatorRole::Operator;
+    // A pedal whose release may get lost on a network would leave the beam on.
+    const bool remote = wanted && !m_models.remoteInput.isEmpty();
+    if (remote)
+        m_models.log.append(
+            LogKind::Trouble,
+            tr("the X-ray pedal counts at the console itself only, and this is remote input (%1)").arg(m_models.remoteInput),
+            QDateTime::currentMSecsSinceEpoch());
+    const bool down = wanted && !remote && m_models.role == OperatorRole::Operator;
     if (down && !pedalDown())
         ++m_press;
     m_models.xray.setPedal(down);

@@ -12,6 +12,17 @@ namespace console {
 
 using Kind = liena::SessionEvent::Kind;
 
+namespace {
+
+/// On the wall's clock as it goes now: Unix time, milliseconds.
+qint64 wallMsOf(Instant at)
+{
+    const auto ago = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - at);
+    return QDateTime::currentMSecsSinceEpoch() - ago.count();
+}
+
+} // namespace
+
 SessionIntake::SessionIntake(ConsoleModels& models, QObject* parent) : QObject(parent), m_models(models) {}
 
 void SessionIntake::log(LogKind kind, const QString& line) { m_models.log.append(kind, line, QDateTime::currentMSecsSinceEpoch()); }
@@ -82,7 +93,7 @@ void SessionIntake::takeChange(const liena::SessionEvent& event)
         interruption.b = std::max(self->id, peer);
         interruption.peer = peer;
         interruption.since = event.at;
-        interruption.sinceWallMs = QDateTime::currentMSecsSinceEpoch();
+        interruption.sinceWallMs = wallMsOf(event.at);
         incidents.interrupt(std::move(interruption), event.at);
     } else if (event.to == State::Open || event.to == State::Suspect) {
         incidents.heal(peer, event.at);
@@ -202,7 +213,7 @@ IncidentRecord SessionIntake::record(const liena::Incident& incident, Instant at
     value.causeOfA = lossKind(incident.causeOfA);
     value.causeOfB = lossKind(incident.causeOfB);
     value.since = at;
-    value.sinceWallMs = QDateTime::currentMSecsSinceEpoch();
+    value.sinceWallMs = wallMsOf(at);
     value.holds = holdLines(incident);
     return value;
 }

@@ -17,11 +17,14 @@ constexpr Mark marks[] = {
     {"CHROME_REMOTE_DESKTOP_SESSION", "Chrome Remote Desktop"},
 };
 
-/// `localhost:10.0` and `host:0` are reached over a network; `:0`, `unix:0` and the path of a socket are this computer's.
+/// `localhost:10.0`, `host:0` and `tcp/host:0` are reached over a network; `:0`, `unix:0`, `unix/host:0` and the path of a socket are this
+/// computer's.
 bool overNetwork(const QString& display)
 {
     const auto host = display.left(display.lastIndexOf(QLatin1Char(':')));
-    return display.contains(QLatin1Char(':')) && !host.isEmpty() && host != QLatin1String("unix") && !host.contains(QLatin1Char('/'));
+    const bool here =
+        host.isEmpty() || host == QLatin1String("unix") || host.startsWith(QLatin1Char('/')) || host.startsWith(QLatin1String("unix/"));
+    return display.contains(QLatin1Char(':')) && !here;
 }
 
 } // namespace

@@ -53,6 +53,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     setWindowTitle(tr("LiENa cockpit \u2014 research system, not a medical device"));
     setAccessibleName(tr("Cockpit"));
     setFocusPolicy(Qt::StrongFocus);
+    qApp->installEventFilter(this);
     placeRegions();
     connectIntents();
     connectModels();
@@ -255,6 +256,20 @@ void CockpitWindow::keyPressEvent(QKeyEvent* event)
         return;
     }
     Q_EMIT handKeyPressed(key);
+}
+
+/// A button or a slider with the focus would take the arrows to move the focus or itself.
+bool CockpitWindow::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress || !m_handHasKeys || watched == this || !watched->isWidgetType() ||
+        static_cast<QWidget*>(watched)->window() != this)
+        return false;
+    auto* press = static_cast<QKeyEvent*>(event);
+    const int key = press->key();
+    if (key != Qt::Key_Up && key != Qt::Key_Down && key != Qt::Key_Left && key != Qt::Key_Right)
+        return false;
+    keyPressEvent(press);
+    return true;
 }
 
 void CockpitWindow::keyReleaseEvent(QKeyEvent* event)

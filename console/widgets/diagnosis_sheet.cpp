@@ -198,7 +198,7 @@ void DiagnosisSheet::showNote(const QString& note)
 /// A second press while it runs would be told as a failure.
 void DiagnosisSheet::setReopening(const PromptContent& content)
 {
-    if (content.reopening && m_reopen->hasFocus())
+    if (content.reopening && window()->focusWidget() == m_reopen)
         focusChecks();
     m_reopen->setVisible(content.canReopen);
     m_reopen->setText(content.reopening ? tr("Re-opening\u2026") : tr("Re-open channel"));

@@ -1,6 +1,7 @@
 // The lines of the account, one below the other; what changed, or is not known, is the brightest.
 #include "widgets/interruption_card.hpp"
 
+#include "widgets/focus_return.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/sheet_button.hpp"
 
@@ -100,11 +101,17 @@ void InterruptionCard::setLines(const QString& headline, const std::vector<Accou
 void InterruptionCard::refresh(Instant now)
 {
     const bool unread = m_account.stage() == InterruptionAccount::Stage::Unread;
-    m_read->setEnabled(m_account.readable(now));
+    const bool readable = m_account.readable(now);
+    if (!readable)
+        returnFocus(m_read);
+    m_read->setEnabled(readable);
     if (unread)
         setLines(accountHeadline(m_account), accountLines(m_account));
-    if (isVisibleTo(parentWidget()) != unread)
-        setVisible(unread);
+    if (isVisibleTo(parentWidget()) == unread)
+        return;
+    if (!unread)
+        returnFocus(this);
+    setVisible(unread);
 }
 
 } // namespace console

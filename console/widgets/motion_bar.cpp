@@ -146,7 +146,8 @@ void MotionBar::connectButtons()
     connect(m_pedal, &HoldButton::holdChanged, this, &MotionBar::pedalChanged);
     connect(m_masters, &MasterRow::masterChosen, this, &MotionBar::masterChosen);
     connect(m_guards, &GuardList::clicked, this, [this] {
-        if (m_models.permit.phase() != PermitPhase::Engaged) // a view takes the keys from the hand
+        const auto phase = m_models.permit.phase(); // a view takes the keys from the hand, and so would end these
+        if (phase != PermitPhase::Arming && phase != PermitPhase::Armed && phase != PermitPhase::Engaged)
             Q_EMIT checklistRequested();
     });
     connect(m_acceptForce, &QPushButton::clicked, this, [this] {

@@ -17,7 +17,7 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent)
     theme::setTextRole(this, TextRole::Title);
     setText(tr("E-STOP"));
     setAccessibleName(tr("Emergency stop"));
-    setFocusPolicy(Qt::StrongFocus);
+    setFocusPolicy(Qt::TabFocus); // a press leaves the keys with the hand
 }
 
 void StopButton::setStopped(bool stopped)

@@ -49,6 +49,7 @@ TrendsPane::TrendsPane(const TrendBook& book, QWidget* parent) : QFrame(parent),
     theme::setTextRole(this, TextRole::Caption);
     theme::setTextRole(m_spanButton, TextRole::Caption);
     m_spanButton->setAutoDefault(false);
+    m_spanButton->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the hand
     m_spanButton->setText(tr("60 s"));
     m_spanButton->setAccessibleName(tr("Span of the trends"));
     connect(m_spanButton, &QPushButton::clicked, this, &TrendsPane::toggleSpan);

@@ -821,6 +821,10 @@
         <source>injection %1: %2, %3 mL</source>
         <translation>注射 %1：%2，%3 mL</translation>
     </message>
+    <message>
+        <source>the X-ray pedal counts at the console itself only, and this is remote input (%1)</source>
+        <translation>X 射线踏板仅在控制台本机有效，而此处为远程输入（%1）</translation>
+    </message>
 </context>
 <context>
     <name>console::CockpitWindow</name>

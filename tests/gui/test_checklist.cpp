@@ -117,14 +117,23 @@ private Q_SLOTS:
     }
 
     /// A view takes the keys from the hand, and so would hold.
-    void aStrayTouchWhileEngagedOpensNothing()
+    void aStrayTouchWhileArmedOrEngagedOpensNothing_data()
     {
+        QTest::addColumn<bool>("engaged");
+        QTest::newRow("armed") << false;
+        QTest::newRow("engaged") << true;
+    }
+
+    void aStrayTouchWhileArmedOrEngagedOpensNothing()
+    {
+        QFETCH(bool, engaged);
         Checklist stage;
         QVERIFY(stage.ready());
         stage.cockpit.openAll();
         stage.cockpit.arm();
-        stage.cockpit.engage();
-        QCOMPARE(stage.cockpit.models.permit.phase(), PermitPhase::Engaged);
+        if (engaged)
+            stage.cockpit.engage();
+        QCOMPARE(stage.cockpit.models.permit.phase(), engaged ? PermitPhase::Engaged : PermitPhase::Armed);
         QTest::mouseClick(stage.list(), Qt::LeftButton);
         QVERIFY(!stage.view->isVisible());
         QVERIFY(stage.window.handHasKeys());

@@ -167,6 +167,32 @@ private Q_SLOTS:
         QCOMPARE(stage.closed.count(), 0);
     }
 
+    /// Tab has led to a button; its own way with an arrow would be to hand the focus on.
+    void arrowsAreTheHandsWhateverHasTheFocus()
+    {
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.refresh();
+        int asked = 0;
+        for (auto* control : stage.window.findChildren<QWidget*>()) {
+            if (!control->isVisible() || !control->isEnabled() || control->focusPolicy() == Qt::NoFocus)
+                continue;
+            control->setFocus(Qt::TabFocusReason);
+            if (QApplication::focusWidget() != control || !stage.window.handHasKeys())
+                continue;
+            ++asked;
+            for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right}) {
+                const auto heard = stage.keys.count();
+                QTest::keyClick(control, key);
+                QVERIFY2(stage.keys.count() == heard + 1 && stage.keys.back().front().toInt() == key,
+                         qPrintable(control->accessibleName()));
+                QCOMPARE(QApplication::focusWidget(), control);
+            }
+        }
+        QVERIFY(asked > 5);
+    }
+
     void areNoneOfTheHandsWithAModifier_data()
     {
         QTest::addColumn<int>("modifier");

@@ -144,15 +144,19 @@ private Q_SLOTS:
         QTest::addColumn<int>("phase");
         QTest::addColumn<bool>("awaitingRobot");
         QTest::addColumn<bool>("highAlarm");
+        QTest::addColumn<bool>("holdAwaited");
         QTest::addColumn<bool>("relied");
         for (const auto phase : {PermitPhase::Off, PermitPhase::Standby, PermitPhase::Ready, PermitPhase::Incident, PermitPhase::Verifying})
             for (const bool high : {false, true})
-                QTest::addRow("%s%s", qPrintable(word(phase)), high ? ", high alarm" : "") << int(phase) << false << high << high;
+                QTest::addRow("%s%s", qPrintable(word(phase)), high ? ", high alarm" : "") << int(phase) << false << high << false << high;
         for (const auto phase : {PermitPhase::Armed, PermitPhase::Engaged, PermitPhase::Hold})
-            QTest::addRow("%s", qPrintable(word(phase))) << int(phase) << false << false << true;
-        QTest::newRow("ARM is held") << int(PermitPhase::Arming) << false << false << false;
-        QTest::newRow("the robot was asked to arm") << int(PermitPhase::Arming) << true << false << true;
-        QTest::newRow("ARM is held, high alarm") << int(PermitPhase::Arming) << false << true << true;
+            QTest::addRow("%s", qPrintable(word(phase))) << int(phase) << false << false << false << true;
+        QTest::newRow("ARM is held") << int(PermitPhase::Arming) << false << false << false << false;
+        QTest::newRow("the robot was asked to arm") << int(PermitPhase::Arming) << true << false << false << true;
+        QTest::newRow("ARM is held, high alarm") << int(PermitPhase::Arming) << false << true << false << true;
+        for (const auto phase : {PermitPhase::Off, PermitPhase::Incident})
+            QTest::addRow("%s, the robot has not said that it holds", qPrintable(word(phase)))
+                << int(phase) << false << false << true << true;
     }
 
     void aHangIsHeardWheneverSomebodyReliesOnTheSound()
@@ -160,11 +164,12 @@ private Q_SLOTS:
         QFETCH(int, phase);
         QFETCH(bool, awaitingRobot);
         QFETCH(bool, highAlarm);
+        QFETCH(bool, holdAwaited);
         QFETCH(bool, relied);
         PermitState permit;
         permit.phase = PermitPhase(phase);
         permit.awaitingRobot = awaitingRobot;
-        QCOMPARE(attended(permit, highAlarm), relied);
+        QCOMPARE(attended(permit, highAlarm, holdAwaited), relied);
     }
 
     /// What the service beats, as the watchdog's pipe has it.

@@ -38,6 +38,16 @@ struct Watched {
         return std::nullopt;
     }
 
+    /// Of the alarm that is present; 0 when there is none.
+    quint64 idOf(AlarmCondition condition)
+    {
+        look();
+        for (const auto& alarm : models().alarms.alarms())
+            if (alarm.condition == condition && alarm.present)
+                return alarm.id;
+        return 0;
+    }
+
     RobotStatus robot() const { return cockpit.models.instrument.robot().value; }
     void receive(const RobotStatus& status) { models().instrument.receiveRobot(status, now); }
 
@@ -251,7 +261,11 @@ private Q_SLOTS:
         play(12, 2s);
         QCOMPARE(w.priorityOf(C::PictureSlow), std::optional(AlarmPriority::Low));
         QVERIFY(w.models().picture.reading(w.now).keepsRate); // caution, and no hold
-        play(15, 2s);
+        const auto raised = w.idOf(C::PictureSlow);
+        play(15, 1s); // enough for a moment
+        play(12, 2s);
+        QCOMPARE(w.idOf(C::PictureSlow), raised); // the same alarm: nobody has to acknowledge it again
+        play(15, 4s);
         QVERIFY(!w.priorityOf(C::PictureSlow));
     }
 

@@ -32,6 +32,8 @@ private Q_SLOTS:
         row("SSH forwards the display", "xcb", {ssh, QStringLiteral("DISPLAY=localhost:10.0")}, "SSH");
         row("SSH forwards it, and sudo forgot", "xcb", {QStringLiteral("DISPLAY=localhost:10.0")}, "localhost:10.0");
         row("a display of another computer", "xcb", {QStringLiteral("DISPLAY=10.0.0.7:0")}, "10.0.0.7:0");
+        row("the same, by its protocol", "xcb", {QStringLiteral("DISPLAY=tcp/10.0.0.7:0")}, "tcp/10.0.0.7:0");
+        row("at the computer, by its protocol", "xcb", {QStringLiteral("DISPLAY=unix/cockpit:0")}, "");
         row("SSH, on this computer's screen", "xcb", {ssh, QStringLiteral("DISPLAY=:0")}, "");
         row("a machine for tests, by SSH", "offscreen", {ssh, QStringLiteral("DISPLAY=localhost:10.0")}, "");
         row("a machine for tests, Xvfb by SSH", "xcb", {ssh, QStringLiteral("DISPLAY=:99")}, "");
