@@ -1,6 +1,7 @@
 // What the application's threads hand to the network thread for sending: bounded, one wake-up per burst.
 #pragma once
 
+#include "cache/inheriting_mutex.hpp"
 #include "liena/device_id.hpp"
 #include "liena/message.hpp"
 
@@ -65,7 +66,7 @@ private:
         std::size_t bytes = 0;
     };
 
-    std::mutex m_mutex;
+    InheritingMutex m_mutex;
     Letters m_letters;
     std::array<Load, 4> m_loads{}; ///< by priority
     std::function<void()> m_wake;

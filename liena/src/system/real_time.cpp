@@ -125,7 +125,9 @@ void runAsOrdinaryThread()
 
 void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options, tasks::Attention& attention)
 {
-    (void)takeThread(options); // it was permitted when it was tried
+    // Each was permitted when it was tried. Should a processor be gone since, the priority is taken all the same.
+    (void)takeProcessors(options.processors);
+    (void)takePriority(options.priority);
     if (options.search <= 0us) {
         runWithAttention(context, options.attention, attention);
         return;

@@ -163,7 +163,7 @@ std::vector<BulkStream> BulkLanes::streamRates(Instant now) const
 {
     std::vector<PlacedStream> inUse;
     for (const auto& [number, stream] : m_streams)
-        if (now - stream.lastUsed < pauseLimit || !m_lanes[stream.place]->queue().empty())
+        if (now - stream.lastUsed < pauseLimit)
             inUse.push_back({number, stream.place});
     std::vector<std::optional<double>> rates;
     for (const auto& lane : m_lanes)

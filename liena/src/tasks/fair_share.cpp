@@ -35,29 +35,35 @@ double FairShare::partOf(const PathRate& rate) const
     return 1.0 / static_cast<double>(std::ranges::count(m_busy, rate.session(), &PathRate::session));
 }
 
-/// Each lane is judged by what its session would have if all lanes of that were as fast.
+/// Among the lanes that wait as long as `met`. Each is judged by what its session would have if all lanes of that were as fast.
 void FairShare::even(const PathRate& met)
 {
-    if (m_busy.size() < 2)
-        return;
+    const auto concerned = [&met](const PathRate* rate) { return waitAlike(met, *rate); };
+    const auto ofSession = [this](const PathRate* rate) { return rate->steady() / partOf(*rate); };
+    PathRate* fastest = nullptr;
     double sum = 0;
     double sessions = 0;
-    for (const auto* rate : m_busy) {
+    for (auto* rate : m_busy) {
+        if (!concerned(rate))
+            continue;
         sum += rate->steady();
         sessions += partOf(*rate);
+        if (fastest == nullptr || ofSession(rate) > ofSession(fastest))
+            fastest = rate;
     }
+    if (fastest == nullptr)
+        return;
     const double mean = sum / sessions;
-    const auto ofSession = [this](const PathRate* rate) { return rate->steady() / partOf(*rate); };
-    auto* fastest = *std::ranges::max_element(m_busy, {}, ofSession);
+    const auto isBelow = [&](const PathRate* rate) { return concerned(rate) && ofSession(rate) < mean; };
     double below = 0;
     for (const auto* rate : m_busy)
-        below += ofSession(rate) < mean ? partOf(*rate) : 0;
-    if (below <= 0 || !waitAlike(met, *fastest))
+        below += isBelow(rate) ? partOf(*rate) : 0;
+    if (below <= 0)
         return;
     const double given = part * (fastest->steady() - mean * partOf(*fastest));
     fastest->shift(-given);
     for (auto* rate : m_busy)
-        if (ofSession(rate) < mean)
+        if (isBelow(rate))
             rate->shift(std::min(given * partOf(*rate) / below, rate->steady() * mostRaise));
 }
 

@@ -71,6 +71,7 @@ void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
 void OutputLane::lost(const std::string& detail, bool identity)
 {
     m_bytesSent += m_task->bytesSent();
+    m_rate.shareWith(nullptr); // who no longer sends has no share
     bury(std::move(m_task));
     m_handlers.lost(detail, identity);
 }
@@ -98,6 +99,7 @@ void OutputLane::close(std::chrono::nanoseconds grace)
         return;
     }
     m_bytesSent += m_task->bytesSent();
+    m_rate.shareWith(nullptr);
     struct Remains {
         std::unique_ptr<OutputQueue> queue;
         std::unique_ptr<TransmissionTask> task;

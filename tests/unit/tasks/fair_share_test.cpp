@@ -231,6 +231,36 @@ private slots:
         QVERIFY(narrow.flows.front()->delivered > 0.8 * gigabit / 100 * 10);
     }
 
+    /// A fast session waits in a queue of its own, far away; the others come to even rates before theirs all the same.
+    void sessionWithAnotherBottleneckKeepsNobodyFromEvenRates()
+    {
+        const auto share = std::make_shared<FairShare>();
+        Bottleneck far(4 * gigabit, 60ms, 4, share);
+        for (auto& flow : far.flows) {
+            flow->rate.shareWith(share, liena::DeviceId(9));
+            flow->sending = true;
+        }
+        Bottleneck near(gigabit, 9ms, 3, share);
+        for (std::size_t i = 0; i < near.flows.size(); ++i)
+            near.flows[i]->rate.shareWith(share, liena::DeviceId(static_cast<std::uint32_t>(i + 1)));
+        PathRate::Instant now{1h};
+        const auto run = [&](Nanoseconds time) {
+            for (const auto end = now + time; now < end; now += step) {
+                far.tick(now);
+                near.tick(now);
+            }
+        };
+        for (auto& flow : near.flows) {
+            flow->sending = true;
+            run(3s);
+        }
+        (void)near.parts();
+        (void)far.parts();
+        run(10s);
+        const double index = fairness(near.parts());
+        QVERIFY2(index > 0.93, qPrintable(QString::number(index)));
+    }
+
     void laneThatPausedOrEndedTakesNoShare()
     {
         const auto share = std::make_shared<FairShare>();
