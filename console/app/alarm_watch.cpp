@@ -30,8 +30,11 @@ void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
 {
     const auto now = std::chrono::steady_clock::now();
     const bool stopped = to == PermitPhase::Hold || to == PermitPhase::Incident || to == PermitPhase::Off;
-    // Who is asked to arm may have done so; and after a loss the robot must hold, whatever it did before.
-    if (stopped && (isArmed(from) || from == PermitPhase::Arming || (to == PermitPhase::Incident && from != PermitPhase::Off)))
+    // Who is asked to arm may have done so; and after a loss the robot must hold, whatever it did before. The loss of its own link may be
+    // told before the incident: the permit is Off by then.
+    const bool robotLost = m_robot && m_models.sessions.state(*m_robot) == LinkState::StandBy;
+    const bool afterLoss = to == PermitPhase::Incident && (from != PermitPhase::Off || robotLost);
+    if (stopped && (isArmed(from) || from == PermitPhase::Arming || afterLoss))
         m_stopAt = now;
     if (stopped && isArmed(from)) {
         m_troubleWhileArmed = true;

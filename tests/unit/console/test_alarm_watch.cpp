@@ -303,10 +303,25 @@ private Q_SLOTS:
         QVERIFY(!w.priorityOf(C::HoldNotConfirmed));
     }
 
+    void afterALossTheRobotMustHoldWhateverItDidBefore_data()
+    {
+        QTest::addColumn<bool>("linkFirst"); // the link's end may be told before the incident
+        QTest::newRow("the incident is told first") << false;
+        QTest::newRow("the link's end is told first") << true;
+    }
+
     void afterALossTheRobotMustHoldWhateverItDidBefore()
     {
+        QFETCH(bool, linkFirst);
         Watched w;
         w.now = std::chrono::steady_clock::now();
+        if (linkFirst) {
+            w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.now);
+            PermitEvent closed;
+            closed.kind = PermitEventKind::SessionClosed;
+            w.models().permit.apply(closed, w.now);
+            QCOMPARE(w.models().permit.phase(), PermitPhase::Off);
+        }
         PermitEvent loss;
         loss.kind = PermitEventKind::SystemStandsBy;
         w.models().permit.apply(loss, w.now);
