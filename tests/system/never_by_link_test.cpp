@@ -56,16 +56,17 @@ DiagnosisSheet* sheetOf(Theatre& theatre)
     return sheet != nullptr && sheet->isVisible() ? sheet : nullptr;
 }
 
-/// The reason of the last re-opening that failed, as the sheet shows it; empty when it shows none.
+/// The reason of the last re-opening that failed, as the sheet shows it; empty when it shows none. Others' incidents of the same loss may
+/// be told before the own.
 QString reasonOn(Theatre& theatre)
 {
-    const auto& incidents = theatre.models().incidents.incidents();
     const auto* sheet = sheetOf(theatre);
-    if (sheet == nullptr || incidents.empty() || incidents.front().reopenFailure.isEmpty())
+    if (sheet == nullptr)
         return {};
-    for (const auto* label : sheet->findChildren<QLabel*>())
-        if (label->isVisibleTo(sheet) && label->text() == incidents.front().reopenFailure)
-            return label->text();
+    for (const auto& incident : theatre.models().incidents.incidents())
+        for (const auto* label : sheet->findChildren<QLabel*>())
+            if (!incident.reopenFailure.isEmpty() && label->isVisibleTo(sheet) && label->text() == incident.reopenFailure)
+                return label->text();
     return {};
 }
 
