@@ -202,8 +202,7 @@ void Rules::addForce()
 void Rules::addDrives()
 {
     const bool fault = m_readings.faultCode == 2 || m_readings.faultCode == 3;
-    const bool told = m_readings.faultCode != 0 && !m_readings.armed; // by another alarm
-    const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy && !told;
+    const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy;
     const auto remedy = Text::tr("Do not arm; have the drives looked at.");
     if (m_readings.armFault)
         add(AlarmCondition::DriveFault, whenArmed(Priority::High, Priority::Medium), true, Text::tr("Robotic arm: fault"), remedy,

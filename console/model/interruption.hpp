@@ -104,7 +104,7 @@ private:
 /// `Interrupted for 12.4 s, since 12:03:41`. Pure, like the lines.
 QString accountHeadline(const InterruptionAccount& account);
 
-/// What was lost, tip, force, contrast, X-ray time, pictures, patient side: always the same lines in the same order.
+/// What was lost, tip, force, contrast, X-ray time, pictures, C-arm and table, patient side: always the same lines in the same order.
 std::vector<AccountLine> accountLines(const InterruptionAccount& account);
 
 } // namespace console

@@ -41,7 +41,7 @@ class Account {
 public:
     explicit Account(const InterruptionAccount& account) : m_account(account), m_before(account.before()), m_now(account.present()) {}
 
-    std::vector<AccountLine> all() const { return {lost(), tip(), force(), contrast(), xrayTime(), pictures(), patientSide()}; }
+    std::vector<AccountLine> all() const { return {lost(), tip(), force(), contrast(), xrayTime(), pictures(), stand(), patientSide()}; }
 
 private:
     AccountLine lost() const
@@ -120,6 +120,28 @@ private:
         return {name, Text::tr("%1 taken, %2 of them did not come here").arg(taken).arg(lost), true};
     }
 
+    /// What the remembered picture and the tip's place in it no longer fit when it has moved.
+    AccountLine stand() const
+    {
+        const auto name = Text::tr("C-arm and table");
+        if (const auto why = missing(m_before.xray.has_value(), m_now.xray.has_value(), Text::tr("no report of the X-ray system"));
+            !why.isEmpty())
+            return {name, why, true};
+        const auto& from = m_before.xray->geometry;
+        const auto& to = m_now.xray->geometry;
+        QStringList deeds;
+        addTurn(deeds, Text::tr("LAO/RAO"), from.primaryAngle, to.primaryAngle);
+        addTurn(deeds, Text::tr("CRA/CAU"), from.secondaryAngle, to.secondaryAngle);
+        addDistance(deeds, Text::tr("detector"), from.sourceDetectorDistance, to.sourceDetectorDistance);
+        addDistance(deeds, Text::tr("isocentre"), from.sourceObjectDistance, to.sourceObjectDistance);
+        const double way = std::hypot(to.table[0] - from.table[0], to.table[1] - from.table[1], to.table[2] - from.table[2]);
+        if (way >= leastWay)
+            deeds << Text::tr("table moved %1 mm").arg(number(way, 1));
+        if (deeds.isEmpty())
+            return {name, Text::tr("where they were"), false};
+        return {name, deeds.join(Text::tr("; ")), true};
+    }
+
     AccountLine patientSide() const
     {
         const auto name = Text::tr("Patient side");
@@ -166,9 +188,23 @@ private:
     /// As it reads: a robot that was started anew may count from another place.
     static void addAxis(QStringList& deeds, const QString& axis, double from, double to)
     {
-        constexpr double least = 0.05; // mm, of what is shown
-        if (std::abs(to - from) >= least)
+        if (std::abs(to - from) >= leastWay)
             deeds << Text::tr("%1 at %2 mm before, %3 mm now").arg(axis, number(from, 1), number(to, 1));
+    }
+
+    /// From the source; 0 is one that is not known.
+    static void addDistance(QStringList& deeds, const QString& what, double from, double to)
+    {
+        if ((from == 0) != (to == 0))
+            deeds << (from == 0 ? Text::tr("%1: distance unknown before") : Text::tr("%1: distance unknown now")).arg(what);
+        else
+            addAxis(deeds, what, from, to);
+    }
+
+    static void addTurn(QStringList& deeds, const QString& axis, double from, double to)
+    {
+        if (std::abs(std::remainder(to - from, 360)) >= leastWay)
+            deeds << Text::tr("%1 at %2\u00B0 before, %3\u00B0 now").arg(axis, number(from, 1), number(to, 1));
     }
 
     static void addGripper(QStringList& deeds, const QString& gripper, bool before, bool now)
@@ -189,6 +225,8 @@ private:
         if (m_before.drives->enabled != m_now.drives->enabled)
             deeds << Text::tr("drives enabled: %1 of %3 before, %2 now").arg(from).arg(to).arg(driveCount);
     }
+
+    static constexpr double leastWay = 0.05; ///< mm or degrees, of what is shown
 
     const InterruptionAccount& m_account;
     const SystemSnapshot& m_before;

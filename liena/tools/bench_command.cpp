@@ -170,6 +170,9 @@ int bench(BenchOptions& options)
     const auto profile = loadFor(options);
     if (!profile)
         return refuse("bench", profile.error().what);
+    if (!options.svg.empty())
+        if (const auto writable = tryReport(options.svg); !writable)
+            return refuse("bench", writable.error().what);
     const auto measured = measure(options, subjects.value(), profile.value());
     if (!measured)
         return refuse("bench", measured.error().what);

@@ -34,12 +34,12 @@ std::string rateOf(const JsonValue& link, const char* messages, const char* byte
 }
 
 /// A column is counted in characters: `±` is one.
-std::string padded(const std::string& text, std::size_t width)
+std::string padded(const std::string& text, std::size_t columns)
 {
     std::size_t characters = 0;
     for (const char c : text)
         characters += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
-    return text + std::string(characters < width ? width - characters : 1, ' ');
+    return text + std::string(characters < columns ? columns - characters : 1, ' ');
 }
 
 std::string row(const std::vector<std::string>& cells)

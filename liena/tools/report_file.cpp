@@ -46,16 +46,43 @@ int writeAndClose(int descriptor, std::string_view content, bool synced)
     return error;
 }
 
+/// A terminal, a pipe, and a folder, too.
+bool isNoFile(const std::filesystem::path& file)
+{
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+std::string besideOf(const std::filesystem::path& file) { return file.string() + ".XXXXXX"; }
+
 } // namespace
+
+Result<void> tryReport(const std::filesystem::path& file)
+{
+    if (isNoFile(file)) {
+        const int opened = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+        if (opened < 0 && errno != ENXIO) // a pipe that nobody reads yet
+            return notWritten(file.string(), errno);
+        if (opened >= 0)
+            ::close(opened);
+        return ok();
+    }
+    auto temporary = besideOf(file);
+    const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+    if (descriptor < 0)
+        return notWritten(file.string(), errno);
+    ::close(descriptor);
+    ::unlink(temporary.c_str());
+    return ok();
+}
 
 Result<void> writeReport(const std::filesystem::path& file, std::string_view content)
 {
-    struct stat status {};
-    if (::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    if (isNoFile(file)) {
         const int error = writeAndClose(::open(file.c_str(), O_WRONLY | O_CLOEXEC), content, false);
         return error == 0 ? Result<void>(ok()) : notWritten(file.string(), error);
     }
-    auto temporary = file.string() + ".XXXXXX";
+    auto temporary = besideOf(file);
     const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
     if (descriptor < 0)
         return notWritten(file.string(), errno);

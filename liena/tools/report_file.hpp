@@ -12,6 +12,9 @@ namespace liena::tools {
 /// written to as it is.
 Result<void> writeReport(const std::filesystem::path& file, std::string_view content);
 
+/// Whether writeReport() could begin now: to be asked before what takes long. Leaves nothing behind.
+Result<void> tryReport(const std::filesystem::path& file);
+
 /// On standard output; an error when it did not get there.
 Result<void> printReport(std::string_view content);
 

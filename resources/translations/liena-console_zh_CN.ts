@@ -1791,6 +1791,46 @@
         <translation>拍摄 %1 幅，其中 %2 幅未到达本端</translation>
     </message>
     <message>
+        <source>C-arm and table</source>
+        <translation>C 形臂与床</translation>
+    </message>
+    <message>
+        <source>LAO/RAO</source>
+        <translation>LAO/RAO</translation>
+    </message>
+    <message>
+        <source>CRA/CAU</source>
+        <translation>CRA/CAU</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>探测器</translation>
+    </message>
+    <message>
+        <source>isocentre</source>
+        <translation>等中心</translation>
+    </message>
+    <message>
+        <source>table moved %1 mm</source>
+        <translation>床移动了 %1 mm</translation>
+    </message>
+    <message>
+        <source>where they were</source>
+        <translation>位置未变</translation>
+    </message>
+    <message>
+        <source>%1: distance unknown before</source>
+        <translation>%1：此前距离未知</translation>
+    </message>
+    <message>
+        <source>%1: distance unknown now</source>
+        <translation>%1：现在距离未知</translation>
+    </message>
+    <message>
+        <source>%1 at %2° before, %3° now</source>
+        <translation>%1 此前为 %2°，现在为 %3°</translation>
+    </message>
+    <message>
         <source>Patient side</source>
         <translation>患者端</translation>
     </message>

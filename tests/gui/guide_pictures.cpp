@@ -32,8 +32,8 @@ public:
     /// False at the first state that is not reached.
     bool work()
     {
-        return idle() && topology() && open() && armed() && engaged() && roadmap() && frozen() && interrupted() && lost() && reopened() &&
-               views();
+        return idle() && topology() && selfTest() && open() && armed() && engaged() && roadmap() && frozen() && interrupted() && lost() &&
+               reopened() && views();
     }
 
     /// What was taken until now.
@@ -100,11 +100,18 @@ private:
         return taken;
     }
 
-    bool open()
+    /// The first of its three signals.
+    bool selfTest()
     {
         if (!m_theatre.openAll())
             return false;
-        m_theatre.testAlarms();
+        QTest::keyClick(&m_theatre.window(), Qt::Key_F8);
+        const bool taken = take("self-test");
+        return taken && until([this] { return !m_theatre.models().selfTest.signal(); }) && m_theatre.click(QStringLiteral("Test seen"));
+    }
+
+    bool open()
+    {
         m_theatre.hold(Qt::Key_F);
         return until([this] { return picture() == PictureCondition::Live; }) && m_theatre.reaches(PermitPhase::Ready) && take("open");
     }
@@ -189,8 +196,8 @@ private:
     {
         m_theatre.readAccount();
         m_theatre.acknowledgeAlarms();
-        for (const auto& [key, name] : {std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"}, std::pair{Qt::Key_F6, "preferences"},
-                                        std::pair{Qt::Key_F7, "screens"}}) {
+        for (const auto& [key, name] : {std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"}, std::pair{Qt::Key_F5, "conditions"},
+                                        std::pair{Qt::Key_F6, "preferences"}, std::pair{Qt::Key_F7, "screens"}}) {
             QTest::keyClick(&m_theatre.window(), key);
             if (!take(name))
                 return false;

@@ -275,6 +275,11 @@ private Q_SLOTS:
         const auto plot = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/dev/full")}));
         QVERIFY2(plot.status == 1 && plot.errors.contains(QStringLiteral("/dev/full was not written")), qPrintable(said(plot)));
         QVERIFY(plot.output.startsWith(QStringLiteral("GO: "))); // the figures are not lost with it
+        const auto nowhere =
+            run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/no/such/place/line.svg")}));
+        QVERIFY2(nowhere.status == 1 && nowhere.errors.contains(QStringLiteral("/no/such/place/line.svg was not written")),
+                 qPrintable(said(nowhere)));
+        QVERIFY(nowhere.output.isEmpty()); // it was not measured first
     }
 };
 

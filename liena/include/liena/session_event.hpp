@@ -92,8 +92,8 @@ std::string_view toString(SessionEvent::Kind kind);
 
 /// One kind of bulk message to a peer, and what of the path is its own.
 struct BulkStream {
-    std::uint16_t number = 0; ///< of the message
-    double rate = 0;          ///< bytes per second that it can count on
+    std::uint16_t number = 0;   ///< of the message
+    std::optional<double> rate; ///< bytes per second that it can count on; nothing while its way was neither filled nor measured
 };
 
 /// The live figures of one link, a copy of one moment.
@@ -123,7 +123,7 @@ struct LinkStatus {
     /// Bytes per second that all bulk to this peer together can count on; nothing until the path has been filled or measured. It rises
     /// again after a path has healed, also while less than this is sent. A source steps up and down by its own: see bulkRateOf().
     std::optional<double> bulkRate;
-    std::vector<BulkStream> bulkStreams; ///< that were used within the last 2 s, as far as the rate of each is known
+    std::vector<BulkStream> bulkStreams; ///< that were used within the last 2 s
     std::uint64_t bulkQueuedBytes = 0;   ///< of bulk that waits here or is under way to the peer's kernel
     std::uint32_t epoch = 0;             ///< ours, of what we receive
     std::uint32_t peerEpoch = 0;         ///< the peer's, as last heard; 0 before the first heartbeat

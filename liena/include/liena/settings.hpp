@@ -30,9 +30,10 @@ struct RealTimeOptions {
     /// That the kernel asks the network card itself before the thread sleeps (SO_BUSY_POLL): for this device's sockets, and of no use for
     /// peers on the same computer.
     std::chrono::microseconds cardSearch{0};
-    /// That the thread stays awake in a dialogue: while prompt messages follow each other within 150 us it looks for the next one for up to
-    /// 100 us, since waking up takes longer than all else of a round trip. That is a processor's time for as long as the dialogue lasts,
-    /// and none otherwise. False: it sleeps whenever it has nothing to do. Of no effect beside `search`.
+    /// That the thread stays awake where the next message is due at once, since waking up takes longer than all else of a round trip. While
+    /// prompt messages follow each other within 150 us it looks for the next one for up to 100 us; and where those that it sends to a peer
+    /// are answered within 150 us, it looks from sending until the answer. That is a processor's time for as long as this lasts, and none
+    /// otherwise. False: it sleeps whenever it has nothing to do. Of no effect beside `search`.
     bool attention = true;
 };
 

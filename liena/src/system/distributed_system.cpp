@@ -361,7 +361,7 @@ Result<void> DistributedSystem::State::sendFromHere(DeviceId target, Message&& m
     const bool isCommand = definition.role == Role::Command;
     if (!isSame(isCommand ? one->knownSet().get() : ownMessageSet.get(), message.messageSet()))
         return fail(Errc::UnknownMessage, belongsElsewhere(definition, isCommand ? target : ownTopologyDevice.id));
-    return one->send(std::move(message));
+    return sendBy(*one, std::move(message));
 }
 
 Result<void> DistributedSystem::send(DeviceId target, Message message)

@@ -60,6 +60,14 @@ void DistributedSystem::State::drainOutbox()
     letters.clear();
 }
 
+/// What is said to one peer may have its answer at once; what is published asks nobody.
+Result<void> DistributedSystem::State::sendBy(system::DistributedModule& one, Message&& message)
+{
+    if (message.definition().priority != Priority::Bulk)
+        attention.asked();
+    return one.send(std::move(message));
+}
+
 void DistributedSystem::State::sendNow(DeviceId target, Message&& message)
 {
     auto* one = module(target);
@@ -67,7 +75,7 @@ void DistributedSystem::State::sendNow(DeviceId target, Message&& message)
         return;                                     // stop() was quicker
     const auto set = MessageAccess::setIn(message); // that the name lives in
     const auto& name = message.definition().name;
-    const auto sent = one->send(std::move(message));
+    const auto sent = sendBy(*one, std::move(message));
     if (sent)
         return;
     SessionEvent event;

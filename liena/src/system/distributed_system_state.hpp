@@ -63,6 +63,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     std::shared_ptr<const Message> kept(Message&& message);
     void takeReturned();
     void sendNow(DeviceId target, Message&& message);
+    Result<void> sendBy(system::DistributedModule& one, Message&& message);
     void publishNow(Message message);
     void drainOutbox();
     void perform(const session::LedgerActions& actions);

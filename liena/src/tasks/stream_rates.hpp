@@ -17,13 +17,16 @@ struct PlacedStream {
     std::size_t place = 0;    ///< of its lane
 };
 
-/// Pure. Streams on one lane take even turns; where nothing is known of a lane, nothing is said of its streams.
+/// Pure. Streams on one lane take even turns; where nothing is known of a lane, its streams have no rate.
 inline std::vector<BulkStream> ratesOf(std::span<const PlacedStream> inUse, std::span<const std::optional<double>> lanes)
 {
     std::vector<BulkStream> rates;
-    for (const auto& stream : inUse)
-        if (const auto& lane = lanes[stream.place])
-            rates.push_back({stream.number, *lane / static_cast<double>(std::ranges::count(inUse, stream.place, &PlacedStream::place))});
+    for (const auto& stream : inUse) {
+        auto rate = lanes[stream.place];
+        if (rate)
+            *rate /= static_cast<double>(std::ranges::count(inUse, stream.place, &PlacedStream::place));
+        rates.push_back({stream.number, rate});
+    }
     return rates;
 }
 

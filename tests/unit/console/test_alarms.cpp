@@ -1,9 +1,12 @@
 // Alarms: the rules of the table, latching, acknowledging, and the log.
 #include "model/alarm_rules.hpp"
 
+#include <QFile>
+#include <QMap>
 #include <QSignalSpy>
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
 
 using namespace console;
@@ -69,6 +72,7 @@ const std::vector<Case>& cases()
         {"emergency stop unheard", [](auto& r) { r.stopUnheard = 201ms; }, C::StopUnheard, High, High, true},
         {"deadline", [](auto& r) { r.links[0].deadlineMissed = QStringLiteral("RobotStatus"); }, C::DeadlineMissed, Medium, Low, false},
         {"unsteady", [](auto& r) { r.links[0].suspectsInMinute = 3; }, C::LinkUnsteady, Low, Low, false},
+        {"packets lost", [](auto& r) { r.links[0].packetsLost = true; }, C::PacketsLost, Low, Low, false},
         {"clock", [](auto& r) { r.links[0].clockUncertain = true; }, C::ClockUncertain, Medium, Low, false},
         {"soft limit", [](auto& r) { r.limitSwitches = GuidewireSoftHigh; }, C::SoftLimit, Low, std::nullopt, false},
         {"hard limit", [](auto& r) { r.limitSwitches = CatheterHardLow; }, C::HardLimit, Medium, std::nullopt, false},
@@ -103,6 +107,45 @@ const std::vector<Case>& cases()
         {"watchdog", [](auto& r) { r.watchdogTrouble = QStringLiteral("ended"); }, C::WatchdogGone, Medium, Low, false},
     };
     return all;
+}
+
+/// The cells of each row of the table in docs/ALARMS.md, by the name in the first.
+QMap<QString, QStringList> documentedAlarms()
+{
+    QFile file(QStringLiteral(LIENA_SOURCE_DIR "/docs/ALARMS.md"));
+    QMap<QString, QStringList> rows;
+    if (!file.open(QIODevice::ReadOnly))
+        return rows;
+    constexpr int cells = 6;
+    for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+        auto row = line.split(QLatin1Char('|'));
+        if (row.size() != cells + 2)
+            continue;
+        row = row.mid(1, cells);
+        std::transform(row.begin(), row.end(), row.begin(), [](const QString& cell) { return cell.trimmed(); });
+        rows.insert(row.front(), row.mid(1));
+    }
+    return rows;
+}
+
+QString priorityWord(std::optional<AlarmPriority> priority)
+{
+    if (!priority)
+        return QStringLiteral("none");
+    return *priority == AlarmPriority::High     ? QStringLiteral("high")
+           : *priority == AlarmPriority::Medium ? QStringLiteral("medium")
+                                                : QStringLiteral("low");
+}
+
+/// Of IEC 60601-1-8, table 1: by what happens when nobody answers, and how soon.
+QString priorityOf(const QString& harm, const QString& onset)
+{
+    static const QStringList onsets{QStringLiteral("immediate"), QStringLiteral("prompt"), QStringLiteral("delayed")};
+    static const QMap<QString, QStringList> table{
+        {QStringLiteral("irreversible"), {QStringLiteral("high"), QStringLiteral("high"), QStringLiteral("medium")}},
+        {QStringLiteral("reversible"), {QStringLiteral("high"), QStringLiteral("medium"), QStringLiteral("low")}},
+        {QStringLiteral("minor"), {QStringLiteral("medium"), QStringLiteral("low"), QStringLiteral("low")}}};
+    return table.value(harm).value(onsets.indexOf(onset));
 }
 
 AlarmReport report(AlarmCondition condition, AlarmPriority priority, bool latching)
@@ -149,6 +192,35 @@ private Q_SLOTS:
         const auto* second = at(GuidewireSoftHigh | CatheterSoftLow);
         QCOMPARE(second->condition, condition);
         QVERIFY(!second->acknowledged);
+    }
+
+    void eachIsDocumentedAsItIs()
+    {
+        auto documented = documentedAlarms();
+        for (const auto& one : cases()) {
+            const auto row = documented.take(QString::fromLatin1(one.name));
+            QVERIFY2(row.size() == 5, one.name);
+            const QStringList expected{priorityWord(one.armed), priorityWord(one.otherwise),
+                                       one.latching ? QStringLiteral("yes") : QStringLiteral("no")};
+            QCOMPARE(row.mid(0, 3), expected);
+            QVERIFY2(priorityOf(row[3], row[4]) == row[0], one.name); // and it has the priority that it was reckoned to have
+        }
+        QStringList left = documented.keys();
+        left.removeAll(QStringLiteral("condition"));
+        left.removeIf([](const QString& name) { return name.startsWith(QLatin1String("---")); });
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(','))));
+    }
+
+    void aDriveIsToldOfWhateverTheRobotStoppedForBefore()
+    {
+        for (const quint16 code : std::initializer_list<quint16>{0, 1, 4, 5}) {
+            auto readings = calm();
+            readings.faultCode = code;
+            readings.drivesHealthy = false;
+            const auto present = presentAlarms(readings);
+            QVERIFY(std::any_of(present.begin(), present.end(),
+                                [](const AlarmReport& one) { return one.condition == AlarmCondition::DriveFault; }));
+        }
     }
 
     void fluoroscopySignalsWithEveryFiveMinutesAndNotBefore_data()

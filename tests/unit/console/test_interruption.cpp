@@ -31,6 +31,7 @@ SystemSnapshot known(Instant at)
     snapshot.drives->enabled = {true, true, true, true};
     snapshot.xray = AcquisitionStatus{};
     snapshot.xray->fluoroscopyTime = 100;
+    snapshot.xray->geometry.sourceDetectorDistance = 1100;
     snapshot.xray->framesAcquired = 1500;
     snapshot.xrayAt = at;
     snapshot.picturesReceived = 1490;
@@ -94,6 +95,24 @@ const std::vector<Change>& changes()
          "1 taken, all came"},
         {"robot silent now", [](auto& s) { s.robot.reset(); }, "Force", "unknown: no report of the robot now"},
         {"X-ray system silent now", [](auto& s) { s.xray.reset(); }, "Pictures", "unknown: no report of the X-ray system now"},
+        {"stands as it did", [](auto&) {}, "C-arm and table", "where they were"},
+        {"C-arm turned", [](auto& s) { s.xray->geometry.primaryAngle = -30; }, "C-arm and table",
+         "LAO/RAO at 0.0\u00B0 before, -30.0\u00B0 now"},
+        {"C-arm tilted and drawn back",
+         [](auto& s) {
+             s.xray->geometry.secondaryAngle = 12.5;
+             s.xray->geometry.sourceDetectorDistance = 1200;
+         },
+         "C-arm and table", "CRA/CAU at 0.0\u00B0 before, 12.5\u00B0 now; detector at 1100.0 mm before, 1200.0 mm now"},
+        {"distance not told any more", [](auto& s) { s.xray->geometry.sourceDetectorDistance = 0; }, "C-arm and table",
+         "detector: distance unknown now"},
+        {"a full turn is none", [](auto& s) { s.xray->geometry.primaryAngle = 360; }, "C-arm and table", "where they were"},
+        {"table moved",
+         [](auto& s) {
+             s.xray->geometry.table = {3, 0, -4};
+         },
+         "C-arm and table", "table moved 5.0 mm"},
+        {"C-arm not told", [](auto& s) { s.xray.reset(); }, "C-arm and table", "unknown: no report of the X-ray system now"},
         {"nothing done", [](auto&) {}, "Patient side", "nothing that the robot's reports tell of"},
         {"robot's state", [](auto& s) { s.robot->state = RobotState::Ready; }, "Patient side", "robot: engaged before, ready now"},
         {"drives off", [](auto& s) { s.drives->enabled = {}; }, "Patient side", "drives enabled: 4 of 4 before, 0 now"},
@@ -155,7 +174,7 @@ private Q_SLOTS:
     {
         Interrupted interrupted(SystemSnapshot{});
         interrupted.end({});
-        for (const char* name : {"Tip", "Force", "Contrast", "X-ray time", "Pictures", "Patient side"}) {
+        for (const char* name : {"Tip", "Force", "Contrast", "X-ray time", "Pictures", "C-arm and table", "Patient side"}) {
             QVERIFY2(interrupted.text(name).startsWith(QStringLiteral("unknown")), name);
             QVERIFY(interrupted.line(name).changed);
         }
@@ -244,7 +263,7 @@ private Q_SLOTS:
         }
         QCOMPARE(one.account.losses(), 1001);
         QVERIFY(one.account.lost().size() <= 8);
-        QCOMPARE(accountLines(one.account).size(), std::size_t(7));
+        QCOMPARE(accountLines(one.account).size(), std::size_t(8));
     }
 };
 

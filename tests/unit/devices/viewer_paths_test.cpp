@@ -64,6 +64,8 @@ private slots:
         QCOMPARE(paths.read({status}, {}).at(0).bulkRate, std::optional(4e6));
         status.bulkStreams = {{runs, 10e6}}; // pictures will share the path with them
         QCOMPARE(paths.read({status}, {}).at(0).bulkRate, std::optional(5e6));
+        status.bulkStreams = {{runs, 6e6}, {frames, std::nullopt}}; // that others' way is known says nothing of the pictures'
+        QVERIFY(!paths.read({status}, {}).at(0).bulkRate);
         status.bulkRate.reset();
         status.bulkStreams.clear();
         QVERIFY(!paths.read({status}, {}).at(0).bulkRate);

@@ -21,6 +21,14 @@ struct Thread {
             attention.judge(now);
     }
 
+    /// Whether it is awake then.
+    bool ask(std::chrono::nanoseconds after)
+    {
+        attention.asked();
+        step(after, 0);
+        return attention.isAwake();
+    }
+
     void dialogue(int answers, std::chrono::nanoseconds every)
     {
         for (int i = 0; i < answers; ++i)
@@ -71,6 +79,69 @@ private slots:
         for (int i = 0; i < 10000; ++i) {
             thread.step(std::chrono::microseconds(microseconds), messages);
             QVERIFY(!thread.attention.isAwake());
+        }
+    }
+
+    void whoseQuestionsAreAnsweredAtOnceIsAwakeUntilTheAnswer()
+    {
+        Thread thread;
+        for (int i = 0; i < Attention::enough; ++i) {
+            QVERIFY(!thread.ask(1ms));
+            thread.step(70us, 1);
+            QVERIFY(!thread.attention.isAwake());
+        }
+        for (int i = 0; i < 1000; ++i) {
+            QVERIFY(thread.ask(1ms));
+            thread.step(20us, 0);
+            QVERIFY(thread.attention.isAwake());
+            thread.step(40us, 1);
+            QVERIFY(!thread.attention.isAwake()); // until it asks again
+        }
+    }
+
+    void anAnswerThatIsLateIsSleptThroughAndAFewInTimeMakeUpForIt()
+    {
+        Thread thread;
+        for (int i = 0; i < Attention::enough; ++i) {
+            QVERIFY(!thread.ask(1ms));
+            thread.step(70us, 1);
+        }
+        QVERIFY(thread.ask(1ms));
+        thread.step(Attention::close, 0);
+        QVERIFY(thread.attention.isAwake());
+        thread.step(1us, 0);
+        QVERIFY(!thread.attention.isAwake());
+        QVERIFY(!thread.attention.isConcerned());
+        for (int i = 0; i < Attention::enough / 2; ++i) {
+            QVERIFY(!thread.ask(1ms));
+            thread.step(70us, 1);
+        }
+        QVERIFY(thread.ask(1ms));
+    }
+
+    void whoIsNotAnsweredAtOnceOrAnswersIsNotAwake_data()
+    {
+        QTest::addColumn<int>("answerAfter"); // microseconds
+        QTest::addColumn<int>("answersInSixteen");
+        QTest::newRow("no answers") << 0 << 0;
+        QTest::newRow("answers that take their time") << 151 << 16;
+        QTest::newRow("messages that come close by chance, every second time") << 70 << 8;
+    }
+
+    void whoIsNotAnsweredAtOnceOrAnswersIsNotAwake()
+    {
+        QFETCH(const int, answerAfter);
+        QFETCH(const int, answersInSixteen);
+        Thread thread;
+        for (int i = 0; i < 10000; ++i) {
+            QVERIFY(!thread.ask(1ms));
+            if (i % 16 * answersInSixteen % 16 < answersInSixteen)
+                thread.step(std::chrono::microseconds(answerAfter), 1);
+            QVERIFY(!thread.attention.isAwake());
+        }
+        for (int i = 0; i < 10000; ++i) { // and the other end: it hears and says in one step
+            thread.attention.heard();
+            QVERIFY(!thread.ask(1ms));
         }
     }
 

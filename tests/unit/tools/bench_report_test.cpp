@@ -124,6 +124,10 @@ private Q_SLOTS:
         QVERIFY(read.open(QIODevice::ReadOnly));
         QCOMPARE(read.readAll(), QByteArray("new"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+        QVERIFY(tryReport(file));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+        for (const auto& place : {folder.path().toStdString() + "/no/line.svg", folder.path().toStdString()})
+            QVERIFY(!tryReport(place));
         const auto nowhere = writeReport(folder.path().toStdString() + "/no/line.svg", "new");
         QVERIFY(!nowhere && nowhere.error().what.find("No such file") != std::string::npos);
     }

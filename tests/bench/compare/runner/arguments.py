@@ -30,6 +30,14 @@ def above_zero(number):
     return read
 
 
+def try_output(path):
+    """Raises OSError when the table could not be written there; leaves nothing behind."""
+    is_new = not path.exists()
+    path.open("a").close()
+    if is_new:
+        path.unlink()
+
+
 def parse(description, build_dir, given=None):
     parser = argparse.ArgumentParser(description=description)
     keys = [t.key for t in transports.TRANSPORTS]

@@ -45,6 +45,18 @@ class ArgumentsTest(unittest.TestCase):
             arguments.chosen_transports(None, [])
 
 
+    def test_a_table_that_could_not_be_written_is_known_before(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "table.md"
+            arguments.try_output(table)
+            self.assertFalse(table.exists())
+            table.write_text("of yesterday")
+            arguments.try_output(table)
+            self.assertEqual(table.read_text(), "of yesterday")
+            with self.assertRaises(OSError):
+                arguments.try_output(table / "below")
+
+
 class JournalTest(unittest.TestCase):
     def test_a_full_disk_is_told_once_and_stops_nothing(self):
         said = []
