@@ -102,6 +102,7 @@ private:
             for (LinkStatus& link : links) {
                 link.messagesSuperseded = 0; // a busy computer is another matter
                 link.bulkRate = rate >= 0 ? std::optional(rate) : std::nullopt;
+                link.bulkStreams.clear(); // whose way on this computer is not known
             }
             return links;
         };

@@ -5,12 +5,6 @@
 
 namespace liena::compare {
 
-namespace {
-
-double microseconds(std::uint64_t nanoseconds) { return static_cast<double>(nanoseconds) / 1000.0; }
-
-} // namespace
-
 ResultLine& ResultLine::add(std::string_view name, std::string_view text)
 {
     m_text += (m_text.empty() ? "\"" : ", \"") + std::string(name) + "\": \"" + std::string(text) + "\"";
@@ -21,16 +15,6 @@ ResultLine& ResultLine::add(std::string_view name, double value)
 {
     m_text += (m_text.empty() ? "\"" : ", \"") + std::string(name) + "\": " + std::to_string(value);
     return *this;
-}
-
-ResultLine& ResultLine::add(std::string_view name, const LatencyHistogram& latencies)
-{
-    const std::string prefix(name);
-    add(prefix + "_count", static_cast<double>(latencies.count()));
-    add(prefix + "_p50", microseconds(latencies.quantile(0.5)));
-    add(prefix + "_p99", microseconds(latencies.quantile(0.99)));
-    add(prefix + "_p999", microseconds(latencies.quantile(0.999)));
-    return add(prefix + "_max", microseconds(latencies.max()));
 }
 
 ResultLine& ResultLine::add(std::string_view name, const std::vector<double>& values)

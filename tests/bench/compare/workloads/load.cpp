@@ -121,7 +121,7 @@ public:
     }
 
 private:
-    void record(const Stamp& stamp, LatencyHistogram& latencies, Timeline& timeline) const
+    void record(const Stamp& stamp, LatencySamples& latencies, Timeline& timeline) const
     {
         const auto latency = nowNs() - stamp.sentNs;
         latencies.record(latency);
@@ -142,8 +142,8 @@ private:
         line.print();
     }
 
-    LatencyHistogram m_commands;
-    LatencyHistogram m_frames;
+    LatencySamples m_commands;
+    LatencySamples m_frames;
     Timeline m_commandTimes;
     Timeline m_frameTimes;
     bool m_tellsAll;
