@@ -117,8 +117,8 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.limitSwitches = robot.value.limitSwitches;
     all.faultCode = robot.value.faultCode;
     const auto& drives = m_models.instrument.drives();
-    // After a re-opening the old report stands for a moment: that is no fault.
-    all.drivesKnown = drives.known() && (all.armed || drives.freshness(now, InstrumentState::driveLimit) == Freshness::Fresh);
+    all.drivesKnown =
+        drives.known() && !awaitsDrives(now) && (all.armed || drives.freshness(now, InstrumentState::driveLimit) == Freshness::Fresh);
     all.drivesHealthy = m_models.instrument.drivesHealthy(now);
     all.driveOff = isArmed(phase) && drives.known() && *drives.received > m_armedAt + enabling && !drives.value.allEnabled();
     all.armFault = m_models.arm.fresh(now) && m_models.arm.status().value.phase == ArmPhase::Fault;
@@ -130,6 +130,14 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.soundTrouble = m_soundTrouble;
     all.watchdogTrouble = m_watchdogTrouble;
     return all;
+}
+
+/// After a re-opening the old report stands for a moment: that is no fault.
+bool AlarmWatch::awaitsDrives(Instant now) const
+{
+    const auto* link = m_robot ? m_models.sessions.linkTo(*m_robot) : nullptr;
+    const auto& drives = m_models.instrument.drives();
+    return link != nullptr && drives.known() && *drives.received < link->since && now - link->since <= InstrumentState::driveLimit;
 }
 
 void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const

@@ -37,6 +37,7 @@ private:
     bool robotHoldsSince(Instant stop) const;
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
     AlarmReadings readings(Instant now) const;
+    bool awaitsDrives(Instant now) const;
     void readInstruments(AlarmReadings& all, Instant now) const;
     void noteLines(Instant now);
     void noteDelivered(quint64 delivered, Instant now);

@@ -335,6 +335,29 @@ private Q_SLOTS:
         QVERIFY(!w.priorityOf(C::HoldNotConfirmed));
     }
 
+    void theDrivesReportFromBeforeALossIsNoFaultUntilANewOneIsOverdue()
+    {
+        Watched w;
+        w.cockpit.arm();
+        w.now = std::chrono::steady_clock::now();
+        w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.now);
+        PermitEvent loss;
+        loss.kind = PermitEventKind::SystemStandsBy;
+        w.models().permit.apply(loss, w.now);
+        w.now += 3s;
+        w.models().sessions.setLinkState(robotId, LinkState::Open, w.now);
+        auto held = w.robot();
+        held.holdConfirmed = true;
+        w.now += 500ms;
+        w.receive(held);
+        QVERIFY(!w.priorityOf(C::DriveFault));
+        w.now += 501ms;
+        w.receive(held);
+        QCOMPARE(w.priorityOf(C::DriveFault), AlarmPriority::High);
+        w.models().instrument.receiveDrives(w.models().instrument.drives().value, w.now);
+        QVERIFY(!w.priorityOf(C::DriveFault));
+    }
+
     void aDriveThatIsOffWhileArmedIsUrgent()
     {
         Watched w;
