@@ -44,7 +44,6 @@ class ArgumentsTest(unittest.TestCase):
         with self.assertRaisesRegex(LookupError, "no program is built"):
             arguments.chosen_transports(None, [])
 
-
     def test_a_table_that_could_not_be_written_is_known_before(self):
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "table.md"
