@@ -89,7 +89,7 @@ void addSystemOptions(CLI::App& role, Options& options)
         "Microseconds that the network thread looks for work before it sleeps; costs a processor; default 0");
     role.add_flag_callback(
         "--sleep-in-dialogues", [&settings] { settings.realTime.attention = false; },
-        "Let the network thread sleep also while messages follow each other at once; saves a processor's time then");
+        "Let the network thread sleep also while messages follow each other, or answer its own, at once; saves a processor's time then");
     const auto addMark = [&role](const char* name, std::uint8_t& mark, const std::string& what) {
         role.add_option_function<int>(
                 name, [&mark](int dscp) { mark = static_cast<std::uint8_t>(dscp); },
