@@ -42,6 +42,7 @@ public:
             m_sent += offered;
             longestWait = std::max(longestWait, waiting());
             late += waiting() > tooLong ? step : Nanoseconds::zero();
+            veryLate += waiting() > muchTooLong ? step : Nanoseconds::zero();
             if (busy)
                 observe();
         }
@@ -81,7 +82,7 @@ public:
 
     void forget()
     {
-        longestWait = late = Nanoseconds::zero();
+        longestWait = late = veryLate = Nanoseconds::zero();
         m_sent = 0;
     }
     Nanoseconds carrying(double bytes) const
@@ -101,8 +102,10 @@ public:
     Nanoseconds mostUnrest{};  ///< so much later may acknowledgements come, whatever is sent
     unsigned lateTogether = 1; ///< so many of them by the same
     Nanoseconds tooLong = 2ms;
+    Nanoseconds muchTooLong = 10ms;
     Nanoseconds longestWait{};
-    Nanoseconds late{}; ///< time in which what entered had to wait too long
+    Nanoseconds late{};     ///< time in which what entered had to wait too long
+    Nanoseconds veryLate{}; ///< and much too long
 
 private:
     struct News {

@@ -15,28 +15,28 @@ constexpr auto shortestWindow = 2ms; // between decisions, however near the peer
 constexpr auto gentlePause = 20ms;   // between two steps near the ceiling
 constexpr auto longWay = 10ms;       // there and back: from here on round trips vary by milliseconds
 constexpr auto alwaysTolerated = 300us;
-constexpr auto usualUnrest = 500us;          // of a long path, before more of it is seen
-constexpr auto mostUnrest = 8ms;             // that is taken for one: what is longer is a queue
-constexpr auto unrestHalves = 10s;           // what was seen of it, when it is not seen again
-constexpr double clearlyBelow = 0.75;        // what passed without a queue a moment ago
-constexpr double provenLeft = 0.97;          // of that, a second later
-constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
-constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
-constexpr double margin = 0.93;              // of what was delivered while a queue stood
-constexpr double allThatIsSent = 0.95;       // nearly
-constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
-constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
-constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
-constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
-constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
-constexpr double quickest = 1.25;            // a step while nothing is known
-constexpr double gentle = 1.01;              // a step near the ceiling
-constexpr double nearCeiling = 0.9;          // gently from here
-constexpr double leastBoldest = 1.08;        // of the steps on a slow path, which must not be as bold as on others
-constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
-constexpr double inOnePiece = 2896;          // bytes: two packets, which the kernel sends and acknowledges together
-constexpr double noticing = 12;              // such pieces, until the smoothed round trip shows a queue
-constexpr double usual = 0.0002;             // seconds of what is delivered, in a round trip without a queue
+constexpr auto toleratedWhenCalm = 100us;
+constexpr auto mostUnrest = 8ms;       // that is taken for one: what is longer is a queue
+constexpr auto unrestHalves = 10s;     // what was seen of it, when it is not seen again
+constexpr double clearlyBelow = 0.75;  // what passed without a queue a moment ago
+constexpr double provenLeft = 0.97;    // of that, a second later
+constexpr double settling = 0.002;     // seconds in which the smoothed round trip forgets
+constexpr double used = 0.7;           // of the rate: less delivered proves nothing
+constexpr double margin = 0.93;        // of what was delivered while a queue stood
+constexpr double allThatIsSent = 0.95; // nearly
+constexpr double deepestFall = 0.125;  // at once: a moment in which a processor stood still proves no more
+constexpr double doubtful = 0.5;       // of the rate: whatever makes it fall further at once is to be seen twice
+constexpr double asBefore = 0.15;      // of the ceiling: a queue met so near it confirms it
+constexpr auto passed = 3500ms;        // before the confirmed ceiling of a slow or calm path is passed again, by waiting and gentle steps
+constexpr double refuted = 1.1;        // times a ceiling, without a queue: it is none
+constexpr double quickest = 1.25;      // a step while nothing is known
+constexpr double gentle = 1.01;        // a step near the ceiling
+constexpr double nearCeiling = 0.9;    // gently from here
+constexpr double leastBoldest = 1.08;  // of the steps on a slow path, which must not be as bold as on others
+constexpr double bolder = 1.5;         // each step beyond the ceiling, as long as no queue shows
+constexpr double inOnePiece = 2896;    // bytes: two packets, which the kernel sends and acknowledges together
+constexpr double noticing = 12;        // such pieces, until the smoothed round trip shows a queue
+constexpr double usual = 0.0002;       // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 constexpr std::size_t smallestSegment = 4096;
 constexpr std::size_t largestSegment = 16364; // and its header: one TLS record
@@ -112,9 +112,9 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     if (hasQueue(facts, now)) {
         const bool heard = facts.bytesAcknowledged > ended.acknowledged; // else the round trip is an old one
         if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
-            meetQueue(facts, carriesWhatIsSent(facts, now) ? m_rate : m_delivered, now);
+            meetQueue(facts, m_delivered, carriesWhatIsSent(facts, now), now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
-        grow(now);
+        grow(now, m_delivered);
     }
 }
 
@@ -139,10 +139,11 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     if (bytes < leastBytes || !isEffective(facts))
         return;
     if (hasWaited(facts))
-        meetQueue(facts, mayBeUnrest(facts) ? m_rate : bytes / (seconds + secondsOf(m_waiting)), now);
+        meetQueue(facts, bytes / (seconds + secondsOf(m_waiting)), mayBeUnrest(facts), now);
     else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof) {
-        m_confirmed.reset(); // with pauses a step too far is over soon
-        grow(now);
+        if (!isCalm(facts))
+            m_confirmed.reset(); // with pauses a step too far is over soon
+        grow(now, bytes / (seconds + secondsOf(m_waiting)));
     }
     m_draining = false; // it had the pause for that
 }
@@ -190,9 +191,11 @@ PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) con
 {
     const double segments = 2 * static_cast<double>(segment()) / m_rate;
     const std::chrono::duration<double> own(std::min(segments, inOnePiece / m_rate + 0.0005));
-    return alwaysTolerated + std::chrono::duration_cast<Nanoseconds>(own) + std::min<Nanoseconds>(facts.leastRoundTrip / 16, usualUnrest) +
-           m_unrest;
+    return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
+           std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()) + m_unrest;
 }
+
+bool PathRate::isCalm(const transport::PathFacts& facts) const { return facts.leastRoundTrip >= longWay && m_calm.isCalm(); }
 
 bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
 {
@@ -226,23 +229,33 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
     return true;
 }
 
-void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, Instant now)
+void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
+    m_carried = std::clamp(delivered, least, most);
+    if (allCame && !isCalm(facts))
+        delivered = m_rate;
     if (isUnrest(facts, delivered, now))
         return;
+    if (allCame)
+        m_proven = std::max(m_proven, std::min(m_rate, m_carried));
     if (delivered < m_rate * allThatIsSent)
         m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
     m_doubted = !again && delivered < m_rate * doubtful && facts.leastRoundTrip < longWay;
     m_ceiling = std::clamp(delivered, least, most);
-    m_rate = std::clamp(std::min(m_rate, delivered) * margin, least, most);
+    if (mayBeUnrest(facts) && m_unrest == Nanoseconds::zero() && m_calm.isDue(now))
+        m_calm.begin();
+    else
+        m_calm.stop();
+    m_rate =
+        std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
     m_draining = true;
     m_step = gentle;
     m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
-    m_confirmed =
-        again && pauseBetweenSteps() > gentlePause ? std::optional(now + std::max<Nanoseconds>(passed - climb, 0s)) : std::nullopt;
+    const bool believed = again && (pauseBetweenSteps() > gentlePause || isCalm(facts));
+    m_confirmed = believed ? std::optional(now + std::max<Nanoseconds>(passed - climb, 0s)) : std::nullopt;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
     if (m_share)
         m_share->even(*this);
@@ -255,9 +268,15 @@ void PathRate::shift(double bytesPerSecond)
         m_ceiling = std::clamp(*m_ceiling + bytesPerSecond, least, most);
 }
 
-void PathRate::grow(Instant now)
+void PathRate::grow(Instant now, double delivered)
 {
-    m_proven = std::max(m_proven, m_rate);
+    m_proven = std::max(m_proven, std::min(m_rate, delivered));
+    if (m_calm.listens()) {
+        if (!m_calm.hear(m_waiting - timeOf(inOnePiece), now))
+            return;
+        if (m_calm.isCalm())
+            m_ceiling = m_carried;
+    }
     if (m_doubted)
         return growInDoubt(now);
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
@@ -291,10 +310,12 @@ void PathRate::growInDoubt(Instant now)
     }
 }
 
-PathRate::Nanoseconds PathRate::timeToNotice() const
+PathRate::Nanoseconds PathRate::timeOf(double bytes) const
 {
-    return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(noticing * inOnePiece / m_rate));
+    return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(bytes / m_rate));
 }
+
+PathRate::Nanoseconds PathRate::timeToNotice() const { return timeOf(noticing * inOnePiece); }
 
 /// A step too far must show before the next one.
 PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nanoseconds>(gentlePause, timeToNotice()); }

@@ -3,6 +3,7 @@
 
 #include "liena/device_id.hpp"
 #include "tasks/fair_share.hpp"
+#include "tasks/path_calm.hpp"
 #include "transport/path_facts.hpp"
 
 #include <algorithm>
@@ -20,7 +21,8 @@ namespace liena::tasks {
 /// near it, and bolder with each step beyond it, so that a path that heals is used within moments. On a slow path, where a step too far is
 /// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently. Round trips of a long
 /// path vary without any queue: what is late by a part of a round trip only, while all that was sent arrives, costs the rate little, and
-/// what goes on far below a rate that passed is held for the path's own.
+/// what goes on far below a rate that passed is held for the path's own. Where a long path turns out to be calm (PathCalm), commands are to
+/// wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only there, too.
 ///
 /// In the spirit of delay-based congestion control (LEDBAT, RFC 6817; TIMELY, SIGCOMM 2015), with the kernel's own congestion control
 /// below it: that one decides what the network bears at all.
@@ -126,18 +128,20 @@ private:
     static constexpr double drain = 0.25; ///< of the rate, while a queue drains
 
     void judgeBurst(const transport::PathFacts& facts, Instant now);
+    bool isCalm(const transport::PathFacts& facts) const;
     bool isEffective(const transport::PathFacts& facts) const;
     bool hasWaited(const transport::PathFacts& facts) const;
     bool hasQueue(const transport::PathFacts& facts, Instant now) const;
     double mayBeUnderWay(const transport::PathFacts& facts, Instant now) const;
     bool mayBeUnrest(const transport::PathFacts& facts) const;
     bool carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const;
+    Nanoseconds timeOf(double bytes) const;
     Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
-    void meetQueue(const transport::PathFacts& facts, double delivered, Instant now);
+    void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
-    void grow(Instant now);
+    void grow(Instant now, double delivered);
     void growInDoubt(Instant now);
 
     std::shared_ptr<FairShare> m_share;
@@ -152,13 +156,15 @@ private:
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};
-    std::optional<Instant> m_confirmed; ///< a slow path's ceiling, met twice: tried again from then on, and gently
+    std::optional<Instant> m_confirmed; ///< a slow or calm path's ceiling, met twice: tried again from then on, and gently
     std::optional<Window> m_window;
     Course m_course;
     Departures m_departures;
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
-    double m_proven = 0; ///< bytes per second that passed without a queue, of late
+    PathCalm m_calm;
+    double m_carried = 0; ///< bytes per second, by what was late when a queue was met last
+    double m_proven = 0;  ///< bytes per second that passed without a queue, of late
     Instant m_provenFaded{};
     std::optional<Burst> m_burst; ///< nothing was decided since it began
 };

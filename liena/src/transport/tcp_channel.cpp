@@ -17,7 +17,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace liena::transport {
@@ -49,6 +51,23 @@ void retransmitSoon(int socket)
     constexpr int rtoMinUs = 45;
     constexpr int soonest = 20'000;
     set(socket, IPPROTO_TCP, rtoMinUs, soonest);
+}
+
+/// What the kernel may be asked to hold of one connection, in bytes, where that is more than it would by itself; else nothing. It writes
+/// on when a third of its buffer is free, so that two thirds of it are what a long path carries in a round trip (tcp(7): tcp_wmem;
+/// socket(7): wmem_max, of which it takes the double).
+std::optional<int> largestSendBuffer()
+{
+    static const std::optional<int> largest = []() -> std::optional<int> {
+        int asked = 0;
+        int least = 0;
+        int usual = 0;
+        int byItself = 0;
+        std::ifstream("/proc/sys/net/core/wmem_max") >> asked;
+        std::ifstream("/proc/sys/net/ipv4/tcp_wmem") >> least >> usual >> byItself;
+        return asked > byItself / 2 ? std::optional(asked) : std::nullopt;
+    }();
+    return largest;
 }
 
 /// What was read is acknowledged now, and what comes next is not acknowledged by reading it (tcp(7), TCP_QUICKACK).
@@ -97,6 +116,8 @@ void TcpChannel::pace(double bytesPerSecond, std::size_t burst)
     if (m_closed)
         return;
     slow(bytesPerSecond);
+    if (const auto buffer = largestSendBuffer(); buffer && m_burst == 0)
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, *buffer); // of the path; what waits before it is limited here:
     // What is in the kernel can no longer give way to something newer, nor to a path that becomes narrow: 4 ms of it, within bounds.
     const auto unsent = std::clamp(static_cast<int>(std::min(bytesPerSecond / 250, 1e9)), static_cast<int>(2 * burst), mostBulkUnsent);
     set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, unsent);

@@ -128,6 +128,51 @@ private slots:
         QVERIFY2(longestWait < 12ms, millisecondsOf(longestWait, "ms").constData());
     }
 
+    void commandsHardlyWaitOnACalmLongPath_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("unrestUs");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int frames : {15, 30})
+                for (const int unrest : {0, 150})
+                    QTest::addRow("%.0f Mbit/s, %d frames/s, %d us", megabits, frames, unrest) << megabits * 125'000 << frames << unrest;
+    }
+
+    /// From the second second on: in 99 of 100 moments for no longer than a segment and half a millisecond, in 999 of 1000 for a whole one
+    /// more.
+    void commandsHardlyWaitOnACalmLongPath()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestUs);
+        Path path(capacity, 40ms);
+        path.mostUnrest = std::chrono::microseconds(unrestUs);
+        path.lateTogether = 20;
+        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
+        const double bytes = capacity * 0.0168;
+        auto slowest = 0us;
+        const auto frames = [&](int count) {
+            for (double before = path.sent(); count > 0; --count, before = path.sent()) {
+                auto taken = 0us;
+                for (; path.sent() < before + bytes && taken < 1s; taken += 250us)
+                    path.run(250us);
+                slowest = std::max(slowest, taken);
+                path.run(std::max(period - taken, 0us), false);
+            }
+        };
+        frames(framesPerSecond);
+        path.forget();
+        slowest = 0us;
+        const auto segment = path.carrying(static_cast<double>(path.rate.segment()));
+        path.tooLong = segment + 500us;
+        path.muchTooLong = segment + 1500us;
+        frames(20 * framesPerSecond);
+        const auto figures = millisecondsOf(path.late, "ms of 20 s, ") + millisecondsOf(path.veryLate, "ms very late");
+        QVERIFY2(path.late < 200ms && path.veryLate < 20ms, figures.constData());
+        QVERIFY2(slowest < 23ms, millisecondsOf(slowest, "ms, of at least 17").constData());
+    }
+
     void learnsFromFramesWhatALongAndSlowPathCarries_data()
     {
         QTest::addColumn<double>("capacity");

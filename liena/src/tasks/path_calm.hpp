@@ -1,0 +1,60 @@
+// How quiet a long path is by itself.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+
+namespace liena::tasks {
+
+/// Pure. Round trips of a long path vary without any queue, and nothing tells how much while bulk leaves as fast as the path carries it. So
+/// after a queue was met bulk leaves clearly slower for a few verdicts, and how late acknowledgements come then is the path's own. Where
+/// that is little the path is calm: a queue is told from it early, and what the path was seen to carry is believed.
+class PathCalm {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    static constexpr double slower = 0.85; ///< of the rate that met a queue, while it listens
+
+    bool isDue(Instant now) const { return now >= m_next; }
+    void begin()
+    {
+        m_left = verdicts;
+        m_latest = {};
+    }
+    void stop() { m_left = 0; }
+    bool listens() const { return m_left > 0; }
+
+    /// So late acknowledgements came this time. True: that was the last one needed.
+    bool hear(Nanoseconds late, Instant now)
+    {
+        m_latest = std::max(m_latest, late);
+        if (--m_left > 0)
+            return false;
+        const auto heard = std::max(m_latest * 5 / 4, least);
+        m_unrest = heard <= most ? heard : usual;
+        m_pause = isCalm() ? longest : std::min(m_pause * 2, longest);
+        m_next = now + m_pause;
+        return true;
+    }
+
+    /// By so much round trips vary, as far as it was heard.
+    Nanoseconds unrest() const { return m_unrest; }
+    bool isCalm() const { return m_unrest < usual; }
+
+private:
+    static constexpr int verdicts = 5;
+    static constexpr Nanoseconds usual = std::chrono::microseconds(500); ///< what is assumed of a path that was not heard
+    static constexpr Nanoseconds most = std::chrono::microseconds(350);  ///< of a calm one
+    static constexpr Nanoseconds least = std::chrono::microseconds(50);
+    static constexpr Nanoseconds longest = std::chrono::seconds(10);     ///< what was heard may have changed since
+    static constexpr Nanoseconds first = std::chrono::milliseconds(250); ///< what was heard may have been left of a queue
+
+    int m_left = 0;
+    Nanoseconds m_latest{};
+    Nanoseconds m_unrest = usual;
+    Nanoseconds m_pause = first; ///< before the last one
+    Instant m_next{};
+};
+
+} // namespace liena::tasks
