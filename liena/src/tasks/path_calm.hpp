@@ -25,17 +25,27 @@ public:
     void stop() { m_left = 0; }
     bool listens() const { return m_left > 0; }
 
-    /// So late acknowledgements came this time. True: that was the last one needed.
-    bool hear(Nanoseconds late, Instant now)
+    enum class Heard {
+        NotAll,
+        Calm,
+        Doubtful, ///< it may have been a queue that still stood: to be heard again, slower
+        Unquiet,
+    };
+
+    /// So late acknowledgements came this time.
+    Heard hear(Nanoseconds late, Instant now)
     {
         m_latest = std::max(m_latest, late);
         if (--m_left > 0)
-            return false;
+            return Heard::NotAll;
         const auto heard = std::max(m_latest * 5 / 4, least);
+        const bool isFirst = m_pause == first;
         m_unrest = heard <= most ? heard : usual;
         m_pause = isCalm() ? longest : std::min(m_pause * 2, longest);
         m_next = now + m_pause;
-        return true;
+        if (isCalm())
+            return Heard::Calm;
+        return isFirst ? Heard::Doubtful : Heard::Unquiet;
     }
 
     /// By so much round trips vary, as far as it was heard.

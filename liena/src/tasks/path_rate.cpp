@@ -271,12 +271,8 @@ void PathRate::shift(double bytesPerSecond)
 void PathRate::grow(Instant now, double delivered)
 {
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
-    if (m_calm.listens()) {
-        if (!m_calm.hear(m_waiting - timeOf(inOnePiece), now))
-            return;
-        if (m_calm.isCalm())
-            m_ceiling = m_carried;
-    }
+    if (m_calm.listens() && !listen(delivered, now))
+        return;
     if (m_doubted)
         return growInDoubt(now);
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
@@ -294,6 +290,27 @@ void PathRate::grow(Instant now, double delivered)
     if (m_rate > *m_ceiling && !m_confirmed)
         m_step = std::min(1 + (m_step - 1) * bolder, boldest);
     m_nextStep = m_step < boldest || pause > gentlePause ? now + pause : now;
+}
+
+/// True: that is over.
+bool PathRate::listen(double delivered, Instant now)
+{
+    switch (m_calm.hear(m_waiting - timeOf(inOnePiece), now)) {
+    case PathCalm::Heard::NotAll:
+        return false;
+    case PathCalm::Heard::Calm:
+        m_ceiling = m_carried;
+        return true;
+    case PathCalm::Heard::Doubtful:
+        m_carried = std::clamp(delivered, least, most);
+        m_rate = std::clamp(std::min(m_rate, delivered) * PathCalm::slower, least, most);
+        m_draining = true;
+        m_calm.begin();
+        return false;
+    case PathCalm::Heard::Unquiet:
+        return true;
+    }
+    return true;
 }
 
 /// A processor that stands still for some milliseconds looks like a path that carries a tenth. One that does shows its queue again within a

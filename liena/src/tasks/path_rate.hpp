@@ -142,6 +142,7 @@ private:
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
     void grow(Instant now, double delivered);
+    bool listen(double delivered, Instant now);
     void growInDoubt(Instant now);
 
     std::shared_ptr<FairShare> m_share;
