@@ -114,7 +114,7 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
         if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
             meetQueue(facts, m_delivered, carriesWhatIsSent(facts, now), now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
-        grow(now, m_delivered);
+        grow(facts, m_delivered, now);
     }
 }
 
@@ -143,7 +143,7 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof) {
         if (!isCalm(facts))
             m_confirmed.reset(); // with pauses a step too far is over soon
-        grow(now, bytes / (seconds + secondsOf(m_waiting)));
+        grow(facts, bytes / (seconds + secondsOf(m_waiting)), now);
     }
     m_draining = false; // it had the pause for that
 }
@@ -250,15 +250,21 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
         m_calm.stop();
     m_rate =
         std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
-    m_draining = true;
+    yield(facts);
     m_step = gentle;
     m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (pauseBetweenSteps() > gentlePause || isCalm(facts));
     m_confirmed = believed ? std::optional(now + std::max<Nanoseconds>(passed - climb, 0s)) : std::nullopt;
-    m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
     if (m_share)
         m_share->even(*this);
+}
+
+/// The rate is lower now: first what stands drains, and what was sent before says nothing of it.
+void PathRate::yield(const transport::PathFacts& facts)
+{
+    m_draining = true;
+    m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
 }
 
 void PathRate::shift(double bytesPerSecond)
@@ -268,10 +274,10 @@ void PathRate::shift(double bytesPerSecond)
         m_ceiling = std::clamp(*m_ceiling + bytesPerSecond, least, most);
 }
 
-void PathRate::grow(Instant now, double delivered)
+void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant now)
 {
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
-    if (m_calm.listens() && !listen(delivered, now))
+    if (m_calm.listens() && !listen(facts, delivered, now))
         return;
     if (m_doubted)
         return growInDoubt(now);
@@ -293,7 +299,7 @@ void PathRate::grow(Instant now, double delivered)
 }
 
 /// True: that is over.
-bool PathRate::listen(double delivered, Instant now)
+bool PathRate::listen(const transport::PathFacts& facts, double delivered, Instant now)
 {
     switch (m_calm.hear(m_waiting - timeOf(inOnePiece), now)) {
     case PathCalm::Heard::NotAll:
@@ -304,7 +310,7 @@ bool PathRate::listen(double delivered, Instant now)
     case PathCalm::Heard::Doubtful:
         m_carried = std::clamp(delivered, least, most);
         m_rate = std::clamp(std::min(m_rate, delivered) * PathCalm::slower, least, most);
-        m_draining = true;
+        yield(facts);
         m_calm.begin();
         return false;
     case PathCalm::Heard::Unquiet:

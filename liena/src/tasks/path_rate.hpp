@@ -141,8 +141,9 @@ private:
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
-    void grow(Instant now, double delivered);
-    bool listen(double delivered, Instant now);
+    void yield(const transport::PathFacts& facts);
+    void grow(const transport::PathFacts& facts, double delivered, Instant now);
+    bool listen(const transport::PathFacts& facts, double delivered, Instant now);
     void growInDoubt(Instant now);
 
     std::shared_ptr<FairShare> m_share;
