@@ -11,7 +11,7 @@ ReceptionTask::ReceptionTask(std::shared_ptr<transport::TcpChannel> channel, std
 {
     m_channel->setListener(this);
     if (m_lane == 0)
-        m_channel->answerFirst();
+        m_channel->expectPrompt();
 }
 
 ReceptionTask::~ReceptionTask() { close(); }

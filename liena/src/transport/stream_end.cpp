@@ -104,6 +104,12 @@ bool StreamEnd::secure(SSL_CTX* context, bool asServer)
     return true;
 }
 
+void StreamEnd::keepBuffers()
+{
+    if (m_tls)
+        SSL_clear_mode(m_tls.get(), SSL_MODE_RELEASE_BUFFERS);
+}
+
 StreamEnd::Step StreamEnd::shakeHands()
 {
     ERR_clear_error();

@@ -71,6 +71,10 @@ public:
     /// connection waits: from now on it is given no more than this at a time, and told to keep two writes apart. 0: as it likes.
     void limitBursts(std::size_t bytes);
 
+    /// TLS keeps its buffers, 17 KiB for each direction in use, while they are empty. Else it asks the heap for them with each record,
+    /// which becomes a connection that is used now and then.
+    void keepBuffers();
+
     /// What TLS calls to reach the socket.
     struct Wire {
         int descriptor;

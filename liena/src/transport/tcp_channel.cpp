@@ -99,10 +99,17 @@ void TcpChannel::tune(Traffic traffic, std::uint8_t dscp)
     mark(dscp);
     if (traffic == Traffic::Prompt) {
         retransmitSoon(m_descriptor);
+        m_end.keepBuffers();
         m_buffer = PromptBuffer::smallest;
         set(m_descriptor, SOL_SOCKET, SO_SNDBUF, m_buffer);
         set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, PromptBuffer::unsent);
     }
+}
+
+void TcpChannel::expectPrompt()
+{
+    m_expectsPrompt = true;
+    m_end.keepBuffers();
 }
 
 void TcpChannel::mark(std::uint8_t dscp)
@@ -306,7 +313,7 @@ void TcpChannel::settle(Way& way, const Step& done)
 
 void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
 {
-    if (m_answersFirst && &way == &m_reading)
+    if (m_expectsPrompt && &way == &m_reading)
         acknowledge(m_descriptor);
     if (&way == &m_writing && need == StreamEnd::Need::Writable) {
         m_waited = true;

@@ -89,9 +89,10 @@ public:
     /// Gives what leaves, acknowledgements too, this DSCP (RFC 2474).
     void mark(std::uint8_t dscp);
 
-    /// What arrives here may be answered elsewhere: it is acknowledged when reading goes on, after the answer has left. Else reading
-    /// sends the acknowledgement first, and the answer waits until that has gone through the network stack.
-    void answerFirst() { m_answersFirst = true; }
+    /// What arrives here are small messages that must not wait, and they may be answered elsewhere: they are acknowledged when reading goes
+    /// on, after the answer has left. Else reading sends the acknowledgement first, and the answer waits until that has gone through the
+    /// network stack.
+    void expectPrompt();
 
     /// Sends no faster than this, in bursts of at most so many bytes. Not while a write is in flight.
     void pace(double bytesPerSecond, std::size_t burst);
@@ -164,7 +165,7 @@ private:
     WorkerThreads* m_workers = nullptr;
     std::uint64_t m_mark = 0;
     Listener* m_listener = nullptr;
-    bool m_answersFirst = false;
+    bool m_expectsPrompt = false;
     bool m_stepInFlight = false; ///< on a worker
     bool m_closed = false;
 };

@@ -7,12 +7,15 @@
 
 #include <QTest>
 
+#include <openssl/crypto.h>
+
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
 #include <array>
+#include <cstdlib>
 
 using namespace liena;
 using namespace liena::test;
@@ -40,6 +43,27 @@ int unread(int descriptor)
 std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 std::string textOf(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+std::size_t buffers = 0; // that TLS asked the heap for; one thread
+
+/// For each record it asks for some forty bytes as well.
+void count(std::size_t size)
+{
+    constexpr std::size_t smallest = 1024;
+    buffers += size >= smallest ? 1 : 0;
+}
+
+/// Before TLS asks for anything.
+const bool counting = CRYPTO_set_mem_functions(
+                          [](std::size_t size, const char*, int) {
+                              count(size);
+                              return std::malloc(size);
+                          },
+                          [](void* memory, std::size_t size, const char*, int) {
+                              count(size);
+                              return std::realloc(memory, size);
+                          },
+                          [](void* memory, const char*, int) { std::free(memory); }) == 1;
 
 /// Both ends of one connection over loopback, after the handshake.
 struct Connection {
@@ -126,6 +150,26 @@ private Q_SLOTS:
             QVERIFY(!step.failure);
         }
         QCOMPARE(textOf(std::span(connection.buffer).first(step.bytes)), std::string("command"));
+    }
+
+    void commandsAskForNoBufferWhereTheyAreKept()
+    {
+        QVERIFY(counting);
+        Connection connection;
+        QVERIFY(connection.shakeHands());
+        connection.near->keepBuffers();
+        connection.far->keepBuffers();
+        const auto exchanged = [&] {
+            auto step = StreamEnd::Step{};
+            for (bool said = connection.say("command"); said && step.bytes == 0 && !step.failure; step = connection.read())
+                waitFor(connection.farSocket.number(), POLLIN, std::chrono::seconds(10));
+            return textOf(std::span(connection.buffer).first(step.bytes)) == "command";
+        };
+        QVERIFY(exchanged()); // tickets are read with the first
+        const auto before = buffers;
+        for (int i = 0; i < 10; ++i)
+            QVERIFY(exchanged());
+        QCOMPARE(buffers - before, std::size_t{0});
     }
 
     void whoWritesIntoARefusalHearsItsReason()
