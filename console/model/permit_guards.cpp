@@ -37,15 +37,21 @@ GuardLine clockLine(const GuardReadings& r)
                 Text::tr("Clocks compared"), missing);
 }
 
-QString pictureMissing(const GuardReadings& r)
+QString pictureMissing(const GuardReadings& r, const GuardLimits& limits)
 {
     const auto& picture = r.picture;
     if (picture.condition != PictureCondition::Live)
         return Text::tr("Picture: %1").arg(word(picture.condition));
     if (!picture.mayGuide)
         return Text::tr("Picture is a recording");
-    return Text::tr("Picture live for %1 s, %2 of %3 pictures a second")
-        .arg(number(seconds(picture.liveFor), 1), number(picture.shownPerSecond, 0), number(picture.expectedPerSecond, 0));
+    if (!picture.age)
+        return Text::tr("Picture's age is unknown");
+    if (const auto oldest = *picture.age + picture.uncertainty; oldest > r.pictureLimit)
+        return Text::tr("Picture may be %1 ms old, at most %2 ms")
+            .arg(number(milliseconds(oldest), 0), number(milliseconds(r.pictureLimit), 0));
+    if (!picture.atRate)
+        return Text::tr("Picture slow: %1 of %2 a second").arg(number(picture.shownPerSecond, 0), number(picture.expectedPerSecond, 0));
+    return Text::tr("Picture live for %1 of %2 s").arg(number(seconds(picture.liveFor), 1), number(seconds(limits.pictureRun), 1));
 }
 
 bool pictureTrusted(const GuardReadings& r)
@@ -57,7 +63,7 @@ bool pictureTrusted(const GuardReadings& r)
 GuardLine pictureLine(const GuardReadings& r, const GuardLimits& limits)
 {
     return line(Guard::PictureLive, pictureTrusted(r) && r.picture.liveFor >= limits.pictureRun, Text::tr("Picture is live"),
-                pictureMissing(r));
+                pictureMissing(r, limits));
 }
 
 /// A robot that stands still, has a permit to give and could be armed says so by its state Ready.

@@ -1383,8 +1383,16 @@
         <translation>图像是录制的</translation>
     </message>
     <message>
-        <source>Picture live for %1 s, %2 of %3 pictures a second</source>
-        <translation>图像实时已 %1 s，每秒 %2/%3 幅</translation>
+        <source>Picture may be %1 ms old, at most %2 ms</source>
+        <translation>图像时龄可能达 %1 ms，上限 %2 ms</translation>
+    </message>
+    <message>
+        <source>Picture slow: %1 of %2 a second</source>
+        <translation>图像过慢：每秒 %1/%2 幅</translation>
+    </message>
+    <message>
+        <source>Picture live for %1 of %2 s</source>
+        <translation>图像实时已 %1 s，需 %2 s</translation>
     </message>
     <message>
         <source>Picture is live</source>

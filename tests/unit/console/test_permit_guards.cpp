@@ -120,6 +120,7 @@ private Q_SLOTS:
     void acceptedForceMeetsItsGuard();
     void lateCommandsAreToldWithBothFigures();
     void fewPicturesEndMotion();
+    void saysWhatIsMissingOfThePicture();
     void failOneByOne_data();
     void failOneByOne();
 };
@@ -180,6 +181,24 @@ void TestPermitGuards::fewPicturesEndMotion()
     auto readings = good();
     readings.picture.keepsRate = false;
     QVERIFY(!checkKept(readings).test(std::size_t(Guard::PictureLive)));
+}
+
+void TestPermitGuards::saysWhatIsMissingOfThePicture()
+{
+    const auto said = [](const Change& change) {
+        auto readings = good();
+        change(readings);
+        return checkGuards(readings).at(std::size_t(Guard::PictureLive)).text;
+    };
+    QCOMPARE(said([](auto& r) { r.picture.age.reset(); }), QStringLiteral("Picture's age is unknown"));
+    QCOMPARE(said([](auto& r) { r.picture.age = 240ms, r.picture.uncertainty = 11ms; }),
+             QStringLiteral("Picture may be 251 ms old, at most 250 ms"));
+    QCOMPARE(said([](auto& r) {
+                 r.picture.liveFor = 0ms, r.picture.atRate = false;
+                 r.picture.shownPerSecond = 10, r.picture.expectedPerSecond = 15;
+             }),
+             QStringLiteral("Picture slow: 10 of 15 a second"));
+    QCOMPARE(said([](auto& r) { r.picture.liveFor = 400ms; }), QStringLiteral("Picture live for 0.4 of 1.0 s"));
 }
 
 void TestPermitGuards::failOneByOne_data()
