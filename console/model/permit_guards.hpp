@@ -67,6 +67,7 @@ struct GuardReadings {
     RobotState robotState = RobotState::Off;
     bool robotHoldConfirmed = false;
     quint32 robotPermit = 0;
+    quint32 ownPermit = 0;              ///< under which this console moves; 0: under none
     std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
     bool drivesHealthy = false;
     OperatorRole role = OperatorRole::Operator;

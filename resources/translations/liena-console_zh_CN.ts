@@ -1383,6 +1383,14 @@
         <translation>图像是录制的</translation>
     </message>
     <message>
+        <source>Another console has the robot: %1</source>
+        <translation>机器人由另一控制台占用：%1</translation>
+    </message>
+    <message>
+        <source>Picture&apos;s age is unknown</source>
+        <translation>图像时龄未知</translation>
+    </message>
+    <message>
         <source>Picture may be %1 ms old, at most %2 ms</source>
         <translation>图像时龄可能达 %1 ms，上限 %2 ms</translation>
     </message>
@@ -1392,7 +1400,7 @@
     </message>
     <message>
         <source>Picture live for %1 of %2 s</source>
-        <translation>图像实时已 %1 s，需 %2 s</translation>
+        <translation>图像实时已 %1/%2 s</translation>
     </message>
     <message>
         <source>Picture is live</source>

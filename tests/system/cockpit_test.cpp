@@ -283,6 +283,8 @@ private Q_SLOTS:
         const double position = theatre.robotStatus().guidewirePosition;
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().appliedCommands > applied + 150, qPrintable(theatre.story()), patience);
         QVERIFY2(!armed && theatre.robotStatus().guidewirePosition <= position, qPrintable(theatre.story()));
+        const auto conditions = theatre.models().permit.checklist();
+        QVERIFY(conditions.at(std::size_t(Guard::RobotHolds)).text.startsWith(QStringLiteral("Another console has the robot")));
         QObject::disconnect(watch);
         theatre.releaseAll();
 

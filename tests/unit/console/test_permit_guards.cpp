@@ -121,6 +121,7 @@ private Q_SLOTS:
     void lateCommandsAreToldWithBothFigures();
     void fewPicturesEndMotion();
     void saysWhatIsMissingOfThePicture();
+    void saysWhenAnotherConsoleHasTheRobot();
     void failOneByOne_data();
     void failOneByOne();
 };
@@ -199,6 +200,20 @@ void TestPermitGuards::saysWhatIsMissingOfThePicture()
              }),
              QStringLiteral("Picture slow: 10 of 15 a second"));
     QCOMPARE(said([](auto& r) { r.picture.liveFor = 400ms; }), QStringLiteral("Picture live for 0.4 of 1.0 s"));
+}
+
+/// Its permit is none that was ever given to this one.
+void TestPermitGuards::saysWhenAnotherConsoleHasTheRobot()
+{
+    auto readings = good();
+    readings.robotState = RobotState::Engaged;
+    const auto said = [&readings] { return checkGuards(readings).at(std::size_t(Guard::RobotHolds)).text; };
+    QVERIFY2(said().startsWith(QStringLiteral("Another console")), qPrintable(said()));
+    readings.ownPermit = readings.robotPermit;
+    QVERIFY2(said().startsWith(QStringLiteral("Robot reports")), qPrintable(said()));
+    readings.ownPermit = 0;
+    readings.spentPermit = readings.robotPermit; // it has not heard yet that we gave it back
+    QVERIFY2(said().startsWith(QStringLiteral("Robot reports")), qPrintable(said()));
 }
 
 void TestPermitGuards::failOneByOne_data()
