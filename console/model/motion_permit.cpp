@@ -160,6 +160,7 @@ void holdingArm(Move& move, const PermitEvent& event)
         state.awaitingRobot = true;
         state.since = move.now;
         state.permit = state.robotPermit;
+        state.asked = state.permit;
         move.actions.requestArm = true;
         move.actions.permit = state.permit;
         break;

@@ -73,6 +73,7 @@ struct PermitState {
     bool robotHolds = false;                ///< Hold: the robot reported so since Hold was entered
     quint32 robotPermit = 0;                ///< as last reported
     quint32 permit = 0;                     ///< Arming (awaiting), Armed, Engaged: the one we move under
+    quint32 asked = 0;                      ///< the one that was asked for last, however that ended; 0: none yet
     quint32 engagement = 0;                 ///< counts entries into Engaged
     std::optional<quint32> spentPermit;     ///< of the last armed period of this session
     std::optional<Instant> guardsTrueSince; ///< Verifying

@@ -67,7 +67,7 @@ struct GuardReadings {
     RobotState robotState = RobotState::Off;
     bool robotHoldConfirmed = false;
     quint32 robotPermit = 0;
-    quint32 ownPermit = 0;              ///< under which this console moves; 0: under none
+    quint32 askedPermit = 0;            ///< the last one that this console asked for; 0: none yet
     std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
     bool drivesHealthy = false;
     OperatorRole role = OperatorRole::Operator;

@@ -44,7 +44,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.robotState = status.state;
     r.robotHoldConfirmed = status.holdConfirmed;
     r.robotPermit = status.permit;
-    r.ownPermit = models.permit.state().permit;
+    r.askedPermit = models.permit.state().asked;
     r.spentPermit = models.permit.state().spentPermit;
     r.drivesHealthy = models.instrument.drivesHealthy(now);
     r.role = models.role;

@@ -139,7 +139,7 @@ GuardReadings InventedCockpit::goodReadings() const
     r.robotState = RobotState::Ready;
     r.robotHoldConfirmed = true;
     r.robotPermit = permitNumber;
-    r.ownPermit = models.permit.state().permit;
+    r.askedPermit = models.permit.state().asked;
     r.drivesHealthy = true;
     r.roundTrip = 8ms;
     r.usualRoundTrip = 8ms;

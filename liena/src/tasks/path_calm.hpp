@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 
 namespace liena::tasks {
 
@@ -16,7 +17,10 @@ public:
 
     static constexpr double slower = 0.85; ///< of the rate that met a queue, while it listens
 
+    /// What is known is old, or nothing is.
     bool isDue(Instant now) const { return now >= m_next; }
+
+    /// Bulk leaves slower from now on.
     void begin()
     {
         m_left = verdicts;
@@ -25,7 +29,7 @@ public:
     void stop() { m_left = 0; }
     bool listens() const { return m_left > 0; }
 
-    enum class Heard {
+    enum class Heard : std::uint8_t {
         NotAll,
         Calm,
         Doubtful, ///< it may have been a queue that still stood: to be heard again, slower
@@ -55,7 +59,7 @@ public:
 private:
     static constexpr int verdicts = 5;
     static constexpr Nanoseconds usual = std::chrono::microseconds(500); ///< what is assumed of a path that was not heard
-    static constexpr Nanoseconds most = std::chrono::microseconds(350);  ///< of a calm one
+    static constexpr Nanoseconds most = std::chrono::microseconds(350);  ///< of a calm one, a quarter of what was heard included
     static constexpr Nanoseconds least = std::chrono::microseconds(50);
     static constexpr Nanoseconds longest = std::chrono::seconds(10);     ///< what was heard may have changed since
     static constexpr Nanoseconds first = std::chrono::milliseconds(250); ///< what was heard may have been left of a queue
@@ -63,7 +67,7 @@ private:
     int m_left = 0;
     Nanoseconds m_latest{};
     Nanoseconds m_unrest = usual;
-    Nanoseconds m_pause = first; ///< before the last one
+    Nanoseconds m_pause = first; ///< until it is due again
     Instant m_next{};
 };
 

@@ -24,6 +24,8 @@ constexpr double settling = 0.002;           // seconds in which the smoothed ro
 constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
 constexpr double allThatIsSent = 0.95;       // nearly
+constexpr double mostThatIsSent = 0.85;      // by a path that may be long
+constexpr double leastProof = 0.002;         // seconds at the rate: shorter bursts do not show what the path carries
 constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
 constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
@@ -61,6 +63,7 @@ void PathRate::restart()
     m_window.reset();
     m_burst.reset();
     m_departures = {};
+    m_calm = {}; // it may go another way
     m_draining = false;
     m_effective = 0;
 }
@@ -112,8 +115,9 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     m_delivered = m_course.rate(ended, facts.bytesAcknowledged, now, timeToNotice());
     if (hasQueue(facts, now)) {
         const bool heard = facts.bytesAcknowledged > ended.acknowledged; // else the round trip is an old one
+        const bool allCame = carriesWhatIsSent(facts, now);
         if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
-            meetQueue(facts, m_delivered, carriesWhatIsSent(facts, now), now);
+            meetQueue(facts, allCame ? std::max(m_delivered, m_rate * mostThatIsSent) : m_delivered, allCame, now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
         grow(facts, m_delivered, now);
     }
@@ -133,18 +137,20 @@ double PathRate::Course::rate(const Window& ended, std::uint64_t acknowledged, I
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
 void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
 {
-    constexpr double leastBytes = 4096;  // fewer meet no queue of their own
-    constexpr double leastProof = 0.002; // seconds at the present rate: shorter bursts do not show that the path carries more
+    constexpr double leastBytes = 4096; // fewer meet no queue of their own
     const double bytes = static_cast<double>(facts.bytesSent - m_burst->bytesSent);
     const double seconds = std::max(secondsOf(m_burst->end.value_or(now) - m_burst->begin), bytes / m_rate);
     if (bytes < leastBytes || !isEffective(facts))
         return;
+    const bool proves = bytes > m_rate * leastProof;
+    const double carried = bytes / (seconds + secondsOf(m_waiting));
+    const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
     if (hasWaited(facts))
-        meetQueue(facts, bytes / (seconds + secondsOf(m_waiting)), mayBeUnrest(facts), now);
-    else if (bytes / seconds > m_rate * used && bytes > m_rate * leastProof) {
+        meetQueue(facts, tells ? carried : m_rate, mayBeUnrest(facts), now);
+    else if (bytes / seconds > m_rate * used && proves) {
         if (!isCalm(facts))
             m_confirmed.reset(); // with pauses a step too far is over soon
-        grow(facts, bytes / (seconds + secondsOf(m_waiting)), now);
+        grow(facts, carried, now);
     }
     m_draining = false; // it had the pause for that
 }
@@ -208,13 +214,12 @@ bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
 /// delivers less than the rate, and that says nothing of the path.
 bool PathRate::carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const
 {
-    constexpr double nearly = 0.85;
     if (!mayBeUnrest(facts))
         return false;
     const auto from = m_departures.until(m_course.since() - facts.leastRoundTrip);
     const auto to = m_departures.until(now - facts.leastRoundTrip);
     return from && to &&
-           m_delivered * secondsOf(now - m_course.since()) >= nearly * (static_cast<double>(*to) - static_cast<double>(*from));
+           m_delivered * secondsOf(now - m_course.since()) >= mostThatIsSent * (static_cast<double>(*to) - static_cast<double>(*from));
 }
 
 /// A path that carried more a moment ago, and carries what is sent now, has no queue of ours: its round trips vary by themselves, as those
@@ -232,6 +237,8 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
+    if (allCame)
+        delivered = std::max(delivered, m_rate * doubtful);
     m_carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts))
         delivered = m_rate;
@@ -272,6 +279,7 @@ void PathRate::yield(const transport::PathFacts& facts)
 void PathRate::shift(double bytesPerSecond)
 {
     m_rate = std::clamp(m_rate + bytesPerSecond, least, most);
+    m_carried = std::clamp(m_carried + bytesPerSecond, least, most);
     if (m_ceiling)
         m_ceiling = std::clamp(*m_ceiling + bytesPerSecond, least, most);
 }
@@ -300,9 +308,13 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant
     m_nextStep = m_step < boldest || pause > gentlePause ? now + pause : now;
 }
 
-/// True: that is over.
+/// True: that is over, or another lane has begun.
 bool PathRate::listen(const transport::PathFacts& facts, double delivered, Instant now)
 {
+    if (!mayBeUnrest(facts)) {
+        m_calm.stop();
+        return true;
+    }
     switch (m_calm.hear(m_waiting - timeOf(inOnePiece), now)) {
     case PathCalm::Heard::NotAll:
         return false;

@@ -65,7 +65,7 @@ std::optional<int> largestSendBuffer()
         int byItself = 0;
         std::ifstream("/proc/sys/net/core/wmem_max") >> asked;
         std::ifstream("/proc/sys/net/ipv4/tcp_wmem") >> least >> usual >> byItself;
-        return asked > byItself / 2 ? std::optional(asked) : std::nullopt;
+        return byItself > 0 && asked > byItself / 2 ? std::optional(asked) : std::nullopt;
     }();
     return largest;
 }
@@ -124,7 +124,7 @@ void TcpChannel::pace(double bytesPerSecond, std::size_t burst)
         return;
     slow(bytesPerSecond);
     if (const auto buffer = largestSendBuffer(); buffer && m_burst == 0)
-        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, *buffer); // of the path; what waits before it is limited here:
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, *buffer); // as long as the path; what waits in front of it is limited below
     // What is in the kernel can no longer give way to something newer, nor to a path that becomes narrow: 4 ms of it, within bounds.
     const auto unsent = std::clamp(static_cast<int>(std::min(bytesPerSecond / 250, 1e9)), static_cast<int>(2 * burst), mostBulkUnsent);
     set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, unsent);

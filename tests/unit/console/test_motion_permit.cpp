@@ -17,6 +17,7 @@ private Q_SLOTS:
     void asksForTheReportedPermitOnce();
     void staysUnarmedWhenTheRobotAnswersForAnotherPermit();
     void givesUpWhenTheRobotDoesNotAnswer();
+    void remembersWhatItAskedForHoweverThatEnded();
     void sendsNothingBeforeArmedAndZeroThere();
     void engagesOnlyOnAPressAfterARelease();
     void rezeroesOnEachEngage();
@@ -149,6 +150,22 @@ void TestMotionPermit::givesUpWhenTheRobotDoesNotAnswer()
     // The permit was never used, so it stays good.
     run.feed(robot(RobotState::Ready));
     QCOMPARE(run.state.phase, Phase::Standby);
+}
+
+/// The robot may still be on its way to arm for a request that was given up: that is this console's, and no other one's.
+void TestMotionPermit::remembersWhatItAskedForHoweverThatEnded()
+{
+    Run run;
+    run.hold();
+    QCOMPARE(run.state.asked, 0U);
+    run.wait(1500ms);
+    run.feed(Kind::Tick);
+    QCOMPARE(run.state.asked, permit);
+    run.feed(Kind::PanicHold);
+    QCOMPARE(run.state.permit, 0U);
+    QCOMPARE(run.state.asked, permit);
+    run.feed(Kind::SessionClosed);
+    QCOMPARE(run.state.asked, permit);
 }
 
 void TestMotionPermit::sendsNothingBeforeArmedAndZeroThere()

@@ -202,17 +202,17 @@ void TestPermitGuards::saysWhatIsMissingOfThePicture()
     QCOMPARE(said([](auto& r) { r.picture.liveFor = 400ms; }), QStringLiteral("Picture live for 0.4 of 1.0 s"));
 }
 
-/// Its permit is none that was ever given to this one.
+/// Its permit is none that this one asked for.
 void TestPermitGuards::saysWhenAnotherConsoleHasTheRobot()
 {
     auto readings = good();
     readings.robotState = RobotState::Engaged;
     const auto said = [&readings] { return checkGuards(readings).at(std::size_t(Guard::RobotHolds)).text; };
     QVERIFY2(said().startsWith(QStringLiteral("Another console")), qPrintable(said()));
-    readings.ownPermit = readings.robotPermit;
+    readings.askedPermit = readings.robotPermit; // even if it was given up since: the robot has not heard of that
     QVERIFY2(said().startsWith(QStringLiteral("Robot reports")), qPrintable(said()));
-    readings.ownPermit = 0;
-    readings.spentPermit = readings.robotPermit; // it has not heard yet that we gave it back
+    readings.askedPermit = 0;
+    readings.robotLink = LinkState::Suspect;
     QVERIFY2(said().startsWith(QStringLiteral("Robot reports")), qPrintable(said()));
 }
 

@@ -246,6 +246,35 @@ private slots:
         QVERIFY2(path.rate.rate() > 0.5 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
     }
 
+    void smallFramesOnAnUnquietLongPathDoNotCostItsRate_data()
+    {
+        QTest::addColumn<double>("bytes");
+        QTest::addColumn<int>("unrestMs");
+        for (const double bytes : {8e3, 20e3, 60e3})
+            for (const int unrest : {2, 4})
+                QTest::addRow("%.0f bytes, %d ms", bytes, unrest) << bytes << unrest;
+    }
+
+    /// They are over within less time than they may be late: how long they took says nothing of the path.
+    void smallFramesOnAnUnquietLongPathDoNotCostItsRate()
+    {
+        QFETCH(double, bytes);
+        QFETCH(int, unrestMs);
+        Path path(gigabit, 40ms);
+        path.mostUnrest = std::chrono::milliseconds(unrestMs);
+        path.lateTogether = 20;
+        double least = 1;
+        for (int i = 0; i < 300; ++i) {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < bytes && taken < 30ms; taken += 250us)
+                path.run(250us);
+            path.run(33'250us - taken, false);
+            least = std::min(least, path.rate.steady() / PathRate::first);
+        }
+        QVERIFY2(least > 0.3, qPrintable(QString::number(least)));
+    }
+
     /// What was learnt of the unrest does not hide a path that became narrow.
     void yieldsOnAnUnquietPathThatCollapsesToATenth()
     {
