@@ -72,7 +72,7 @@ public:
     void limitBursts(std::size_t bytes);
 
     /// TLS keeps its buffers, 17 KiB for each direction in use, while they are empty. Else it asks the heap for them with each record,
-    /// which becomes a connection that is used now and then.
+    /// which suits a connection that is used now and then.
     void keepBuffers();
 
     /// What TLS calls to reach the socket.
