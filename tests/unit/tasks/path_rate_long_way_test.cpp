@@ -1,0 +1,241 @@
+// The rate of bulk on a long path in virtual time, whose round trips vary by themselves.
+#include "tasks/path_rate.hpp"
+
+#include "support/virtual_path.hpp"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace liena::tasks;
+using namespace std::chrono_literals;
+using Nanoseconds = std::chrono::nanoseconds;
+using Path = liena::test::VirtualPath;
+
+namespace {
+
+constexpr double gigabit = 125e6; // bytes per second
+
+QByteArray millisecondsOf(Nanoseconds time, const char* what)
+{
+    return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
+}
+
+} // namespace
+
+class PathRateLongWayTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void takesNoUnrestOfALongPathForAQueue_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("unrestMs");
+        QTest::addColumn<unsigned>("together");
+        for (const auto& [megabits, unrest] : {std::pair(100.0, 2), std::pair(100.0, 4), std::pair(1000.0, 2)})
+            for (const int frames : {15, 30})
+                for (const unsigned together : {1U, 20U})
+                    QTest::addRow("%.0f Mbit/s, %d frames/s, %d ms, %u together", megabits, frames, unrest, together)
+                        << megabits * 125'000 << frames << unrest << together;
+    }
+
+    /// Frames of a quarter and of half of what the path carries, over 40 ms there and back.
+    void takesNoUnrestOfALongPathForAQueue()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestMs);
+        QFETCH(unsigned, together);
+        Path path(capacity, 40ms);
+        path.mostUnrest = std::chrono::milliseconds(unrestMs);
+        path.lateTogether = together;
+        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
+        const double bytes = capacity * 0.0168;
+        const auto frame = [&] {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < bytes && taken < 1s; taken += 1000us)
+                path.run(1ms);
+            path.run(std::max(period - taken, 0us), false);
+            return taken;
+        };
+        for (int i = 0; i < 5 * framesPerSecond; ++i)
+            frame();
+        auto all = 0us;
+        Nanoseconds longestWait{};
+        for (int i = 0; i < 10 * framesPerSecond; ++i) {
+            all += frame();
+            longestWait = std::max(longestWait, path.longestWait);
+        }
+        const auto mean = all / (10 * framesPerSecond);
+        QVERIFY2(mean <= 25ms, millisecondsOf(mean, "ms, of at least 17").constData());
+        QVERIFY2(longestWait < 12ms, millisecondsOf(longestWait, "ms").constData());
+    }
+
+    void commandsHardlyWaitOnACalmLongPath_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("unrestUs");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int frames : {15, 30})
+                for (const int unrest : {0, 150})
+                    QTest::addRow("%.0f Mbit/s, %d frames/s, %d us", megabits, frames, unrest) << megabits * 125'000 << frames << unrest;
+    }
+
+    /// From the second second on: in 99 of 100 moments for no longer than a segment and half a millisecond, in 999 of 1000 for a whole one
+    /// more.
+    void commandsHardlyWaitOnACalmLongPath()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestUs);
+        Path path(capacity, 40ms);
+        path.mostUnrest = std::chrono::microseconds(unrestUs);
+        path.lateTogether = 20;
+        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
+        const double bytes = capacity * 0.0168;
+        auto slowest = 0us;
+        const auto frames = [&](int count) {
+            for (double before = path.sent(); count > 0; --count, before = path.sent()) {
+                auto taken = 0us;
+                for (; path.sent() < before + bytes && taken < 1s; taken += 250us)
+                    path.run(250us);
+                slowest = std::max(slowest, taken);
+                path.run(std::max(period - taken, 0us), false);
+            }
+        };
+        frames(framesPerSecond);
+        path.forget();
+        slowest = 0us;
+        const auto segment = path.carrying(static_cast<double>(path.rate.segment()));
+        path.tooLong = segment + 500us;
+        path.muchTooLong = segment + 1500us;
+        frames(20 * framesPerSecond);
+        const auto figures = millisecondsOf(path.late, "ms of 20 s, ") + millisecondsOf(path.veryLate, "ms very late");
+        QVERIFY2(path.late < 200ms && path.veryLate < 20ms, figures.constData());
+        QVERIFY2(slowest < 23ms, millisecondsOf(slowest, "ms, of at least 17").constData());
+    }
+
+    void learnsFromFramesWhatALongAndSlowPathCarries_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("roundTripMs");
+        for (const double megabits : {20.0, 40.0, 60.0, 90.0})
+            for (const int roundTrip : {12, 20, 40})
+                QTest::addRow("%.0f Mbit/s, %d ms", megabits, roundTrip) << megabits * 125'000 << roundTrip;
+    }
+
+    /// Slower than a lane begins with, and quiet: what waits there is a queue of ours, however short.
+    void learnsFromFramesWhatALongAndSlowPathCarries()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, roundTripMs);
+        Path path(capacity, std::chrono::milliseconds(roundTripMs));
+        const double bytes = capacity / 15 * 0.4;
+        const auto frame = [&] {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < bytes && taken < 66'000us; taken += 1000us)
+                path.run(1ms);
+            path.run(std::max(66'000us - taken, 0us), false);
+        };
+        for (int i = 0; i < 150; ++i)
+            frame();
+        Nanoseconds longestWait{};
+        for (int i = 0; i < 150; ++i) {
+            frame();
+            longestWait = std::max(longestWait, path.longestWait);
+        }
+        const auto figures = millisecondsOf(longestWait, "ms, ") + QByteArray::number(path.rate.rate() / path.capacity) + " of the path";
+        QVERIFY2(path.rate.rate() < 1.25 * path.capacity && path.rate.rate() > 0.7 * path.capacity, figures.constData());
+        QVERIFY2(longestWait < 4ms, figures.constData());
+    }
+
+    void yieldsOnALongPathThatNarrowsStepByStep_data()
+    {
+        QTest::addColumn<int>("roundTripMs");
+        QTest::addColumn<int>("eachMs");
+        for (const int roundTrip : {12, 24, 40})
+            for (const int each : {300, 1000, 2000, 5000})
+                QTest::addRow("%d ms, a step each %d ms", roundTrip, each) << roundTrip << each;
+    }
+
+    /// In steps that each look like a little unrest.
+    void yieldsOnALongPathThatNarrowsStepByStep()
+    {
+        QFETCH(int, roundTripMs);
+        QFETCH(int, eachMs);
+        Path path(gigabit / 10, std::chrono::milliseconds(roundTripMs));
+        path.run(10s);
+        for (const double share : {0.8, 0.68, 0.55, 0.45}) {
+            path.capacity = gigabit / 10 * share;
+            path.run(std::chrono::milliseconds(eachMs));
+        }
+        path.forget();
+        path.tooLong = 4ms;
+        path.run(10s);
+        const auto figures = millisecondsOf(path.late, "ms of 10 s, ") + millisecondsOf(path.longestWait, "ms at the longest");
+        QVERIFY2(path.late < 500ms, figures.constData());
+    }
+
+    /// Each round trip carries twice as much as the one before, and what is under way is more than what the last one delivered.
+    void takesNoSlowStartOnALongPathForAQueue()
+    {
+        Path path(gigabit / 10, 40ms);
+        path.mostUnrest = 4ms;
+        path.lateTogether = 20;
+        path.startSlowly();
+        path.run(1s);
+        QVERIFY2(path.rate.rate() > 0.5 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
+    }
+
+    void smallFramesOnAnUnquietLongPathDoNotCostItsRate_data()
+    {
+        QTest::addColumn<double>("bytes");
+        QTest::addColumn<int>("unrestMs");
+        for (const double bytes : {8e3, 20e3, 60e3})
+            for (const int unrest : {2, 4})
+                QTest::addRow("%.0f bytes, %d ms", bytes, unrest) << bytes << unrest;
+    }
+
+    /// They are over within less time than they may be late: how long they took says nothing of the path.
+    void smallFramesOnAnUnquietLongPathDoNotCostItsRate()
+    {
+        QFETCH(double, bytes);
+        QFETCH(int, unrestMs);
+        Path path(gigabit, 40ms);
+        path.mostUnrest = std::chrono::milliseconds(unrestMs);
+        path.lateTogether = 20;
+        double least = 1;
+        for (int i = 0; i < 300; ++i) {
+            path.forget();
+            auto taken = 0us;
+            for (; path.sent() < bytes && taken < 30ms; taken += 250us)
+                path.run(250us);
+            path.run(33'250us - taken, false);
+            least = std::min(least, path.rate.steady() / PathRate::first);
+        }
+        QVERIFY2(least > 0.3, qPrintable(QString::number(least)));
+    }
+
+    /// What was learnt of the unrest does not hide a path that became narrow.
+    void yieldsOnAnUnquietPathThatCollapsesToATenth()
+    {
+        Path path(gigabit / 10, 40ms);
+        path.mostUnrest = 4ms;
+        path.lateTogether = 20;
+        path.run(10s);
+        path.capacity = gigabit / 100;
+        path.run(2s);
+        path.forget();
+        path.run(10s);
+        QVERIFY2(path.rate.rate() < 1.15 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
+        QVERIFY2(path.longestWait < 60ms, millisecondsOf(path.longestWait, "ms").constData());
+        QVERIFY2(path.sent() > 0.7 * path.capacity * 10, qPrintable(QString::number(path.sent() / path.capacity / 10)));
+    }
+};
+
+QTEST_GUILESS_MAIN(PathRateLongWayTest)
+#include "path_rate_long_way_test.moc"
