@@ -84,13 +84,12 @@ MeasurementPlan planOf(const LineProfile& profile, const BenchOptions& options)
     const std::chrono::seconds whole(options.seconds);
     const auto half = std::chrono::nanoseconds(whole) / 2;
     const ProbeStream paced{profile.commandsPerSecond, 0, options.commandBytes};
-    const ProbeStream packets{std::min(profile.commandsPerSecond, 100.0), 0, options.commandBytes};
     constexpr std::uint32_t many = 256;
     constexpr std::uint32_t fewImages = 3;
-    return {{phases::paced, whole, paced, packets, {}},
+    return {{phases::paced, whole, paced, paced, {}},
             {phases::backToBack, half, {0, 1, options.commandBytes}, {}, {}},
             {phases::messages, half, {0, many, options.commandBytes}, {}, {}},
-            {phases::besideImages, whole, paced, packets, {profile.framesPerSecond, 0, profile.imageBytes}},
+            {phases::besideImages, whole, paced, paced, {profile.framesPerSecond, 0, profile.imageBytes}},
             {phases::images, half, {}, {}, {0, fewImages, profile.imageBytes}}};
 }
 
@@ -185,11 +184,11 @@ int bench(BenchOptions& options)
     const BenchSubject subject{subjects.value().topology.name(), subjects.value().from.name, subjects.value().to.name, wayOf(options)};
     const auto report = options.json ? benchJson(subject, profile.value(), verdict, measurement) + "\n"
                                      : benchText(subject, profile.value(), verdict, measurement);
+    const auto drawn = options.svg.empty() ? ok() : writeReport(options.svg, latencyPlot(subject, profile.value(), verdict, measurement));
     if (const auto printed = printReport(report); !printed)
         return refuse("bench", printed.error().what);
-    if (!options.svg.empty())
-        if (const auto drawn = writeReport(options.svg, latencyPlot(subject, profile.value(), verdict, measurement)); !drawn)
-            return refuse("bench", drawn.error().what);
+    if (!drawn)
+        return refuse("bench", drawn.error().what);
     return verdict.verdict == Verdict::Go ? 0 : verdict.verdict == Verdict::Caution ? caution : noGo;
 }
 

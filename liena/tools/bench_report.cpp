@@ -55,12 +55,28 @@ std::string verdictLine(const JudgedFigure& judged)
     return line;
 }
 
+std::optional<double> mostCommands(const Measurement& measurement)
+{
+    const auto* phase = phaseOf(measurement, phases::messages);
+    if (phase == nullptr || phase->prompt.spent.count() <= 0)
+        return std::nullopt;
+    return static_cast<double>(phase->prompt.echoed) / std::chrono::duration<double>(phase->prompt.spent).count();
+}
+
+std::string throughputJson(const Measurement& measurement)
+{
+    std::string why;
+    const auto images = valueOf(Figure::ImageRate, measurement, why);
+    JsonLine json;
+    json.add("commands_per_second", mostCommands(measurement).value_or(std::nan("")));
+    return json.add("images_mb_per_second", images.value_or(std::nan(""))).text();
+}
+
 std::string throughputLines(const Measurement& measurement)
 {
     std::string text;
-    if (const auto* phase = phaseOf(measurement, phases::messages); phase != nullptr && phase->prompt.spent.count() > 0)
-        text += fmt::format("  {:<26}{:.0f} a second, there and back\n", "commands at most",
-                            static_cast<double>(phase->prompt.echoed) / std::chrono::duration<double>(phase->prompt.spent).count());
+    if (const auto most = mostCommands(measurement))
+        text += fmt::format("  {:<26}{:.0f} a second, there and back\n", "commands at most", *most);
     std::string why;
     if (const auto rate = valueOf(Figure::ImageRate, measurement, why))
         text += fmt::format("  {:<26}{:.1f} MB/s\n", "images at most", *rate);
@@ -124,7 +140,7 @@ std::string benchJson(const BenchSubject& subject, const LineProfile& profile, c
     JsonLine json;
     json.add("verdict", wordOf(verdict.verdict)).add("topology", subject.topology).add("from", subject.from).add("to", subject.to);
     json.add("way", subject.way).add("profile", profile.name).put("figures", "[" + figures + "]");
-    return json.put("measurement", toJson(measurement)).text();
+    return json.put("throughput", throughputJson(measurement)).put("measurement", toJson(measurement)).text();
 }
 
 } // namespace liena::tools

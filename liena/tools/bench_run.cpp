@@ -111,7 +111,8 @@ Result<void> open(DistributedSystem& system, const TopologyDevice& peer, BenchWa
         if (outcome == BenchWatch::Outcome::Told)
             return fail(Errc::Stopped, "stopped before a session was open");
         if (outcome == BenchWatch::Outcome::TimedOut && Clock::now() >= deadline)
-            return fail(Errc::NetworkFailure, fmt::format("no session with {} within {} s", peer.name, limit.count()));
+            return fail(Errc::NetworkFailure, fmt::format("no session with {} within {} s. {}", peer.name, limit.count(),
+                                                          remedyFor(RejectReason::None, peer.name)));
         if (outcome == BenchWatch::Outcome::TimedOut)
             (void)system.openChannel(peer.id);
     }
@@ -291,7 +292,10 @@ Result<Measurement> measureLocally(const SystemTopology& topology, const Topolog
     const PassingFolder folder;
     if (folder.path().empty())
         return fail(Errc::FileUnwritable, fmt::format("no folder for the moment can be made: {}", std::strerror(errno)));
-    std::ofstream(folder.path() / "topology.xml") << pairOf(topology, from, to);
+    std::ofstream file(folder.path() / "topology.xml");
+    if (!(file << pairOf(topology, from, to) << std::flush))
+        return fail(Errc::FileUnwritable,
+                    fmt::format("cannot write {}: {}", (folder.path() / "topology.xml").string(), std::strerror(errno)));
     const auto authority = CertificateAuthority::create(folder.path() / "pki", "liena bench", std::chrono::hours(72));
     if (!authority)
         return authority.as_failure();

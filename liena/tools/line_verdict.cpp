@@ -22,44 +22,61 @@ std::optional<double> roundTrip(const ProbeFigures& figures, std::string& why)
     return milliseconds(figures.roundTrip.quantile(0.99));
 }
 
-/// Without a way by UDP nothing can be said of packets: a firewall is no loss.
-const ProbeFigures* packetsOf(const Measurement& measurement, std::string& why)
+struct PacketCount {
+    std::uint64_t sent = 0;
+    std::uint64_t echoed = 0;
+};
+
+PacketCount packetsOf(const Measurement& measurement)
 {
-    const auto* phase = phaseOf(measurement, phases::paced);
-    if (phase == nullptr || phase->packets.sent == 0) {
-        why = "packets were not measured";
-        return nullptr;
-    }
-    if (phase->packets.echoed == 0) {
-        why = "no packet came back: UDP does not pass (a firewall?), so commands travel by TCP alone";
-        return nullptr;
-    }
-    return &phase->packets;
+    PacketCount count;
+    for (const auto name : {phases::paced, phases::besideImages})
+        if (const auto* phase = phaseOf(measurement, name)) {
+            count.sent += phase->packets.sent;
+            count.echoed += phase->packets.echoed;
+        }
+    return count;
 }
 
+/// Without a way by UDP nothing can be said of packets: a firewall is no loss.
 std::optional<double> lossOf(const Measurement& measurement, std::string& why)
 {
-    const auto* packets = packetsOf(measurement, why);
-    if (packets == nullptr)
-        return std::nullopt;
-    return 100.0 * (1.0 - static_cast<double>(packets->echoed) / static_cast<double>(packets->sent));
+    const auto [sent, echoed] = packetsOf(measurement);
+    if (echoed > 0)
+        return 100.0 * (1.0 - static_cast<double>(echoed) / static_cast<double>(sent));
+    why = sent == 0 ? "packets were not measured" : "no packet came back: UDP does not pass (a firewall?), so commands travel by TCP alone";
+    return std::nullopt;
 }
 
-/// ITU-T Y.1541 calls it IPDV: the 99.9th percentile less the least; here of the way there and back.
+/// Rule of three (Hanley and Lippman-Hand, JAMA 249 (1983) 1743-1745): where none of n is lost, up to 3 in n may be, with 95 % confidence.
+std::string tooFewPackets(const Measurement& measurement, double limit)
+{
+    const auto sent = packetsOf(measurement).sent;
+    if (static_cast<double>(sent) * limit / 100 >= 3)
+        return {};
+    return fmt::format("{} packets are too few to tell {:g} % from none: measure for longer", sent, limit);
+}
+
+/// ITU-T Y.1541 calls it IPDV: the 99.9th percentile less the least; here of the way there and back, without images.
 std::optional<double> jitterOf(const Measurement& measurement, std::string& why)
 {
-    const auto* packets = packetsOf(measurement, why);
-    if (packets == nullptr)
+    const auto* phase = phaseOf(measurement, phases::paced);
+    if (phase == nullptr || phase->packets.echoed == 0) {
+        (void)lossOf(measurement, why);
         return std::nullopt;
-    return milliseconds(packets->roundTrip.quantile(0.999) - packets->roundTrip.least());
+    }
+    return milliseconds(phase->packets.roundTrip.quantile(0.999) - phase->packets.roundTrip.least());
 }
 
 std::optional<double> imageRateOf(const Measurement& measurement, std::string& why)
 {
     const auto* phase = phaseOf(measurement, phases::images);
     const auto* most = phase != nullptr ? &phase->images : nullptr;
+    if (most == nullptr && measurement.bulkRate)
+        return *measurement.bulkRate / 1e6;
     if (most == nullptr || most->limited) {
-        why = most == nullptr ? "was not measured, since that fills the line" : "the budget for measuring is less than the line may carry";
+        why = most == nullptr ? "was not measured, since that fills the line, and no images have shown it yet"
+                              : "the budget for measuring is less than the line may carry";
         return std::nullopt;
     }
     if (most->echoed == 0 || secondsOf(*most) <= 0) {
@@ -113,6 +130,8 @@ JudgedFigure judgeFigure(const FigureKind& kind, const Measurement& measurement,
     judged.value = valueOf(kind.figure, measurement, why);
     if (const auto limits = profile.limits.find(kind.figure); limits != profile.limits.end())
         judged.limits = limits->second;
+    if (kind.figure == Figure::Loss && judged.value == 0.0 && judged.limits)
+        why = tooFewPackets(measurement, judged.limits->go);
     judged.reason = why;
     if (!judged.limits)
         return judged;

@@ -44,6 +44,8 @@ std::optional<Measurement> measurementFrom(const JsonValue& json)
     measurement.inUse = json["in_use"].truth();
     measurement.limits.probesPerSecond = countOf<std::uint32_t>(json["limits"]["probes_per_second"]);
     measurement.limits.bulkBytesPerSecond = countOf<std::uint64_t>(json["limits"]["bulk_bytes_per_second"]);
+    if (const double rate = json["bulk_bytes_per_second"].numberOr(0); rate > 0)
+        measurement.bulkRate = rate;
     for (const auto& phase : json["phases"].items())
         measurement.phases.push_back(
             {phase["name"].text(), figuresFrom(phase["prompt"]), figuresFrom(phase["packets"]), figuresFrom(phase["images"])});

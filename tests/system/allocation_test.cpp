@@ -1,20 +1,26 @@
 // The control path makes no request to the C++ heap and takes no lock, and a picture that is kept is not copied: what is asked for is
 // counted while messages pass between two devices. What OpenSSL takes with malloc for its records is not counted.
+#include "protocol/datagram.hpp"
+#include "protocol/safety_record.hpp"
 #include "support/counting_new.hpp"
 #include "test_system.hpp"
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QTest>
 
 #include <dlfcn.h>
 #include <pthread.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <atomic>
+#include <latch>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -24,15 +30,20 @@ constexpr std::size_t pictureBytes = std::size_t{1} << 20U;
 
 thread_local bool isNetworkThread = false;
 thread_local bool watchesLocks = false;
+thread_local bool watchesHeap = false;
 std::atomic<bool> counting = false;
-std::atomic<std::uint64_t> allocations = 0;
+std::atomic<std::uint64_t> allocations = 0;        ///< by network threads, while it is counted
+std::atomic<std::uint64_t> allocationsHere = 0;    ///< by threads that watch their own
 std::atomic<std::uint64_t> pictureAllocations = 0; ///< of a picture's size, by any thread
 std::atomic<std::uint64_t> locks = 0;
+std::atomic<std::size_t> largestWrite = 0; ///< by network threads, while it is counted
 
 } // namespace
 
 void liena::test::heapAsked(std::size_t bytes)
 {
+    if (watchesHeap)
+        ++allocationsHere;
     if (!counting)
         return;
     if (isNetworkThread)
@@ -48,6 +59,15 @@ extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept
     if (watchesLocks)
         ++locks;
     return lock(mutex);
+}
+
+/// As above.
+extern "C" ssize_t send(int socket, const void* bytes, std::size_t size, int flags)
+{
+    static const auto send = reinterpret_cast<decltype(&::send)>(::dlsym(RTLD_NEXT, "send"));
+    if (isNetworkThread && counting)
+        largestWrite = std::max(largestWrite.load(), size);
+    return send(socket, bytes, size, flags);
 }
 
 using namespace liena;
@@ -96,6 +116,52 @@ Settings settingsOf(TestSystem& system, const std::string& name)
     return settings;
 }
 
+/// What network threads ask of the heap for messages, beside what they ask for heartbeats, reports and figures of the link.
+class CountedMessages {
+public:
+    CountedMessages(TestDevice& one, TestDevice& other) : m_one(one)
+    {
+        for (auto* device : {&one, &other})
+            (*device)->post([] { isNetworkThread = true; });
+    }
+
+    /// Without messages.
+    void hearTheQuiet()
+    {
+        constexpr std::uint64_t quietBeats = 40;
+        const auto from = beats();
+        allocations = 0;
+        counting = true;
+        QTRY_VERIFY_WITH_TIMEOUT(beats() >= from + quietBeats, 30000);
+        counting = false;
+        m_quiet = static_cast<double>(allocations.load()) / static_cast<double>(beats() - from);
+    }
+
+    void begin()
+    {
+        m_from = beats();
+        allocations = 0;
+        counting = true;
+    }
+
+    /// True when it was one for a hundred messages at most.
+    bool end(std::uint32_t messages)
+    {
+        counting = false;
+        const auto asked = static_cast<double>(allocations.load());
+        const auto expected = m_quiet * static_cast<double>(beats() + 1 - m_from);
+        qInfo("%.0f allocations beside %u messages, %.0f expected without them", asked, messages, expected);
+        return asked < 1.25 * expected + messages / 100.0;
+    }
+
+private:
+    std::uint64_t beats() const { return m_one->links().front().heartbeatsReceived; }
+
+    TestDevice& m_one;
+    double m_quiet = 0;
+    std::uint64_t m_from = 0;
+};
+
 } // namespace
 
 class AllocationTest : public QObject {
@@ -140,29 +206,88 @@ private slots:
         QVERIFY(deskDevice->openChannel(armId));
         QTRY_VERIFY(deskDevice.state(armId) == SessionState::Open && armDevice.state(deskId) == SessionState::Open);
         QTRY_VERIFY(deskDevice->links().front().packetsHeardByPeer > 0 && armDevice->links().front().packetsHeardByPeer > 0);
-        for (auto* device : {&armDevice, &deskDevice})
-            (*device)->post([] { isNetworkThread = true; });
-        // Heartbeats, reports and figures of the link share the threads and may ask for some: as much as without messages.
-        const auto beats = [&] { return deskDevice->links().front().heartbeatsReceived; };
-        constexpr std::uint64_t quietBeats = 40;
-        const auto quietFrom = beats();
-        counting = true;
-        QTRY_VERIFY_WITH_TIMEOUT(beats() >= quietFrom + quietBeats, 30000);
-        const double quiet = static_cast<double>(allocations.exchange(0)) / static_cast<double>(quietBeats);
-        counting = false;
-
+        CountedMessages count(deskDevice, armDevice);
+        count.hearTheQuiet();
         sending = true;
         QTRY_VERIFY_WITH_TIMEOUT(received >= before, 30000);
         const auto first = received.load();
-        const auto busyFrom = beats();
-        allocations = 0;
-        counting = true;
+        count.begin();
         QTRY_VERIFY_WITH_TIMEOUT(received >= first + counted, 60000);
+        QVERIFY(count.end(received - first));
+    }
+
+    /// From a thread of the application into the other application's cache, one after the other.
+    void otherThreadsSendAndDrainWithoutAskingForMemory()
+    {
+        constexpr std::uint32_t before = 200;
+        constexpr std::uint32_t counted = 1000;
+        constexpr std::uint64_t fewLocks = 4; // the set, the state, the outbox, and Asio's own to wake the network thread
+        TestSystem system({arm, desk}, {"arm desk"});
+        const auto armId = system.idOf("arm");
+        const auto deskId = system.idOf("desk");
+        TestDevice armDevice(settingsOf(system, "arm"));
+        TestDevice deskDevice(settingsOf(system, "desk"));
+        QVERIFY(deskDevice->openChannel(armId));
+        QTRY_VERIFY(deskDevice.state(armId) == SessionState::Open && armDevice.state(deskId) == SessionState::Open);
+        QTRY_VERIFY(deskDevice->links().front().packetsHeardByPeer > 0 && armDevice->links().front().packetsHeardByPeer > 0);
+        CountedMessages count(deskDevice, armDevice);
+        count.hearTheQuiet();
+        MessageCache::Drained drained;
+        drained.events.reserve(16);
+        locks = 0;
+        for (std::uint32_t number = 1; number <= before + counted; ++number) {
+            if (number == before + 1)
+                count.begin();
+            watchesHeap = watchesLocks = number > before;
+            auto made = deskDevice->command(armId, "Move");
+            const bool left = deskDevice->send(armId, std::move(made.value().set(std::size_t{0}, number))).has_value();
+            watchesLocks = false;
+            std::uint32_t heard = 0;
+            for (const QDeadlineTimer limit(10000); heard != number && !limit.hasExpired();) {
+                std::this_thread::yield();
+                armDevice->cache().drain(drained);
+                for (const auto& message : drained.messages)
+                    heard = message.get<std::uint32_t>(std::size_t{0});
+            }
+            watchesHeap = false;
+            QVERIFY(left);
+            QCOMPARE(heard, number);
+        }
+        QVERIFY(count.end(counted));
+        QCOMPARE(allocationsHere.load(), std::uint64_t{0});
+        QVERIFY2(locks <= fewLocks * counted, qPrintable(QString::number(locks)));
+    }
+
+    void aBurstLeavesInOneWrite()
+    {
+        constexpr std::uint32_t burst = 50;
+        TestSystem system({arm, desk}, {"arm desk"});
+        const auto armId = system.idOf("arm");
+        std::atomic<std::uint32_t> received = 0;
+        TestDevice armDevice(settingsOf(system, "arm"), [&](DistributedSystem& device) {
+            QVERIFY(device.subscribe("Move", [&](const Message& heard) { received = heard.get<std::uint32_t>(std::size_t{0}); }));
+        });
+        TestDevice deskDevice(settingsOf(system, "desk"));
+        QVERIFY(deskDevice->openChannel(armId));
+        QTRY_VERIFY(deskDevice.state(armId) == SessionState::Open);
+        QTRY_VERIFY(deskDevice->links().front().packetsHeardByPeer > 0);
+        std::latch allAreSent(1);
+        deskDevice->post([&] {
+            isNetworkThread = true;
+            allAreSent.wait();
+        });
+        largestWrite = 0;
+        counting = true;
+        bool allAreTaken = true;
+        for (std::uint32_t number = 1; number <= burst; ++number)
+            allAreTaken &=
+                deskDevice->send(armId, std::move(deskDevice->command(armId, "Move").value().set(std::size_t{0}, number))).has_value();
+        allAreSent.count_down();
+        QVERIFY(allAreTaken);
+        QTRY_COMPARE(received.load(), burst);
         counting = false;
-        const auto asked = static_cast<double>(allocations.load());
-        const auto expected = quiet * static_cast<double>(beats() - busyFrom);
-        qInfo("%.0f allocations beside %u messages, %.0f expected without them", asked, received.load() - first, expected);
-        QVERIFY2(asked < 1.5 * expected + counted / 10.0, qPrintable(QString::number(asked)));
+        constexpr auto one = protocol::headerSize + protocol::safetyRecordSize + 8; // and its two fields
+        QVERIFY2(largestWrite >= burst * one, qPrintable(QString::number(largestWrite)));
     }
 
     void commandsLeaveTheNetworkThreadWithoutALock()
@@ -173,6 +298,7 @@ private slots:
         std::atomic<bool> sending = false;
         std::atomic<std::uint32_t> sent = 0;
         std::atomic<std::uint64_t> seenOnTheBoard = 0;
+        locks = 0;
         TestDevice armDevice(settingsOf(system, "arm"));
         TestDevice deskDevice(settingsOf(system, "desk"), [&](DistributedSystem& device) {
             device.every(std::chrono::milliseconds(1), [&] {

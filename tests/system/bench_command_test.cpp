@@ -3,13 +3,16 @@
 
 #include <QDir>
 #include <QFile>
+#include <QHostAddress>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QTcpServer>
 #include <QTest>
 
 #include <atomic>
+#include <latch>
 
 using namespace liena;
 using namespace liena::test;
@@ -47,7 +50,7 @@ constexpr auto patient = "commands 100 /s\nframes 5 /s\nimage 20 KiB\nround-trip
                          "round-trip-beside-images-p99 50000 ms 60000 ms\ncommands-carried 50 % 20 %\nimages-carried 10 % 5 %\n";
 
 struct Stage {
-    TestSystem system{{reference::cockpit, reference::robot, reference::arm}, {"cockpit robot"}};
+    TestSystem system{{reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "arm robot"}};
     DeviceId cockpitId = system.idOf("cockpit");
     DeviceId robotId = system.idOf("robot");
 
@@ -145,13 +148,17 @@ private Q_SLOTS:
     {
         Stage stage;
         TestDevice robot(stage.system.settingsOf("robot"));
+        TestDevice arm(stage.system.settingsOf("arm")); // whose session with the robot goes on
+        QVERIFY(arm->openChannel(stage.robotId));
+        QTRY_COMPARE(words(arm.state(stage.robotId)), words(SessionState::Open));
         for (int times = 1; times <= 2; ++times) { // and again, at once
             const auto found = run(stage.bench({}));
             QVERIFY2(found.status == 0, qPrintable(said(found) + QString::fromStdString(robot.story())));
             QTRY_COMPARE(robot.events(Kind::Closed).size(), static_cast<std::size_t>(times));
         }
-        QVERIFY2(!harmed(robot), robot.story().c_str());
+        QVERIFY2(!harmed(robot) && !harmed(arm), robot.story().c_str());
         QCOMPARE(words(robot.state(stage.cockpitId)), words(SessionState::Closed));
+        QCOMPARE(words(arm.state(stage.robotId)), words(SessionState::Open));
     }
 
     void insideALiveSession()
@@ -250,6 +257,33 @@ private Q_SLOTS:
         QCOMPARE(run(stage.bench({QStringLiteral("--image"), QStringLiteral("9MiB")})).status, 2);
         QFile(text(stage.system.topology())).remove();
         QCOMPARE(run(stage.bench({})).status, 1);
+    }
+
+    void aHostThatSaysNothingIsNamed()
+    {
+        Stage stage;
+        QTcpServer mute;
+        QVERIFY(mute.listen(QHostAddress::LocalHost, stage.system.portOf("robot")));
+        const auto found = run(stage.bench({}));
+        QVERIFY2(found.status == 1 && found.errors.contains(QStringLiteral("no session with robot")), qPrintable(said(found)));
+        QVERIFY2(found.errors.contains(QStringLiteral("liena probe robot")), qPrintable(said(found)));
+    }
+
+    void aPeerThatFallsSilentEndsTheMeasurement()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        QProcess process;
+        process.start(program, stage.bench({QStringLiteral("--seconds"), QStringLiteral("60")}));
+        QTRY_VERIFY_WITH_TIMEOUT(robot.heard(Kind::Opened), 20000);
+        const auto before = robot->links().front().bytesReceived;
+        QTRY_VERIFY_WITH_TIMEOUT(robot->links().front().bytesReceived > before + 20'000, 20000); // it measures
+        std::latch told(1);
+        robot->post([&] { told.wait(); });
+        const auto broken = outcomeOf(process);
+        told.count_down();
+        QVERIFY2(broken.status == 1 && broken.errors.contains(QStringLiteral("was interrupted, lost or closed")), qPrintable(said(broken)));
+        QVERIFY2(broken.output.isEmpty(), qPrintable(broken.output));
     }
 
     void aRefusedMeasurementIsSaid()

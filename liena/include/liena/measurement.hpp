@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,6 +73,7 @@ struct Measurement {
     std::string failure; ///< empty when every phase was measured; else why not
     bool inUse = false;  ///< one of the devices was in use, so the limits were those for that
     MeasuringLimits limits;
+    std::optional<double> bulkRate;   ///< bytes per second that the path to the peer carries, as its images found; nothing: not known
     std::vector<PhaseFigures> phases; ///< those that ended
 };
 

@@ -34,6 +34,9 @@ public:
     /// Takes everything.
     Drained drain();
 
+    /// The same into what was drained before, whose memory is used again; what is in it goes.
+    void drain(Drained& into);
+
     /// Messages so far whose `history` ended before they were drained.
     std::uint64_t superseded() const;
 

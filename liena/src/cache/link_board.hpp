@@ -60,6 +60,22 @@ public:
         return shown ? std::optional(*shown) : std::nullopt;
     }
 
+    /// What decides whether a message may be sent, of one moment.
+    struct SendFacts {
+        std::shared_ptr<const MessageSet> set; ///< of the message's owner; null: not known
+        SessionState state = SessionState::Closed;
+        bool standsBy = false;
+    };
+
+    SendFacts sendFacts(DeviceId target, DeviceId owner) const
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto link = m_links.find(target);
+        const auto set = m_sets.find(owner);
+        return {set != m_sets.end() ? set->second : nullptr, link != m_links.end() ? link->second->state : SessionState::Closed,
+                !m_incidents->empty()};
+    }
+
     void showDrops(DeviceId peer, std::vector<DropCount> drops)
     {
         auto shown = std::make_shared<const std::vector<DropCount>>(std::move(drops));
@@ -87,13 +103,6 @@ public:
     {
         const std::lock_guard lock(m_mutex);
         m_sets[device].swap(set);
-    }
-
-    /// Whether `set` is that of the device.
-    bool hasSet(DeviceId device, const MessageSet& set) const
-    {
-        const auto known = this->set(device);
-        return known && (known.get() == &set || known->hash() == set.hash());
     }
 
     std::shared_ptr<const MessageSet> set(DeviceId device) const { return copyOf(m_sets, device); }

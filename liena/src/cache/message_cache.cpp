@@ -32,11 +32,20 @@ void MessageCache::setNotification(std::function<void()> notify)
 
 MessageCache::Drained MessageCache::drain()
 {
-    std::deque<SessionEvent> events;
-    std::deque<Message> messages;
+    Drained drained;
+    drain(drained);
+    return drained;
+}
+
+void MessageCache::drain(Drained& into)
+{
+    into.events.clear();
+    into.messages.clear();
+    const std::lock_guard draining(m_state->draining);
+    auto& messages = m_state->drained;
+    base::Ring<SessionEvent> events; // goes with what is in it: events are rare
     SessionEvent lost;
     std::uint64_t eventsLost = 0;
-    Drained drained;
     {
         const std::lock_guard lock(m_state->mutex);
         events.swap(m_state->events);
@@ -48,12 +57,13 @@ MessageCache::Drained MessageCache::drain()
         m_state->notified = false;
     }
     if (eventsLost > 0)
-        drained.events.push_back(eventsWereLost(eventsLost));
-    drained.events.insert(drained.events.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
+        into.events.push_back(eventsWereLost(eventsLost));
+    into.events.insert(into.events.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
     if (lost.count > 0)
-        drained.events.push_back(std::move(lost));
-    drained.messages.assign(std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
-    return drained;
+        into.events.push_back(std::move(lost));
+    into.messages.assign(std::make_move_iterator(messages.begin()), std::make_move_iterator(messages.end()));
+    messages.clear();
+    base::settle(messages);
 }
 
 std::uint64_t MessageCache::superseded() const
@@ -68,7 +78,7 @@ void MessageCacheAccess::put(MessageCache& cache, Message message)
     std::unique_lock lock(state.mutex);
     makeRoom(state, message);
     state.bytes += message.encodedSize();
-    state.messages.push_back(std::move(message));
+    base::append(state.messages, std::move(message));
     notify(state, lock);
 }
 
@@ -80,7 +90,7 @@ void MessageCacheAccess::put(MessageCache& cache, SessionEvent event)
         state.events.pop_front();
         ++state.eventsLost;
     }
-    state.events.push_back(std::move(event));
+    base::append(state.events, std::move(event));
     notify(state, lock);
 }
 
@@ -111,7 +121,7 @@ void MessageCacheAccess::noteLost(MessageCache::State& state, const Message& mes
     state.firstLost.detail = "the application does not drain its cache fast enough";
 }
 
-void MessageCacheAccess::dropOldest(MessageCache::State& state, std::deque<Message>::iterator at)
+void MessageCacheAccess::dropOldest(MessageCache::State& state, base::Ring<Message>::iterator at)
 {
     state.bytes -= at->encodedSize();
     state.messages.erase(at);

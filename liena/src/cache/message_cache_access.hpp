@@ -1,11 +1,11 @@
 // The network thread's side of the message cache.
 #pragma once
 
+#include "base/ring.hpp"
 #include "cache/inheriting_mutex.hpp"
 #include "liena/message_cache.hpp"
 
 #include <cstdint>
-#include <deque>
 #include <mutex>
 
 namespace liena {
@@ -13,14 +13,17 @@ namespace liena {
 struct MessageCache::State {
     mutable cache::InheritingMutex mutex;
     std::function<void()> notify;
-    std::deque<SessionEvent> events;
-    std::deque<Message> messages;
+    base::Ring<SessionEvent> events;
+    base::Ring<Message> messages;
     std::size_t bytes = 0;
     std::uint64_t superseded = 0;
     std::uint64_t messagesLost = 0; ///< for want of room
     SessionEvent firstLost;         ///< names the first of them
     std::uint64_t eventsLost = 0;
     bool notified = false;
+
+    std::mutex draining;         ///< held before the other one
+    base::Ring<Message> drained; ///< empty while nobody drains; whoever does exchanges it, so that both keep their memory
 };
 
 class MessageCacheAccess {
@@ -35,7 +38,7 @@ public:
 private:
     static void noteLost(MessageCache::State& state, const Message& message);
     static void makeRoom(MessageCache::State& state, const Message& message);
-    static void dropOldest(MessageCache::State& state, std::deque<Message>::iterator at);
+    static void dropOldest(MessageCache::State& state, base::Ring<Message>::iterator at);
     static void notify(MessageCache::State& state, std::unique_lock<cache::InheritingMutex>& lock);
 };
 

@@ -5,9 +5,11 @@
 #include "liena/device_id.hpp"
 #include "liena/message.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -27,7 +29,7 @@ public:
     static constexpr std::size_t mostLetters = 4096;
     static constexpr std::size_t mostBytes = std::size_t{64} << 20U;
 
-    /// `wake` is called under no lock when the outbox was empty.
+    /// `wake` is called under no lock when the outbox was empty; not again before it was taken.
     explicit Outbox(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
     /// False when too many of the message's priority wait.
@@ -36,12 +38,18 @@ public:
         const auto size = message.encodedSize();
         const auto priority = static_cast<std::size_t>(message.definition().priority);
         bool first = false;
+        Letters spare; // goes after the lock
         {
-            const std::lock_guard lock(m_mutex);
+            std::unique_lock lock(m_mutex);
             auto& load = m_loads.at(priority);
-            if (load.letters >= mostLetters || (load.bytes + size > mostBytes && load.letters > 0))
-                return false;
-            first = m_letters.empty();
+            for (;;) {
+                if (load.letters >= mostLetters || (load.bytes + size > mostBytes && load.letters > 0))
+                    return false;
+                if (m_letters.size() < m_letters.capacity())
+                    break;
+                makeRoom(lock, spare);
+            }
+            first = m_letters.empty() && !m_ended;
             ++load.letters;
             load.bytes += size;
             m_letters.push_back({target, std::move(message)});
@@ -59,6 +67,13 @@ public:
         m_loads = {};
     }
 
+    /// Nobody takes any more, and nobody is woken.
+    void end()
+    {
+        const std::lock_guard lock(m_mutex);
+        m_ended = true;
+    }
+
 private:
     /// What waits of one priority.
     struct Load {
@@ -66,9 +81,26 @@ private:
         std::size_t bytes = 0;
     };
 
+    /// The network thread must not wait while this one asks for memory.
+    void makeRoom(std::unique_lock<InheritingMutex>& lock, Letters& spare)
+    {
+        const auto wanted = std::max(fewest, 2 * m_letters.capacity());
+        lock.unlock();
+        spare = {};
+        spare.reserve(wanted);
+        lock.lock();
+        if (m_letters.size() >= wanted)
+            return; // others were quicker
+        spare.assign(std::make_move_iterator(m_letters.begin()), std::make_move_iterator(m_letters.end()));
+        m_letters.swap(spare);
+    }
+
+    static constexpr std::size_t fewest = 16;
+
     InheritingMutex m_mutex;
     Letters m_letters;
     std::array<Load, 4> m_loads{}; ///< by priority
+    bool m_ended = false;
     std::function<void()> m_wake;
 };
 

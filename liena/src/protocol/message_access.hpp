@@ -29,6 +29,14 @@ public:
         return {std::move(set), definition, std::move(fields)};
     }
 
+    /// The same of bytes that stay where they are.
+    static Message copyOf(std::shared_ptr<const MessageSet> set, const MessageDefinition& definition, std::span<const std::byte> fields)
+    {
+        Message message(std::move(set), definition, FieldBytes());
+        message.m_fields.assign(fields.data(), fields.data() + fields.size());
+        return message;
+    }
+
     /// What the definition, and every name in it, lives in.
     static const std::shared_ptr<const MessageSet>& setIn(const Message& message) { return message.m_set; }
     static std::shared_ptr<const MessageSet> takeSet(Message& message) { return std::move(message.m_set); }

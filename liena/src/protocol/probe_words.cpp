@@ -6,17 +6,15 @@
 
 namespace liena::protocol {
 
-FieldBytes encodeProbe(const ProbeHead& head, std::span<const std::byte> padding)
+FieldBytes encodeProbeHead(const ProbeHead& head, std::size_t padding)
 {
     FieldBytes bytes;
-    bytes.reserve(probeHeadSize + padding.size());
     ByteWriter(bytes)
         .write(head.run)
         .write(static_cast<std::uint8_t>(head.way))
         .write(head.sequence)
         .write(head.sentNs)
-        .write(static_cast<std::uint32_t>(padding.size()))
-        .append(padding);
+        .write(static_cast<std::uint32_t>(padding));
     return bytes;
 }
 

@@ -22,8 +22,8 @@ struct ProbeHead {
     friend bool operator==(const ProbeHead&, const ProbeHead&) = default;
 };
 
-/// The body of the Probe with that padding.
-FieldBytes encodeProbe(const ProbeHead& head, std::span<const std::byte> padding);
+/// The body of the Probe up to its padding, of so many bytes.
+FieldBytes encodeProbeHead(const ProbeHead& head, std::size_t padding);
 
 /// Nothing when the body is not exactly a Probe.
 std::optional<ProbeHead> decodeProbe(std::span<const std::byte> body);

@@ -53,6 +53,8 @@ std::string toJson(const Measurement& measurement)
     limits.add("bulk_bytes_per_second", measurement.limits.bulkBytesPerSecond).add("longest_s", measurement.limits.longest.count());
     JsonLine json;
     json.add("failure", measurement.failure).add("in_use", measurement.inUse).put("limits", limits.text());
+    if (measurement.bulkRate)
+        json.add("bulk_bytes_per_second", *measurement.bulkRate);
     return json.put("phases", "[" + phases + "]").text();
 }
 

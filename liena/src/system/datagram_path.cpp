@@ -106,7 +106,7 @@ bool DatagramPath::send(const protocol::EncodedMessage& message, session::Instan
     return true;
 }
 
-DatagramPath::Opened DatagramPath::open(std::span<std::byte> packet, session::Instant now)
+DatagramPath::Opened DatagramPath::open(std::span<const std::byte> packet, session::Instant now)
 {
     const auto prefix = protocol::decodePacketPrefix(packet);
     const auto least = protocol::packetPrefixSize + (m_sealed ? protocol::packetTagSize : 0);
@@ -118,25 +118,22 @@ DatagramPath::Opened DatagramPath::open(std::span<std::byte> packet, session::In
         return {Fault::NotGenuine, {}};
     m_window.note(prefix->number);
     m_bytesReceived += packet.size();
-    return {std::nullopt, packet.subspan(protocol::packetPrefixSize, packet.size() - least)};
+    const auto length = packet.size() - least;
+    return {std::nullopt,
+            m_sealed ? std::span<const std::byte>(m_opened).first(length) : packet.subspan(protocol::packetPrefixSize, length)};
 }
 
-bool DatagramPath::unseal(std::uint64_t number, std::span<std::byte> packet, session::Instant now)
+bool DatagramPath::unseal(std::uint64_t number, std::span<const std::byte> packet, session::Instant now)
 {
     const auto clear = packet.first(protocol::packetPrefixSize);
     const auto sealed = packet.subspan(protocol::packetPrefixSize);
-    std::array<std::byte, protocol::maximumPacketDatagram> plain;
     const auto length = sealed.size() - protocol::packetTagSize;
-    if (length > plain.size())
+    if (length > m_opened.size())
         return false;
-    const auto target = std::span(plain).first(length);
+    const auto target = std::span(m_opened).first(length);
     const auto opens = [&](security::DatagramSeal& seal) { return seal.open(number, clear, sealed, target); };
-    const bool genuine = (m_receiving && opens(*m_receiving)) || std::any_of(m_before.rbegin(), m_before.rend(), [&](Before& before) {
-                             return now < before.until && opens(before.seal);
-                         });
-    if (genuine)
-        std::memcpy(sealed.data(), target.data(), target.size());
-    return genuine;
+    return (m_receiving && opens(*m_receiving)) ||
+           std::any_of(m_before.rbegin(), m_before.rend(), [&](Before& before) { return now < before.until && opens(before.seal); });
 }
 
 } // namespace liena::system

@@ -44,10 +44,10 @@ public:
     enum class Fault : std::uint8_t { NotNew, NotGenuine };
     struct Opened {
         std::optional<Fault> fault;
-        std::span<const std::byte> datagram; ///< within `packet`
+        std::span<const std::byte> datagram; ///< within `packet`, or until the next one is opened
     };
     /// Judges a packet that has this session's token: the number first, then the tag, and only then the number is noted.
-    Opened open(std::span<std::byte> packet, session::Instant now);
+    Opened open(std::span<const std::byte> packet, session::Instant now);
 
     std::uint64_t bytesSent() const { return m_bytesSent; }
     std::uint64_t bytesReceived() const { return m_bytesReceived; }
@@ -61,7 +61,7 @@ private:
     static constexpr std::size_t mostBefore = 4;
 
     void begin(std::uint64_t token);
-    bool unseal(std::uint64_t number, std::span<std::byte> packet, session::Instant now);
+    bool unseal(std::uint64_t number, std::span<const std::byte> packet, session::Instant now);
 
     transport::UdpSocket& m_socket;
     std::uint16_t m_port;
@@ -76,6 +76,7 @@ private:
     std::array<std::byte, protocol::maximumPacket> m_packet{};
 
     bool m_hears = false;
+    std::array<std::byte, protocol::maximumPacketDatagram> m_opened{};
     std::optional<security::DatagramSeal> m_receiving;
     std::vector<Before> m_before; ///< the newest last
     session::PacketWindow m_window;

@@ -41,6 +41,9 @@ public:
     /// Accepts a message for the peer or says why not.
     Result<void> send(Message&& message);
 
+    /// From its beginning to its end what is sent by lane 0 only waits there.
+    void gather(bool begins) { m_laneZero.gather(begins); }
+
     /// Measures the line to the peer, beside all else.
     Result<void> measure(MeasurementPlan plan, DistributedSystem::MeasurementHandler done);
     void stopMeasuring() { m_measurement.stop("it was stopped"); }

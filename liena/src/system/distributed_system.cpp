@@ -338,13 +338,13 @@ Result<void> DistributedSystem::State::checkSend(DeviceId target, const Message&
         return boost::outcome_v2::failure(*message.fault());
     const auto& definition = message.definition();
     const auto owner = definition.role == Role::Command ? target : ownTopologyDevice.id;
-    if (!board.hasSet(owner, message.messageSet()))
+    const auto facts = board.sendFacts(target, owner);
+    if (!isSame(facts.set.get(), message.messageSet()))
         return fail(Errc::UnknownMessage, belongsElsewhere(definition, owner));
-    const auto status = board.link(target);
     const bool control = definition.priority == Priority::Control;
-    if (!carriesMessages(status->state) && (control || status->state != SessionState::Reconnecting))
-        return fail(Errc::NotOpen, fmt::format("the session is {}", toString(status->state)));
-    if (!definition.allowedInStandBy && board.standsBy())
+    if (!carriesMessages(facts.state) && (control || facts.state != SessionState::Reconnecting))
+        return fail(Errc::NotOpen, fmt::format("the session is {}", toString(facts.state)));
+    if (!definition.allowedInStandBy && facts.standsBy)
         return fail(Errc::StandBy, fmt::format("{} is refused while the system stands by", definition.name));
     return ok();
 }

@@ -51,6 +51,9 @@ void DistributedSystem::State::takeReturned()
 void DistributedSystem::State::drainOutbox()
 {
     outbox.take(letters);
+    const bool isBurst = letters.size() > 1;
+    if (isBurst)
+        gather(true);
     for (auto& letter : letters) {
         if (letter.target.isBroadcast())
             publishNow(std::move(letter.message));
@@ -58,6 +61,15 @@ void DistributedSystem::State::drainOutbox()
             sendNow(letter.target, std::move(letter.message));
     }
     letters.clear();
+    if (isBurst)
+        gather(false);
+}
+
+/// What is sent meanwhile leaves at its end, in the order of its priority and in one write.
+void DistributedSystem::State::gather(bool begins)
+{
+    for (auto& [peer, one] : modules)
+        one->gather(begins);
 }
 
 /// What is said to one peer may have its answer at once; what is published asks nobody.

@@ -27,6 +27,16 @@ constexpr auto closingLimit = 1s;
 
 } // namespace
 
+/// There is at most one on its way: the next may come when the outbox was taken.
+struct DistributedSystem::State::OutboxCall {
+    using allocator_type = transport::HandlerAllocator<std::byte>;
+
+    State* state;
+
+    allocator_type get_allocator() const { return allocator_type(state->outboxMemory); }
+    void operator()() const { state->drainOutbox(); }
+};
+
 DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDevice own, Registry sets, Stores stores,
                                 std::shared_ptr<security::TlsIdentity> tls, std::unique_ptr<audit::AuditLog> auditLog)
     : settings(std::move(given)),
@@ -37,7 +47,7 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
       audit(std::move(auditLog)),
       tlsIdentity(std::move(tls)),
       ownMessageSet(registry.find(ownTopologyDevice.id)),
-      outbox([this] { asio::post(context, [this] { drainOutbox(); }); }),
+      outbox([this] { asio::post(context, OutboxCall{this}); }),
       setKeeper(context, std::move(stores.writing)),
       ledger(ownTopologyDevice.id),
       udpSocket(
@@ -123,6 +133,7 @@ void DistributedSystem::State::stop()
         asio::post(context, [this] { closeAll(); });
         thread.join();
     }
+    outbox.end();
     outbox.take(letters); // nobody sends them any more
     letters.clear();
     elasticWork.stop();

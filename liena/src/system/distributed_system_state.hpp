@@ -19,6 +19,7 @@
 #include "tasks/attention.hpp"
 #include "topology/local_store.hpp"
 #include "topology/registry.hpp"
+#include "transport/handler_memory.hpp"
 #include "transport/status_server.hpp"
 #include "transport/tcp_server.hpp"
 #include "transport/timer.hpp"
@@ -66,6 +67,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     Result<void> sendBy(system::DistributedModule& one, Message&& message);
     void publishNow(Message message);
     void drainOutbox();
+    void gather(bool begins);
     void perform(const session::LedgerActions& actions);
     void logIncident(const SessionEvent& event);
     void performBroadcast(const session::Broadcast& broadcast);
@@ -138,6 +140,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
     // Shared with other threads
     MessageCache messageCache;
     cache::LinkBoard board;
+    struct OutboxCall;
+    transport::HandlerMemory outboxMemory; ///< of the call that empties the outbox, which outlives the context
     cache::Outbox outbox;
     cache::Outbox::Letters letters; ///< those in hand; its memory is used again
     std::atomic<bool> stopped = false;

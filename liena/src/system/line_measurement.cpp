@@ -18,13 +18,14 @@ constexpr auto answerLimit = 2s;
 constexpr std::uint32_t mostAnswersWaiting = 8;
 constexpr std::uint32_t mostProbesWaiting = 2048;
 constexpr std::uint32_t mostImagesAtOnce = 8;
-constexpr std::uint32_t largestImageInUse = 2U << 20U; // copied in a third of a millisecond
+constexpr std::uint32_t largestImageInUse = 2U << 20U; // made in a third of a millisecond
 
 /// Repeated beyond what a VPN's compressor looks back, since this is the network thread and megabytes of it would take milliseconds.
-std::vector<std::byte> noise(std::size_t size)
+std::shared_ptr<const std::vector<std::byte>> noise(std::size_t size)
 {
     constexpr std::size_t repeated = 65537;
-    std::vector<std::byte> bytes(size);
+    auto made = std::make_shared<std::vector<std::byte>>(size);
+    auto& bytes = *made;
     std::uint64_t state = 0x9E3779B97F4A7C15ULL; // xorshift64 (Marsaglia 2003)
     for (std::size_t at = 0; at < std::min(size, repeated); ++at) {
         state ^= state << 13U;
@@ -34,7 +35,7 @@ std::vector<std::byte> noise(std::size_t size)
     }
     for (std::size_t at = repeated; at < size; at += repeated)
         std::memcpy(bytes.data() + at, bytes.data(), std::min(repeated, size - at));
-    return bytes;
+    return made;
 }
 
 Result<void> check(const MeasurementPlan& plan)
@@ -199,9 +200,9 @@ void LineMeasurement::pump()
 void LineMeasurement::send(const session::LineProbing::Order& order)
 {
     const protocol::ProbeHead head{m_asked->run, order.way, order.sequence, order.sentNs};
-    const auto padding = std::span<const std::byte>(m_padding).first(std::min<std::size_t>(order.bytes, m_padding.size()));
+    const auto padding = std::span<const std::byte>(*m_padding).first(std::min<std::size_t>(order.bytes, m_padding->size()));
     if (order.way == ProbeWay::Image)
-        return m_ways.image(protocol::encodeProbe(head, padding), order.expires);
+        return m_ways.image(head, {m_padding, padding}, order.expires);
     const protocol::Probe probe{head.run, head.way, head.sequence, head.sentNs, {{padding.begin(), padding.end()}}};
     if (order.way == ProbeWay::Packet)
         (void)m_ways.packet(probe); // where there is no way it is lost, which is what is found
@@ -265,11 +266,12 @@ void LineMeasurement::finish(const std::string& failure)
     m_timer.cancel();
     const auto asked = std::move(*m_asked);
     m_asked.reset();
-    m_padding = {};
+    m_padding.reset();
     Measurement measurement;
     measurement.failure = failure;
     measurement.inUse = asked.inUse;
     measurement.limits = asked.limits;
+    measurement.bulkRate = m_ways.bulkRate();
     if (asked.probing)
         measurement.phases = asked.probing->figures();
     asked.done(measurement);

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,7 @@ public:
         /// On lane 0 behind control; at most `history` of its number wait there.
         std::function<void(const protocol::SessionMessage&, std::uint32_t history)> prompt;
         std::function<bool(const protocol::SessionMessage&)> packet; ///< false where there is no way by UDP
-        std::function<void(FieldBytes probe, session::Instant expires)> image;
+        std::function<void(const protocol::ProbeHead&, LentBytes padding, session::Instant expires)> image;
         std::function<std::optional<double>()> bulkRate; ///< that the path to the peer is known to carry
     };
 
@@ -77,7 +78,7 @@ private:
     Ways m_ways;
     session::MeasuredRun m_answering;
     std::optional<Asked> m_asked;
-    std::vector<std::byte> m_padding; ///< that cannot be compressed
+    std::shared_ptr<const std::vector<std::byte>> m_padding; ///< that cannot be compressed; images are sent from it
     transport::Timer m_timer;
 };
 

@@ -11,12 +11,13 @@ LineMeasurement::Ways DistributedModule::measuringWays()
                 m_laneZero.push({encode(message, m_peer.id), tasks::Rank::Status, history, std::nullopt, {}});
             },
             [this](const protocol::SessionMessage& message) { return m_datagrams.send(encode(message, m_peer.id), m_host.now().mono); },
-            [this](FieldBytes probe, session::Instant expires) {
+            [this](const protocol::ProbeHead& head, LentBytes padding, session::Instant expires) {
                 protocol::EncodedMessage image;
                 image.header.message = {m_host.ownDevice().id, protocol::Probe::number};
                 image.header.target = m_peer.id;
                 image.header.timestamp = m_host.stamp();
-                image.part = std::move(probe);
+                image.part = protocol::encodeProbeHead(head, padding.bytes.size());
+                image.lent = std::make_shared<const LentBytes>(std::move(padding));
                 m_bulk.push({std::move(image), tasks::Rank::Bulk, 8, expires, {}});
             },
             [this] { return m_bulk.knownRate(); }};

@@ -187,12 +187,9 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
     m_books.delivered(latency);
     if (definition.priority != Priority::Status)
         m_usedSince = true;
-    FieldBytes copied;
     const bool owns = owned != nullptr && definition.recordSize() == 0;
-    if (!owns)
-        copied.assign(fields.data(), fields.data() + fields.size());
-    auto& bytes = owns ? *owned : copied;
-    auto message = MessageAccess::fromFields(header.message.isCommand() ? m_host.ownSet() : m_peerSet, definition, std::move(bytes));
+    const auto& set = header.message.isCommand() ? m_host.ownSet() : m_peerSet;
+    auto message = owns ? MessageAccess::fromFields(set, definition, std::move(*owned)) : MessageAccess::copyOf(set, definition, fields);
     MessageAccess::setMeta(message, header.message.origin, header.target, header.timestamp);
     MessageAccess::setArrival(message, now.mono, latency);
     m_host.deliver(std::move(message));

@@ -80,9 +80,16 @@ bool OutputLane::push(OutputQueue::Entry&& entry)
 {
     if (!m_queue->push(std::move(entry)))
         return false;
-    if (m_task)
+    if (m_task && !m_gathers)
         m_task->wake();
     return true;
+}
+
+void OutputLane::gather(bool begins)
+{
+    m_gathers = begins;
+    if (m_task && !begins && !m_queue->empty())
+        m_task->wake();
 }
 
 bool OutputLane::isDelivered() const

@@ -44,6 +44,9 @@ public:
     /// False when the queue is full.
     bool push(OutputQueue::Entry&& entry);
 
+    /// From its beginning to its end what is pushed only waits.
+    void gather(bool begins);
+
     /// Nothing waits, nothing is being written, and the peer's kernel has all that was.
     bool isDelivered() const;
 
@@ -79,6 +82,7 @@ private:
     protocol::EncodedMessage m_attach;
     PathRate m_rate; ///< kept from one connection to the next: they take the same path
     bool m_paced = false;
+    bool m_gathers = false;
     std::uint64_t m_bytesSent = 0;
 };
 

@@ -50,10 +50,10 @@ bool OutputQueue::push(Entry&& entry)
     if (!session && (ofRank.bounded.messages - gone.size() >= m_limits.messages || ofRank.bounded.bytes - freed + size > m_limits.bytes))
         return false; // and what it would have replaced still leaves
     if (stream.waiting.empty())
-        append(ofRank.turns, &stream);
+        base::append(ofRank.turns, &stream);
     enters(entry, size);
     Waiting place;
-    append(stream.waiting, std::move(place));
+    base::append(stream.waiting, std::move(place));
     stream.waiting.back().entry = std::move(entry); // a message is moved once
     for (auto at = gone.rbegin(); at != gone.rend(); ++at)
         drop(stream, *at, Fate::Superseded);
@@ -172,7 +172,7 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
         endTurn(from);
     } else if (stream.credit <= 0) {
         from.turns.pop_front();
-        append(from.turns, &stream);
+        base::append(from.turns, &stream);
     }
 }
 
@@ -180,7 +180,7 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
 void OutputQueue::endTurn(Class& of)
 {
     of.turns.front()->credit = 0;
-    settle(of.turns.front()->waiting);
+    base::settle(of.turns.front()->waiting);
     of.turns.pop_front();
 }
 

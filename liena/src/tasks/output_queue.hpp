@@ -1,10 +1,10 @@
 // What waits to leave on one lane: strict order between classes, fair turns of the streams within one.
 #pragma once
 
+#include "base/ring.hpp"
 #include "liena/message_set.hpp"
 #include "protocol/datagram_encoder.hpp"
 #include "tasks/output_batch.hpp"
-#include "tasks/ring.hpp"
 
 #include <boost/container/small_vector.hpp>
 
@@ -103,7 +103,7 @@ private:
     using Places = boost::container::small_vector<std::size_t, 16>;
 
     struct Stream {
-        Ring<Waiting> waiting;
+        base::Ring<Waiting> waiting;
         std::ptrdiff_t credit = 0; ///< bytes that it may still send in this turn
     };
     struct Load {
@@ -112,7 +112,7 @@ private:
     };
     struct Class {
         std::map<std::uint16_t, Stream> streams; ///< by message number
-        Ring<Stream*> turns;                     ///< those with something to send, the next one first
+        base::Ring<Stream*> turns;               ///< those with something to send, the next one first
         Load bounded;                            ///< what waits of it; not session management
     };
 

@@ -37,6 +37,7 @@ private slots:
     void notifiesOncePerBurst();
     void mayBeDrainedByTheNotification();
     void givesEverythingInOrder();
+    void drainsIntoWhatWasDrainedBefore();
     void keepsTheNewestByHistory();
     void keepsHistoriesOfOriginsApart();
     void keepsMessagesWithoutHistory();
@@ -48,8 +49,10 @@ private slots:
     void outboxTakesStopsAndCommandsWhateverWaits_data();
     void outboxTakesStopsAndCommandsWhateverWaits();
     void outboxKeepsTheOrder();
+    void outboxWakesNobodyAfterItsEnd();
     void boardShowsTheNewest();
     void boardShowsIncidentsAndSets();
+    void boardShowsWhetherAMessageMayBeSent();
     void takesFromOtherThreads();
 
 private:
@@ -117,6 +120,23 @@ void CacheTest::givesEverythingInOrder()
         QVERIFY(drained.messages[i].get<std::string_view>("line") == std::to_string(i));
         QCOMPARE(drained.events[i].count, std::uint64_t{i});
     }
+}
+
+void CacheTest::drainsIntoWhatWasDrainedBefore()
+{
+    MessageCache cache;
+    MessageCache::Drained drained;
+    for (int round = 0; round < 3; ++round) {
+        for (int i = 0; i < 100; ++i)
+            MessageCacheAccess::put(cache, make("Log", xray, 100 * round + i));
+        MessageCacheAccess::put(cache, SessionEvent{});
+        cache.drain(drained);
+        QCOMPARE(drained.messages.size(), std::size_t{100});
+        QCOMPARE(drained.events.size(), std::size_t{1});
+        QVERIFY(drained.messages.front().get<std::string_view>("line") == std::to_string(100 * round));
+    }
+    cache.drain(drained);
+    QVERIFY(drained.messages.empty() && drained.events.empty());
 }
 
 void CacheTest::keepsTheNewestByHistory()
@@ -257,11 +277,25 @@ void CacheTest::outboxTakesStopsAndCommandsWhateverWaits()
 void CacheTest::outboxKeepsTheOrder()
 {
     Outbox outbox([] {});
-    outbox.put(robot, make("Log", xray, 1));
-    outbox.put(DeviceId::broadcast(), make("Log", xray, 2));
+    constexpr std::size_t many = 1000; // so that it has to grow
+    for (std::size_t i = 0; i < many; ++i)
+        outbox.put(i % 2 == 0 ? robot : DeviceId::broadcast(), make("Log", xray, static_cast<int>(i)));
     const auto letters = taken(outbox);
-    QVERIFY(letters[0].target == robot && letters[1].target.isBroadcast());
-    QVERIFY(letters[1].message.get<std::string_view>("line") == "2");
+    QCOMPARE(letters.size(), many);
+    for (std::size_t i = 0; i < many; ++i) {
+        QCOMPARE(letters[i].target.isBroadcast(), i % 2 != 0);
+        QVERIFY(letters[i].message.get<std::string_view>("line") == std::to_string(i));
+    }
+}
+
+void CacheTest::outboxWakesNobodyAfterItsEnd()
+{
+    int woken = 0;
+    Outbox outbox([&] { ++woken; });
+    outbox.end();
+    outbox.put(robot, make("Log", xray, 1));
+    QCOMPARE(woken, 0);
+    QCOMPARE(taken(outbox).size(), std::size_t{1});
 }
 
 void CacheTest::boardShowsTheNewest()
@@ -288,11 +322,28 @@ void CacheTest::boardShowsIncidentsAndSets()
     incident.id = 7;
     board.showIncidents({incident});
     QVERIFY(board.standsBy() && board.incidents().front().id == 7);
+    QVERIFY(board.sendFacts(robot, robot).standsBy);
     board.showIncidents({});
     QVERIFY(!board.standsBy());
     QVERIFY(board.set(robot) == nullptr);
     board.showSet(robot, m_set);
     QVERIFY(board.set(robot) == m_set);
+}
+
+void CacheTest::boardShowsWhetherAMessageMayBeSent()
+{
+    LinkBoard board;
+    auto facts = board.sendFacts(robot, xray);
+    QVERIFY(facts.set == nullptr && facts.state == SessionState::Closed && !facts.standsBy);
+    LinkStatus status;
+    status.peer = robot;
+    status.state = SessionState::Open;
+    board.show(status);
+    board.showSet(xray, m_set);
+    facts = board.sendFacts(robot, xray);
+    QVERIFY(facts.set == m_set && facts.state == SessionState::Open);
+    facts = board.sendFacts(xray, robot);
+    QVERIFY(facts.set == nullptr && facts.state == SessionState::Closed);
 }
 
 void CacheTest::takesFromOtherThreads()

@@ -17,7 +17,8 @@ private Q_SLOTS:
         for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{64}, std::size_t{100'000}}) {
             const ProbeHead head{0x01020304, ProbeWay::Image, 77, 0x2122232425262728ULL};
             const auto padding = filled(size, 0x5A);
-            const auto bytes = encodeProbe(head, padding);
+            auto bytes = encodeProbeHead(head, size);
+            bytes.insert(bytes.end(), padding.begin(), padding.end());
             const auto general = encodeSessionMessage(Probe{head.run, head.way, head.sequence, head.sentNs, {padding}});
             QVERIFY(std::equal(bytes.begin(), bytes.end(), general.begin(), general.end()));
             QCOMPARE(bytes.size(), probeHeadSize + size);

@@ -7,6 +7,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 
+#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -15,8 +16,11 @@
 
 #include <array>
 #include <atomic>
+#include <fstream>
 #include <functional>
+#include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace liena;
@@ -54,6 +58,18 @@ QByteArray toldWithoutRights(const RealTimeOptions& options)
     ::close(pipe[0]);
     (void)::waitpid(child, nullptr, 0);
     return told.left(static_cast<int>(std::max<ssize_t>(size, 0)));
+}
+
+/// Of this process, as the kernel says.
+long lockedKiB()
+{
+    std::ifstream status("/proc/self/status");
+    std::string word;
+    while (status >> word && word != "VmLck:") {
+    }
+    long size = 0;
+    status >> size;
+    return size;
 }
 
 } // namespace
@@ -139,6 +155,68 @@ private slots:
         liena::tasks::Attention attention;
         std::thread([&] { runNetworkThread(context, {0, {0}, false, 0us}, attention); }).join();
         QCOMPARE(processors, 1);
+    }
+
+    void networkThreadHasItsPriorityAndWorkersHaveNone()
+    {
+        RealTimeOptions options;
+        options.priority = 7;
+        if (const auto permitted = prepareRealTime(options); !permitted)
+            QSKIP(permitted.error().what.c_str());
+        const auto ownPolicy = [] {
+            sched_param parameters{};
+            int policy = -1;
+            ::pthread_getschedparam(::pthread_self(), &policy, &parameters);
+            return std::pair(policy, parameters.sched_priority);
+        };
+        boost::asio::io_context context;
+        auto network = ownPolicy();
+        auto worker = ownPolicy();
+        boost::asio::post(context, [&] {
+            network = ownPolicy();
+            std::thread([&] { // inherits it
+                runAsOrdinaryThread();
+                worker = ownPolicy();
+            })
+                .join();
+            context.stop();
+        });
+        std::thread([&] {
+            tasks::Attention attention;
+            runNetworkThread(context, options, attention);
+        }).join();
+        QCOMPARE(network, std::pair(SCHED_FIFO, 7));
+        QCOMPARE(worker, std::pair(SCHED_OTHER, 0));
+        QCOMPARE(ownPolicy().first, SCHED_OTHER);
+    }
+
+    /// In a process of its own: this one goes on with others.
+    void lockedMemoryIsLocked()
+    {
+        std::array<int, 2> pipe{};
+        QVERIFY(::pipe(pipe.data()) == 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const bool answered = ::mlockall(MCL_CURRENT) == 0 && lockedKiB() == 0;
+            (void)::munlockall();
+            RealTimeOptions options;
+            options.lockMemory = true;
+            const auto done = prepareRealTime(options);
+            const auto told = answered ? std::string(grantedToAll) : done ? std::to_string(lockedKiB()) : done.error().what;
+            (void)!::write(pipe[1], told.data(), told.size());
+            ::_exit(0);
+        }
+        ::close(pipe[1]);
+        QByteArray told(4096, '\0');
+        const auto size = ::read(pipe[0], told.data(), static_cast<std::size_t>(told.size()));
+        ::close(pipe[0]);
+        (void)::waitpid(child, nullptr, 0);
+        told.truncate(static_cast<int>(std::max<ssize_t>(size, 0)));
+        if (told == grantedToAll)
+            QSKIP("a sanitizer answers mlockall() in the kernel's place");
+        if (told.contains("memory cannot be locked"))
+            QSKIP(told.constData());
+        QVERIFY2(told.toLongLong() > 0, told.constData());
     }
 
     void searchingThreadWorksSleepsAndEnds()

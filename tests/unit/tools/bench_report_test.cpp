@@ -11,6 +11,10 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
+#include <csignal>
+
+#include <sys/resource.h>
+
 using namespace liena;
 using namespace liena::test;
 using namespace liena::tools;
@@ -35,11 +39,11 @@ private Q_SLOTS:
         const auto good = textOf(goodLine());
         QVERIFY2(good.starts_with("GO: the line from cock<pit to robot"), good.c_str());
         auto measurement = goodLine();
-        measurement.phases[0].packets.echoed = 490;
+        measurement.phases[0].packets.echoed = 2400;
         const auto bad = textOf(measurement);
         QVERIFY2(bad.starts_with("NO-GO: "), bad.c_str());
         QVERIFY2(bad.find("-> 2 % is more than 1 %") != std::string::npos, bad.c_str());
-        QVERIFY2(bad.find("500 sent, 500 heard there, 490 echoes heard here") != std::string::npos, bad.c_str());
+        QVERIFY2(bad.find("2500 sent, 2500 heard there, 2400 echoes heard here") != std::string::npos, bad.c_str());
     }
 
     void theTextSaysWhatWasCarried()
@@ -65,6 +69,7 @@ private Q_SLOTS:
         measurement.phases[0].prompt.roundTrip.record(123'456'789);
         measurement.phases[3].images.limited = true;
         measurement.phases[3].images.withheld = 3;
+        measurement.bulkRate = 12.5e6;
         const auto text = benchJson(subject, strictProfile(), judge(measurement, strictProfile()), measurement);
         QVERIFY(text.find('\n') == std::string::npos);
         const auto json = JsonValue::parse(text);
@@ -72,6 +77,8 @@ private Q_SLOTS:
         QCOMPARE((*json)["verdict"].text(), std::string("CAUTION"));
         QCOMPARE((*json)["from"].text(), std::string("cock<pit"));
         QCOMPARE((*json)["figures"].items().size(), figureKinds.size());
+        QCOMPARE((*json)["throughput"]["commands_per_second"].numberOr(0), 20'000.0);
+        QCOMPARE((*json)["throughput"]["images_mb_per_second"].numberOr(0), 52.429); // 500 of 512 KiB in 5 s
         const auto again = measurementFrom((*json)["measurement"]);
         QVERIFY(again);
         QCOMPARE(again->phases.size(), measurement.phases.size());
@@ -82,6 +89,7 @@ private Q_SLOTS:
             QCOMPARE(prompt.roundTrip.quantile(fraction), measurement.phases[0].prompt.roundTrip.quantile(fraction));
         QVERIFY(again->phases[3].images.limited && again->phases[3].images.withheld == 3);
         QVERIFY(!again->phases[1].images.asked.isUsed());
+        QVERIFY(again->bulkRate == measurement.bulkRate);
         QCOMPARE(textOf(*again), textOf(measurement));
     }
 
@@ -138,6 +146,28 @@ private Q_SLOTS:
         QVERIFY(!full);
         QVERIFY2(full.error().what.find("make room") != std::string::npos, full.error().what.c_str());
         QVERIFY(QFile::exists(QStringLiteral("/dev/full")));
+    }
+
+    /// No disk is filled for it: the kernel ends a file at a limit of the process, in the midst of writing as a full disk does.
+    void whatDoesNotFitLeavesTheOldReport()
+    {
+        const QTemporaryDir folder;
+        const auto file = folder.path().toStdString() + "/line.svg";
+        QVERIFY(writeReport(file, "old"));
+        rlimit before{};
+        QVERIFY(::getrlimit(RLIMIT_FSIZE, &before) == 0);
+        const auto signal = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit narrow{4096, before.rlim_max};
+        QVERIFY(::setrlimit(RLIMIT_FSIZE, &narrow) == 0);
+        const auto written = writeReport(file, std::string(10'000, 'x'));
+        ::setrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, signal);
+        QVERIFY(!written);
+        QVERIFY2(written.error().what.find("File too large") != std::string::npos, written.error().what.c_str());
+        QFile read(QString::fromStdString(file));
+        QVERIFY(read.open(QIODevice::ReadOnly));
+        QCOMPARE(read.readAll(), QByteArray("old"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 };
 

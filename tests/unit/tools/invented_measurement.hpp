@@ -21,12 +21,11 @@ inline Measurement goodLine()
     using namespace tools;
     Measurement measurement;
     const ProbeStream commands{500};
-    const ProbeStream packets{100};
     measurement.phases = {
-        {phases::paced, figures(commands, 2500, 2'000'000), figures(packets, 500, 1'900'000), {}},
+        {phases::paced, figures(commands, 2500, 2'000'000), figures(commands, 2500, 1'900'000), {}},
         {phases::backToBack, figures({0, 1}, 1250, 2'000'000), {}, {}},
         {phases::messages, figures({0, 256}, 100'000, 9'000'000), {}, {}},
-        {phases::besideImages, figures(commands, 2500, 3'000'000), figures(packets, 500, 2'900'000),
+        {phases::besideImages, figures(commands, 2500, 3'000'000), figures(commands, 2500, 2'900'000),
          figures({15, 0, 524'288}, 75, 20'000'000)},
         {phases::images, {}, {}, figures({0, 3, 524'288}, 500, 60'000'000)},
     };

@@ -33,9 +33,14 @@ const std::vector<Spoiled>& spoiled()
          Verdict::NoGo, "more than 20 ms"},
         {"jitter", [](Measurement& m) { of(m, 0).packets.roundTrip.record(8'000'000, 5); }, Figure::Jitter, Verdict::Caution,
          "more than 5 ms"},
-        {"loss", [](Measurement& m) { of(m, 0).packets.echoed = 490; }, Figure::Loss, Verdict::NoGo, "2 % is more than 1 %"},
-        {"no UDP", [](Measurement& m) { of(m, 0).packets.echoed = 0; }, Figure::Loss, Verdict::Caution, "UDP does not pass"},
-        {"no UDP, no jitter", [](Measurement& m) { of(m, 0).packets.echoed = 0; }, Figure::Jitter, Verdict::Caution, "UDP does not pass"},
+        {"loss", [](Measurement& m) { of(m, 0).packets.echoed = 2475; }, Figure::Loss, Verdict::Caution, "0.5 % is more than 0.1 %"},
+        {"more loss", [](Measurement& m) { of(m, 3).packets.echoed = 2400; }, Figure::Loss, Verdict::NoGo, "2 % is more than 1 %"},
+        {"few packets", [](Measurement& m) { of(m, 0).packets = of(m, 3).packets = figures({100}, 500, 1'900'000); }, Figure::Loss,
+         Verdict::Caution, "1000 packets are too few to tell 0.1 % from none"},
+        {"no UDP", [](Measurement& m) { of(m, 0).packets.echoed = of(m, 3).packets.echoed = 0; }, Figure::Loss, Verdict::Caution,
+         "UDP does not pass"},
+        {"no UDP, no jitter", [](Measurement& m) { of(m, 0).packets.echoed = of(m, 3).packets.echoed = 0; }, Figure::Jitter,
+         Verdict::Caution, "UDP does not pass"},
         {"commands withheld", [](Measurement& m) { of(m, 0).prompt.withheld = 125; }, Figure::CommandsCarried, Verdict::Caution,
          "95.2 % is less than 99 %"},
         {"commands withheld beside images", [](Measurement& m) { of(m, 3).prompt.withheld = 2500; }, Figure::CommandsCarried, Verdict::NoGo,
@@ -94,10 +99,22 @@ private Q_SLOTS:
         auto profile = strictProfile();
         profile.limits.erase(Figure::Loss);
         auto measurement = goodLine();
-        of(measurement, 0).packets.echoed = 250;
+        of(measurement, 0).packets.echoed = of(measurement, 3).packets.echoed = 1250;
         const auto verdict = judge(measurement, profile);
         QVERIFY(verdict.verdict == Verdict::Go);
         QVERIFY(verdict.figures.at(static_cast<std::size_t>(Figure::Loss)).value == 50.0); // and is shown
+    }
+
+    /// Inside a session the line is not filled, but its images may have shown what it carries.
+    void imagesOfTheSessionShowWhatTheLineCarries()
+    {
+        auto measurement = goodLine();
+        measurement.phases.pop_back();
+        for (const auto& [bytesPerSecond, expected] :
+             {std::pair(25e6, Verdict::Go), std::pair(15e6, Verdict::Caution), std::pair(5e6, Verdict::NoGo)}) {
+            measurement.bulkRate = bytesPerSecond;
+            QVERIFY(judge(measurement, strictProfile()).verdict == expected);
+        }
     }
 
     void anEmptyMeasurementIsNeverGo() { QVERIFY(judge(Measurement(), strictProfile()).verdict == Verdict::Caution); }

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace liena::tasks {
+namespace liena::base {
 
 template <typename T>
 using Ring = boost::circular_buffer<T>;
@@ -32,4 +32,4 @@ void settle(Ring<T>& ring)
         ring.set_capacity(longest);
 }
 
-} // namespace liena::tasks
+} // namespace liena::base
