@@ -42,8 +42,9 @@ void CockpitPart::onRobotStatus(const Message& message)
 void CockpitPart::onPicture(const Message& message)
 {
     const auto frame = message.get<std::uint32_t>("frame");
-    const bool whole = isPictureOf(frame, message.get<std::span<const std::byte>>("pixels"));
-    tell({"picture", frame, whole ? "whole" : "torn"});
+    const auto pixels = message.get<std::span<const std::byte>>("pixels");
+    const bool whole = m_press > 0 || isPictureOf(frame, pixels);
+    tell({"picture", frame, whole ? "whole" : "torn", message.get<unsigned>("rung"), pixels.size()});
 }
 
 bool CockpitPart::obey(const std::string& verb, std::istringstream& rest)
@@ -51,7 +52,30 @@ bool CockpitPart::obey(const std::string& verb, std::istringstream& rest)
     if (verb == "lift")
         m_permit = m_asked = 0;
     std::string name;
-    return verb == "lift" || (verb == "arm" && rest >> name && arm(name));
+    return verb == "lift" || (verb == "arm" && rest >> name && arm(name)) || (verb == "pedal" && rest >> name && press(name));
+}
+
+bool CockpitPart::press(const std::string& name)
+{
+    const auto* xray = m_system.topology().find(name);
+    if (xray == nullptr && name != "up")
+        return false;
+    m_xray = xray != nullptr ? std::optional(xray->id) : std::nullopt;
+    m_press += m_xray ? 1 : 0;
+    return true;
+}
+
+void CockpitPart::repeatPedal(std::chrono::steady_clock::time_point now)
+{
+    constexpr std::chrono::milliseconds period{50};
+    if (!m_xray || now < m_nextPedal)
+        return;
+    m_nextPedal = now + period;
+    auto message = m_system.command(*m_xray, "AcquisitionCommand");
+    if (!message)
+        return;
+    message.value().set("mode", 1).set("pulse_rate", 15.0).set("pedal", true).set("press", m_press);
+    (void)m_system.send(*m_xray, std::move(message.value()));
 }
 
 bool CockpitPart::arm(const std::string& name)
@@ -83,8 +107,9 @@ void CockpitPart::command(bool engaged)
     (void)m_system.send(m_target, std::move(message.value())); // refused while the session is not open: the hand stays on the pedal
 }
 
-void CockpitPart::tick(std::chrono::steady_clock::time_point)
+void CockpitPart::tick(std::chrono::steady_clock::time_point now)
 {
+    repeatPedal(now);
     if (m_permit == 0)
         return;
     command(m_neutral == 0);

@@ -13,7 +13,7 @@ namespace liena::lab {
 /// anew: nothing on this side helps the robot to stop.
 ///
 /// Tells the runner: `sent <permit> <sequence>` for each command at the moment it is composed, `heard <robot> <state> <permit>`,
-/// and `picture <frame> whole|torn`.
+/// and `picture <frame> whole|torn <rung> <bytes>`.
 class CockpitPart : public DevicePart {
 public:
     struct Options {
@@ -24,7 +24,7 @@ public:
 
     void tick(std::chrono::steady_clock::time_point now) override;
 
-    /// `arm ROBOT`, `lift`
+    /// `arm ROBOT`, `lift`; `pedal DEVICE` and `pedal up`: pictures of that X-ray system, which are not the lab's own then.
     bool obey(const std::string& verb, std::istringstream& rest) override;
 
 private:
@@ -36,6 +36,8 @@ private:
     void onRobotStatus(const Message& message);
     void onPicture(const Message& message);
     bool arm(const std::string& name);
+    bool press(const std::string& name);
+    void repeatPedal(std::chrono::steady_clock::time_point now);
     void command(bool engaged);
 
     DistributedSystem& m_system;
@@ -44,7 +46,10 @@ private:
     std::uint32_t m_asked = 0;  ///< permit of an arm request without an answer yet
     std::uint32_t m_permit = 0; ///< 0: not armed
     std::uint32_t m_sequence = 0;
-    unsigned m_neutral = 0; ///< commands with the pedal lifted that are still to come
+    unsigned m_neutral = 0;         ///< commands with the pedal lifted that are still to come
+    std::optional<DeviceId> m_xray; ///< whose pedal is down
+    std::uint32_t m_press = 0;
+    std::chrono::steady_clock::time_point m_nextPedal;
 };
 
 } // namespace liena::lab

@@ -1,5 +1,6 @@
 // lab_device: one device of the lab's system on liena's public headers; obeys lines on its input and tells what happens on its output.
 #include "device/cockpit_part.hpp"
+#include "device/fluoroscopy_part.hpp"
 #include "device/heap_watch.hpp"
 #include "device/line_log.hpp"
 #include "device/robot_part.hpp"
@@ -26,6 +27,7 @@ struct Options {
     Settings settings;
     bool quiet = false; ///< sessions only
     bool hoard = false;
+    bool fluoroscopy = false;
 };
 
 Options readOptions(CLI::App& app, int argc, char** argv)
@@ -41,6 +43,7 @@ Options readOptions(CLI::App& app, int argc, char** argv)
     app.add_option("--authority", settings.authority)->required();
     app.add_flag("--quiet", options.quiet, "sessions only: no commands, no reports");
     app.add_flag("--hoard-pictures", options.hoard, "a cockpit that never drains its cache");
+    app.add_flag("--fluoroscopy", options.fluoroscopy, "an X-ray system with a pedal and a ladder");
     app.parse(argc, argv);
     settings.software = "lab";
     settings.log = [](LogLevel level, std::string_view line) { tell({"log", toString(level), line}); };
@@ -81,6 +84,8 @@ std::unique_ptr<DevicePart> partOf(DistributedSystem& system, const Options& opt
         return std::make_unique<DevicePart>();
     if (system.report("RobotStatus"))
         return std::make_unique<RobotPart>(system);
+    if (options.fluoroscopy)
+        return std::make_unique<FluoroscopyPart>(system);
     if (system.report("XrayFrame"))
         return std::make_unique<XrayPart>(system);
     return std::make_unique<CockpitPart>(system, CockpitPart::Options{options.hoard});

@@ -1,6 +1,8 @@
 // Faults of a way that still works: loss, bursts, reordering, delay, bandwidth, one protocol only.
 #include "runner/faults.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 
 namespace liena::lab {
@@ -101,6 +103,50 @@ std::function<void(Scene&)> collapse(long rate, long queue, long picture)
     };
 }
 
+bool isRung(const Record& record, std::uint64_t rung) { return record.kind() == "picture" && record.number(3) == rung; }
+
+/// The product's X-ray system takes a lower rung of its ladder when the cockpit's way in falls to a tenth, and the first again when it
+/// heals.
+void ladder(Scene& scene)
+{
+    const std::string wide = "port 1 rate=100000000 queue=512000";
+    const std::string narrow = "port 1 rate=10000000 queue=64000";
+    auto& rig = scene.rig();
+    auto& cockpit = scene.cockpit();
+    const auto isFull = [](const Record& record) { return isRung(record, 0); };
+    scene.engage();
+    Rig::Start fluoroscopy;
+    fluoroscopy.flags = {"--fluoroscopy"};
+    scene.restart("xray", cockpit, fluoroscopy);
+    (void)rig.wire(wide);
+    scene.engage();
+    rig.say("cockpit", "pedal xray");
+    rig.settle(Milliseconds(5000)); // until it knows what the way carries
+    if (cockpit.first(nowNs() - 500'000'000, isFull) == nullptr)
+        scene.fails("the wide way does not carry the pictures as they are asked for");
+    const auto fallen = rig.wire(narrow);
+    scene.begin(fallen);
+    rig.settle(Milliseconds(8000));
+    std::uint64_t lowest = 0;
+    for (const auto& record : cockpit.records)
+        lowest = record.kind() == "picture" && record.at >= fallen ? std::max(lowest, record.number(3)) : lowest;
+    if (lowest == 0)
+        scene.fails("a tenth of the way, and no picture said that it is reduced");
+    const auto healed = rig.wire(wide);
+    if (rig.until([&] { return cockpit.first(healed, isFull) != nullptr; }, Milliseconds(10'000)))
+        scene.note("full quality again after " + milliseconds(static_cast<double>(cockpit.first(healed, isFull)->at - healed) / 1e6));
+    else
+        scene.fails("no picture as asked for within 10 s of the healing");
+    scene.note("lowest rung " + std::to_string(lowest) + ", largest gap of commands " + milliseconds(scene.largestGap(fallen)));
+    rig.say("cockpit", "pedal up");
+    rig.settle(Milliseconds(500));
+    (void)rig.wire("port 1 rate=0");
+    scene.read();
+    scene.must({"unnoticed", "suspect"});
+    scene.restart("xray", cockpit, Rig::Start());
+    scene.engage();
+}
+
 void growingDelay(Scene& scene)
 {
     scene.engage();
@@ -130,6 +176,8 @@ std::vector<Fault> qualityFaults()
         {"narrow-2000k", "F15", "the cockpit's way in falls to 2 Mbit/s while pictures of 30 kB flow at 15/s", Cast::WithPictures,
          collapse(2'000'000, 64'000, 30'000), 2},
         {"narrow-256k", "F15", "… to 256 kbit/s", Cast::WithPictures, collapse(256'000, 64'000, 30'000), 2},
+        {"ladder", "F15", "… from 100 to 10 Mbit/s and back while the X-ray system sends 512 KiB at 15/s, with its ladder",
+         Cast::WithPictures, ladder, 2},
     };
 }
 

@@ -36,13 +36,7 @@ std::function<void(Scene&)> clockStep(const std::string& device, long millisecon
     };
 }
 
-void restartCockpit(Scene& scene, const Rig::Start& how)
-{
-    scene.rig().say("cockpit", "quit");
-    scene.await([&] { return scene.cockpit().ended && scene.robot().stateOf("cockpit") == "closed"; }, Milliseconds(4000),
-                "the cockpit did not end in order");
-    scene.rig().start("cockpit", how);
-}
+void restartCockpit(Scene& scene, const Rig::Start& how) { scene.restart("cockpit", scene.robot(), how); }
 
 /// The cockpit must learn the X-ray system's message set, and its disk is full; the robot's set it has.
 void fullDisk(Scene& scene)

@@ -20,6 +20,13 @@ bool isLoss(const std::string& state) { return state == "interrupted" || state =
 
 int Scene::draw(int least, int most) { return least + static_cast<int>(m_random() % static_cast<std::uint64_t>(most - least + 1)); }
 
+void Scene::restart(const std::string& device, RigDevice& witness, const Rig::Start& how)
+{
+    m_rig.say(device, "quit");
+    await([&] { return m_rig[device].ended && witness.stateOf(device) == "closed"; }, Milliseconds(4000), device + " did not end in order");
+    m_rig.start(device, how);
+}
+
 void Scene::await(const std::function<bool()>& condition, Milliseconds limit, const std::string& what)
 {
     if (!m_rig.until(condition, limit))

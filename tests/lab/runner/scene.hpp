@@ -70,6 +70,9 @@ public:
     /// Presses `reopen` at the cockpit until that session is open at both ends.
     void reopen(const std::string& peer);
 
+    /// Ends a device in order, as `witness` sees it, and starts it anew. Throws Stuck.
+    void restart(const std::string& device, RigDevice& witness, const Rig::Start& how);
+
     /// Waits, and throws Stuck when it does not happen.
     void await(const std::function<bool()>& condition, Milliseconds limit, const std::string& what);
 
