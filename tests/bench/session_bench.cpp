@@ -1,15 +1,21 @@
-// Measures sessions on this computer, TLS on: how long an opening takes, beside the bare TLS handshakes that it contains, and how soon a
-// silent peer is noticed. Prints; judges nothing.
+// Measures sessions on this computer, TLS on: how long an opening takes, beside the two bare TLS handshakes that it contains, and how soon
+// a silent peer is noticed. So that the machine's noise meets all of them alike: `session_bench --benchmark_enable_random_interleaving=true
+// --benchmark_repetitions=10`.
 #include "bare_handshake.hpp"
 #include "child_process.hpp"
+#include "percentiles.hpp"
 #include "test_system.hpp"
 
 #include <QCoreApplication>
-#include <QEventLoop>
-#include <QTimer>
+
+#include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <cstdio>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <string>
 #include <vector>
 
 using namespace liena;
@@ -18,32 +24,147 @@ using Kind = SessionEvent::Kind;
 
 namespace {
 
-constexpr auto referenceTiming = R"(heartbeat="20ms" suspect="70ms" lost="110ms" reconnect="500ms")";
+constexpr auto referenceTiming = R"(heartbeat="20ms" suspect="70ms" lost="110ms" reconnect="500ms")"; ///< of a real system
+constexpr auto patience = std::chrono::seconds(10);
 
 double milliseconds(std::chrono::nanoseconds span) { return std::chrono::duration<double, std::milli>(span).count(); }
 
-/// Returns the median.
-double print(const char* what, std::vector<double> values)
+TestSystem cockpitAndRobot(const std::string& timing = TestSystem::Options().timing)
 {
-    std::sort(values.begin(), values.end());
-    const auto at = [&](double part) { return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))]; };
-    std::printf("%-44s n %3zu   min %7.2f   p50 %7.2f   p99 %7.2f   max %7.2f ms\n", what, values.size(), values.front(), at(0.5), at(0.99),
-                values.back());
-    return at(0.5);
+    return {{reference::cockpit, reference::robot}, {"cockpit robot"}, {"tls", timing}};
 }
 
-/// Lets the event loop turn until `condition` holds; false after ten seconds.
-template <typename Condition>
-bool waitUntil(Condition condition)
+auto isOf(Kind kind)
 {
-    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > limit)
-            return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
-    }
-    return true;
+    return [kind](const SessionEvent& event) { return event.kind == kind; };
 }
+
+auto becomes(SessionState state)
+{
+    return [state](const SessionEvent& event) { return event.kind == Kind::StateChanged && event.to == state; };
+}
+
+/// A device whose events are waited for asleep: a thread that asks again and again would take a processor from what is measured.
+class AwaitedDevice {
+public:
+    explicit AwaitedDevice(Settings settings)
+        : m_device(std::move(settings),
+                   [this](DistributedSystem& system) { system.subscribe([this](const SessionEvent& event) { note(event); }); })
+    {}
+
+    DistributedSystem* operator->() { return &*m_device; }
+
+    /// The first event for which `wanted` holds of those that no call has passed yet; nothing when it does not come.
+    template <typename Wanted>
+    std::optional<SessionEvent> await(Wanted wanted)
+    {
+        const auto limit = std::chrono::steady_clock::now() + patience;
+        std::unique_lock lock(m_mutex);
+        while (m_came.wait_until(lock, limit, [this] { return !m_events.empty(); })) {
+            const auto event = m_events.front();
+            m_events.pop_front();
+            if (wanted(event))
+                return event;
+        }
+        return std::nullopt;
+    }
+
+private:
+    void note(const SessionEvent& event)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_events.push_back(event);
+        m_came.notify_one();
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable m_came;
+    std::deque<SessionEvent> m_events;
+    TestDevice m_device; ///< ends first: it uses the others
+};
+
+/// The times of one benchmark's iterations: their mean is Google Benchmark's own, their percentiles are counters beside it.
+class IterationTimes {
+public:
+    explicit IterationTimes(benchmark::State& state) : m_state(state) {}
+
+    void add(std::chrono::nanoseconds span)
+    {
+        m_state.SetIterationTime(std::chrono::duration<double>(span).count());
+        m_milliseconds.push_back(milliseconds(span));
+    }
+
+    void tell()
+    {
+        m_state.counters["p50_ms"] = percentileOf(m_milliseconds, 0.50);
+        m_state.counters["p99_ms"] = percentileOf(m_milliseconds, 0.99);
+        m_state.counters["max_ms"] = percentileOf(m_milliseconds, 1.0);
+    }
+
+private:
+    benchmark::State& m_state;
+    std::vector<double> m_milliseconds;
+};
+
+/// From the request to Open: two connections, one each way, and the dialogue on them. Closing is not measured.
+void openSession(benchmark::State& state)
+{
+    auto system = cockpitAndRobot();
+    AwaitedDevice robot(system.settingsOf("robot"));
+    AwaitedDevice cockpit(system.settingsOf("cockpit"));
+    const auto peer = system.idOf("robot");
+    IterationTimes times(state);
+    for (auto _ : state) {
+        const auto asked = cockpit->openChannel(peer);
+        const auto opened = asked ? cockpit.await(isOf(Kind::Opened)) : std::nullopt;
+        if (!opened)
+            return state.SkipWithError("the devices did not open a session");
+        times.add(opened->duration);
+        const auto closed = cockpit->closeChannel(peer);
+        if (!closed || !cockpit.await(becomes(SessionState::Closed)) || !robot.await(becomes(SessionState::Closed)))
+            return state.SkipWithError("the devices did not close their session");
+    }
+    times.tell();
+}
+BENCHMARK(openSession)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+/// What no opening can be faster than by doing less of its own: two handshakes with the same certificates, one after the other.
+void twoBareHandshakes(benchmark::State& state)
+{
+    auto system = cockpitAndRobot();
+    BareHandshakes bare(system, "cockpit", "robot");
+    IterationTimes times(state);
+    for (auto _ : state) {
+        const auto first = bare.next();
+        times.add(first + bare.next());
+    }
+    times.tell();
+}
+BENCHMARK(twoBareHandshakes)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+/// From the moment at which the peer's process is frozen, so that nothing closes and nothing comes, to the loss; at the earliest after
+/// `lost`, 110 ms, since it was heard last.
+void noticeFrozenPeer(benchmark::State& state)
+{
+    IterationTimes times(state);
+    for (auto _ : state) {
+        auto system = cockpitAndRobot(referenceTiming);
+        ChildProcess robot(QStringLiteral("liena-device"), QStringList{QStringLiteral("robot")} + system.argumentsOf("robot"));
+        if (!robot.waitForLine(QStringLiteral("listening on")))
+            return state.SkipWithError("the robot does not listen");
+        AwaitedDevice cockpit(system.settingsOf("cockpit"));
+        if (!cockpit->openChannel(system.idOf("robot")) || !cockpit.await(isOf(Kind::Opened)))
+            return state.SkipWithError("the devices did not open a session");
+        const auto frozen = std::chrono::steady_clock::now();
+        robot.freeze();
+        const auto lost = cockpit.await(becomes(SessionState::Reconnecting));
+        if (!lost)
+            return state.SkipWithError("nobody noticed that the robot is frozen");
+        times.add(lost->at - frozen);
+    }
+    times.tell();
+}
+BENCHMARK(noticeFrozenPeer)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(20);
 
 /// The largest time that this process was kept from running while nothing else happened: what the machine itself adds.
 double largestStall()
@@ -59,76 +180,16 @@ double largestStall()
     return largest;
 }
 
-struct Openings {
-    std::vector<double> sessions;   ///< from the request to Open; two connections, one each way
-    std::vector<double> handshakes; ///< of one connection with the same certificates, nothing of ours above it
-};
-
-/// In turns, so that the machine's noise meets both.
-Openings openings(int rounds)
-{
-    TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"}, {"tls", referenceTiming});
-    TestDevice robot(system.settingsOf("robot"));
-    TestDevice cockpit(system.settingsOf("cockpit"));
-    BareHandshakes bare(system, "cockpit", "robot");
-    const auto peer = system.idOf("robot");
-    Openings times;
-    for (int i = 0; i < rounds; ++i) {
-        times.handshakes.push_back(milliseconds(bare.next()));
-        const auto count = cockpit.events(Kind::Opened).size();
-        if (!cockpit->openChannel(peer) || !waitUntil([&] { return cockpit.events(Kind::Opened).size() > count; }))
-            break;
-        times.sessions.push_back(milliseconds(cockpit.events(Kind::Opened).back().duration));
-        (void)cockpit->closeChannel(peer);
-        if (!waitUntil(
-                [&] { return cockpit.state(peer) == SessionState::Closed && robot.state(system.idOf("cockpit")) == SessionState::Closed; }))
-            break;
-    }
-    return times;
-}
-
-std::vector<double> detections(int rounds)
-{
-    std::vector<double> times;
-    for (int i = 0; i < rounds; ++i) {
-        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"}, {"tls", referenceTiming});
-        ChildProcess robot(QStringLiteral("liena-device"), QStringList{QStringLiteral("robot")} + system.argumentsOf("robot"));
-        if (!robot.waitForLine(QStringLiteral("listening on")))
-            break;
-        TestDevice cockpit(system.settingsOf("cockpit"));
-        const auto peer = system.idOf("robot");
-        if (!cockpit->openChannel(peer) || !waitUntil([&] { return cockpit.state(peer) == SessionState::Open; }))
-            break;
-        const auto frozen = std::chrono::steady_clock::now();
-        robot.freeze();
-        const auto lost = [&]() -> std::optional<SessionEvent> {
-            for (const auto& event : cockpit.events(Kind::StateChanged, peer))
-                if (event.to == SessionState::Reconnecting)
-                    return event;
-            return std::nullopt;
-        };
-        if (!waitUntil([&] { return lost().has_value(); }))
-            break;
-        times.push_back(milliseconds(lost()->at - frozen));
-    }
-    return times;
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
     const QCoreApplication application(argc, argv);
-    std::printf("largest stall of this machine in an idle loop: %.1f ms\n", largestStall());
-    const auto opened = openings(50);
-    const auto noticed = detections(20);
-    if (opened.sessions.empty() || noticed.empty()) {
-        std::fprintf(stderr, "session_bench: the devices did not open a session\n");
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 1;
-    }
-    const auto handshake = print("bare TLS handshake, both ends verified", opened.handshakes);
-    const auto session = print("open, request to Open (TLS, one machine)", opened.sessions);
-    std::printf("%-44s %.2f\n", "open / two bare handshakes, medians", session / (2 * handshake));
-    print("frozen peer noticed (lost = 110 ms)", noticed);
+    benchmark::AddCustomContext("largest_stall_ms", std::to_string(largestStall()));
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
     return 0;
 }

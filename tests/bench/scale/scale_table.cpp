@@ -27,13 +27,22 @@ std::string machineLine(const std::vector<ScaleRow>& rows, const ScaleOptions& o
         options.keepAwake ? ", processors kept awake" : "", options.rounds, options.seconds, options.seconds, options.rate, stall);
 }
 
+/// Each is a difference of two loads, and not known where that is no more than what the same load varies by.
+std::string costOf(double microseconds, double difference, const ScaleRow& row, int digits)
+{
+    const double varies = row.idleLoad() * row.idleSpread() / 2;
+    return difference > varies ? fmt::format("{:.{}f}", microseconds, digits) : "–";
+}
+
 std::string lineOf(const ScaleRow& row)
 {
-    return fmt::format(
-        "| {} | {} | {:.1f} | {:.0f} | {:.1f} ± {:.0f} % | {:.0f} | {:.1f} | {:.1f} | {:.0f} / {:.0f} | {:.0f} / {:.0f} | {:.0f} |",
-        row.devices, row.sessionEnds / 2, row.openSeconds, row.heartbeatsPerSecond, 100 * row.idleLoad(), 50 * row.idleSpread(),
-        row.perSessionEnd(), row.perHeartbeat(), row.perMessage(), row.roundTripP50Us, row.roundTripP99Us, row.machine.p50Us,
-        row.machine.p99Us, row.perSessionKiB());
+    const double ofSessions = row.idleLoad() - row.bareLoad;
+    const double ofMessages = row.askingLoad() - row.idleLoad();
+    return fmt::format("| {} | {} | {:.1f} | {:.0f} | {:.1f} ± {:.0f} % | {} | {} | {} | {:.0f} / {:.0f} | {:.0f} / {:.0f} | {:.0f} |",
+                       row.devices, row.sessionEnds / 2, row.openSeconds, row.heartbeatsPerSecond, 100 * row.idleLoad(),
+                       50 * row.idleSpread(), costOf(row.perSessionEnd(), ofSessions, row, 0),
+                       costOf(row.perHeartbeat(), ofSessions, row, 1), costOf(row.perMessage(), ofMessages, row, 1), row.roundTripP50Us,
+                       row.roundTripP99Us, row.machine.p50Us, row.machine.p99Us, row.perSessionKiB());
 }
 
 } // namespace

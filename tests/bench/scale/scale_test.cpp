@@ -45,6 +45,18 @@ private slots:
                 std::string::npos);
     }
 
+    void whatIsLostInTheNoiseIsNoFigure()
+    {
+        ScaleRow row;
+        row.devices = row.sessionEnds = 2;
+        row.bareLoad = 0.05;
+        row.idleLoads = {0.09, 0.11};
+        row.askingLoads = {0.105, 0.105}; // half of what the idle load varies by
+        row.heartbeatsPerSecond = row.messagesPerSecond = 100;
+        const auto table = QString::fromStdString(scaleTable({row}, shortRun()));
+        QVERIFY2(table.contains(QStringLiteral("| 25000 | 500.0 | – |")), qPrintable(table));
+    }
+
     void aSessionThatIsMissingIsAFault()
     {
         MeshPlan plan{2, timingFor(std::chrono::milliseconds(50)), 100, shortRun().program};

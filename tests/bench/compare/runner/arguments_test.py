@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from . import arguments, journal, transports
+from . import arguments, conditions, journal, transports
 
 
 def refusal(*given):
@@ -34,6 +34,20 @@ class ArgumentsTest(unittest.TestCase):
         chosen = arguments.parse("", pathlib.Path("build"), ["--workloads", "paced, load,paced"])
         self.assertEqual(chosen.workloads, ["paced", "load"])
         self.assertIsNone(chosen.transports)
+
+    def test_links_that_lose_packets_or_carry_too_little_are_chosen_by_name_and_not_quickly(self):
+        def links(*given):
+            return arguments.parse("", pathlib.Path("build"), list(given)).links
+
+        self.assertEqual(links("--links", "100m-20ms-loss,400m-overload"), ["100m-20ms-loss", "400m-overload"])
+        self.assertLessEqual({"100m-20ms-loss", "400m-overload"}, set(links()))
+        self.assertEqual(links("--quick"), ["1g", "400m"])
+
+    def test_packets_are_measured_in_round_trips_and_where_some_are_lost(self):
+        packets = next(t for t in transports.TRANSPORTS if t.key == "liena-udp")
+        measured = {m.key for m in conditions.loopback_measurements(arguments.WORKLOADS) + conditions.load_measurements(conditions.LINKS)
+                    if packets.suits(m)}
+        self.assertEqual(measured, {"roundtrip", "paced", *(f"load/100m-20ms-loss/{rate}" for rate in conditions.FRAME_RATES)})
 
     def test_a_transport_that_was_named_and_not_built_is_missing(self):
         built = [t for t in transports.TRANSPORTS if t.key in ("liena", "raw")]

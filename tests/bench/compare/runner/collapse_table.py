@@ -8,15 +8,27 @@ HEAD = ("| | p99 before | p99 during | p99 after | max | limit during | met | fr
         "|---|---|---|---|---|---|---|---|---|---|")
 
 
+def limit_during(before, path):
+    """Of the commands' p99 on the narrow link, from that before the fall; µs."""
+    return before + SEGMENT_BYTES * 8 / path.narrow.megabits + STALL_US
+
+
+def judge(medians, path, transport_key):
+    """Whether p99 during the fall is within its limit, and whether all frames came again in time. A failure is neither."""
+    before, during, back = (medians.of(f"collapse/{path.key}", transport_key, figure)
+                            for figure in ("before_p99", "during_p99", "frames_back_s"))
+    return (False, False) if None in (before, during, back) else (during <= limit_during(before, path), back <= BACK_S)
+
+
 def row(medians, path, transport):
     def of(figure):
         return medians.of(f"collapse/{path.key}", transport.key, figure)
 
     before, during, back = of("before_p99"), of("during_p99"), of("frames_back_s")
-    limit = before + SEGMENT_BYTES * 8 / path.narrow.megabits + STALL_US
+    prompt, again = judge(medians, path, transport.key)
     worst = max(of(name + "_max") for name in ("before", "during", "after"))
-    cells = [number(before), number(during), number(of("after_p99")), number(worst), number(limit), verdict(during <= limit),
-             number(of("frames_during")), "never" if back == float("inf") else number(back, 1, 1), verdict(back <= BACK_S)]
+    cells = [number(before), number(during), number(of("after_p99")), number(worst), number(limit_during(before, path)), verdict(prompt),
+             number(of("frames_during")), "never" if back == float("inf") else number(back, 1, 1), verdict(again)]
     return "| " + " | ".join([transport.title, *cells]) + " |"
 
 

@@ -5,6 +5,9 @@ MIB = 1 << 20
 SEGMENT_BYTES = (4096, 16384)  # of LiENa, least and most: what a command waits for at worst when it came while a frame leaves
 SEGMENT_S = 0.0005  # of the path, in whole steps of the least: PathRate::segment()
 QUEUE_BYTES = 512 * 1024  # before the bottleneck, as in a small switch
+COMMAND_RATE = 500  # per second, beside frames
+FRAME_RATES = (0, 15, 30)
+LOSSY_FRAME_BYTES = 8 * 1024
 
 
 @dataclass(frozen=True)
@@ -13,6 +16,11 @@ class Link:
     megabits: int = 0  # 0: loopback
     delay_ms: int = 0  # each way
     frame_bytes: int = 2 * MIB
+    frame_rates: tuple = FRAME_RATES
+    loss: float = 0.0  # the part of the packets that is lost, each way
+
+    def carries(self, frame_rate):
+        return frame_rate * self.frame_bytes * 8 <= self.megabits * 1_000_000
 
     def segment_bytes(self):
         least, most = SEGMENT_BYTES
@@ -34,7 +42,7 @@ class Measurement:
 
 
 LOOPBACK = Link("loopback")
-# Frames of a quarter (15 /s) and of half (30 /s) of what each link carries.
+# Frames of a quarter (15 /s) and of half (30 /s) of what each link carries; where packets are lost, of what one TCP connection carries there.
 GIGABIT = Link("1 Gbit/s", 1000)
 LINKS = {
     "1g": GIGABIT,
@@ -43,16 +51,16 @@ LINKS = {
     "1g-20ms": Link("1 Gbit/s, 20 ms", 1000, 20),
     "400m-20ms": Link("400 Mbit/s, 20 ms", 400, 20, 2 * MIB * 400 // 1000),
     "100m-20ms": Link("100 Mbit/s, 20 ms", 100, 20, 2 * MIB * 100 // 1000),
+    "400m-overload": Link("400 Mbit/s, less than the frames need", 400, 0, 2 * MIB, (0, 30)),
+    "100m-20ms-loss": Link("100 Mbit/s, 20 ms, 1 % lost", 100, 20, LOSSY_FRAME_BYTES, loss=0.01),
 }
-COMMAND_RATE = 500  # per second, beside frames
-FRAME_RATES = (0, 15, 30)
 
 
 def load_measurements(link_names):
     found = []
     for name in link_names:
         link = LINKS[name]
-        for rate in FRAME_RATES:
+        for rate in link.frame_rates:
             title = f"{link.name}, {rate} frames/s" if rate else f"{link.name}, no frames"
             arguments = ("--frame-rate", str(rate), "--frame-bytes", str(link.frame_bytes), "--command-rate", str(COMMAND_RATE))
             found.append(Measurement(f"load/{name}/{rate}", title, link, "load", "tls", arguments))

@@ -1,5 +1,5 @@
 """The part of the table about commands beside frames."""
-from .conditions import COMMAND_RATE, FRAME_RATES, LINKS
+from .conditions import COMMAND_RATE, LINKS
 
 STALL_US = 500  # what a command may be later than on the idle link, beside the time of one segment
 LONG_STALL_US = 1500  # and one in a thousand
@@ -27,8 +27,14 @@ def within(found, limits):
     return None if None in (*found, *limits) else all(value <= limit for value, limit in zip(found, limits))
 
 
+def arrived(of):
+    """Commands that came themselves; results of earlier versions count no others."""
+    count = of("commands_arrived")
+    return of("command_count") if count is None else count
+
+
 def command_cells(of, due):
-    counts = f"{number(of('command_count'))} / {number(of('commands_sent'))} / {number(due)}"
+    counts = f"{number(arrived(of))} / {number(of('commands_sent'))} / {number(due)}"
     return [*(number(of("command_" + part)) for part in ("p50", "p99", "p999", "max")), counts]
 
 
@@ -53,7 +59,7 @@ def row(medians, link_name, rate, transport, seconds):
 
 
 def rows(medians, link_name, transports, seconds):
-    for rate in FRAME_RATES:
+    for rate in LINKS[link_name].frame_rates:
         measured = medians.results.get(f"load/{link_name}/{rate}", {})
         if measured:
             kib = LINKS[link_name].frame_bytes // 1024
@@ -65,12 +71,25 @@ def rows(medians, link_name, transports, seconds):
                 yield f"| {transport.title} | did not come through |" + " |" * 9
 
 
+def what_is_no_target(link):
+    """Where packets are lost, or the frames are too many; nothing where all columns are targets."""
+    if link.loss:
+        return (f"{100 * link.loss:g} % of the packets are lost, each way and each by itself. No limit is a target here: sealed UDP packets' "
+                "p99 is held against the best other transport's. What is lost of them is not sent again, and late until the next one is there. ")
+    if not all(map(link.carries, link.frame_rates)):
+        return ("The link cannot carry these frames: LiENa withholds those that a newer one follows, and neither "
+                "their age nor their number is a target. ")
+    return ""
+
+
 def explanation(medians, link_name):
     spread = medians.spread(f"load/{link_name}/0", "raw", "command_p99")
     link = LINKS[link_name]
+    exception = what_is_no_target(link)
     return (f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due. Limits: the same transport's p99 without "
             f"frames, the time of a {link.segment_bytes() // 1024} KiB segment ({link.segment_us():.0f} µs), and {STALL_US} µs for p99, "
-            f"{LONG_STALL_US} µs for p99.9. Frames: p50 in ms, and beside raw TCP's (target {FRAME_RATIO}). Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %.")
+            f"{LONG_STALL_US} µs for p99.9. {exception}Frames: p50 in ms, and beside raw TCP's"
+            f"{'' if exception else f' (target {FRAME_RATIO})'}. Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %.")
 
 
 def sections(medians, transports, seconds):

@@ -1,4 +1,4 @@
-"""Where the two ends run: on loopback, or in two network namespaces joined by a link of limited rate, and of some length."""
+"""Where the two ends run: on loopback, or in two network namespaces joined by a link of limited rate, of some length, and with losses."""
 import os
 import subprocess
 
@@ -68,7 +68,7 @@ class ShapedPair(Namespaces):
 
 
 class WiredPair(Namespaces):
-    """The lab's wire, which also delays; it is a program, and takes processor time from the ends."""
+    """The lab's wire, which also delays and loses; it is a program, and takes processor time from the ends."""
 
     def __init__(self, link, wire, urgency):
         super().__init__()
@@ -80,7 +80,7 @@ class WiredPair(Namespaces):
         self.wire.stdout.readline()
         for port in (1, 2):
             self.say(f"port {port} rate={link.megabits * 1000000} queue={QUEUE_BYTES}")
-        self.say(f"link *>* delay={link.delay_ms}ms")
+        self.say(f"link *>* delay={link.delay_ms}ms drop={link.loss}")
         self.configure()
 
     def say(self, order):
@@ -99,4 +99,4 @@ class WiredPair(Namespaces):
 def make(link, wire, urgency):
     if not link.megabits:
         return Loopback()
-    return WiredPair(link, wire, urgency) if link.delay_ms else ShapedPair(link)
+    return WiredPair(link, wire, urgency) if link.delay_ms or link.loss else ShapedPair(link)

@@ -2,7 +2,7 @@
 import types
 import unittest
 
-from . import collapse, conditions, load_table, loopback_table, report, targets, transports
+from . import collapse, collapse_table, conditions, load_table, loopback_table, report, targets, transports
 
 
 def comparison(results, rounds=3):
@@ -50,6 +50,71 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(answers(self.beside_frames(command_p99=1010))[:2], ["yes", "**no**"])
         self.assertEqual(answers(self.beside_frames(frame_p50=21))[2], "**no**")
         self.assertEqual(answers(self.beside_frames(frame_count=70))[3], "**no**")
+
+    def test_of_the_conditions_only_those_count_as_usual_where_the_link_carries_the_frames_and_loses_none(self):
+        known = {f"load/{name}/{rate}": {"liena": [{"command_p99": 1}]} for name, link in conditions.LINKS.items() for rate in link.frame_rates}
+        medians = report.Medians(known)
+        usual = [key for key, _, _ in targets.conditions_with_frames(medians, fitting=True)]
+        self.assertEqual(len(usual), 12)
+        self.assertFalse([key for key in usual if "loss" in key or "overload" in key])
+        self.assertEqual(list(targets.conditions_with_frames(medians, fitting=False)),
+                         [("load/400m-overload/30", "load/400m-overload/0", conditions.LINKS["400m-overload"])])
+
+    def test_overload_is_judged_by_commands_alone(self):
+        def line(**liena):
+            own = {"command_p99": 900, "command_p999": 1900, "frame_p50": 90, "frame_count": 60, "frames_sent": 150} | liena
+            idle = {"command_p99": 100, "command_p999": 300}
+            medians = report.Medians({"load/400m-overload/0": {"liena": [idle]}, "load/400m-overload/30": {"liena": [own]}})
+            self.assertEqual(targets.load_lines(medians), [])
+            return targets.overload_lines(medians)[0]
+
+        self.assertIn("conditions | all 1 | 1 | yes |", line())
+        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p99=930))  # above 100 + 328 + 500
+        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p999=1930))
+
+    @staticmethod
+    def with_losses(packets, **others):
+        return report.Medians({"load/100m-20ms-loss/15": {
+            key: [{"command_p99": p99} if p99 else {}] for key, p99 in ({"liena-udp": packets, "liena": 20} | others).items()}})
+
+    def test_packets_are_held_against_other_transports_where_packets_are_lost(self):
+        self.assertIn("conditions | all 1 | 1 | yes |", targets.loss_lines(self.with_losses(21, raw=90, cyclone=21))[0])
+        self.assertIn("conditions | all 1 | 0 | **no** |", targets.loss_lines(self.with_losses(22, raw=90, cyclone=21))[0])
+        self.assertIn("conditions | all 1 | 0 | **no** |", targets.loss_lines(self.with_losses(None, raw=90))[0])
+        self.assertEqual(targets.loss_lines(self.with_losses(22, raw=None)), [])  # nothing to be held against
+        self.assertEqual(targets.load_lines(self.with_losses(22, raw=90)), [])
+
+    def test_those_arrived_that_came_themselves(self):
+        def cells(**figures):
+            found = {"command_p50": 20, "command_p99": 22, "command_p999": 22, "command_max": 23, "commands_sent": 2500} | figures
+            return load_table.command_cells(found.get, 2500)[-1]
+
+        self.assertEqual(cells(command_count=2499, commands_arrived=2470), "2 470 / 2 500 / 2 500")
+        self.assertEqual(cells(command_count=2499), "2 499 / 2 500 / 2 500")  # kept by an earlier version
+
+    def test_a_table_says_what_is_lost_or_withheld(self):
+        self.assertIn("1 % of the packets are lost", load_table.what_is_no_target(conditions.LINKS["100m-20ms-loss"]))
+        self.assertIn("withholds", load_table.what_is_no_target(conditions.LINKS["400m-overload"]))
+        self.assertEqual(load_table.what_is_no_target(conditions.LINKS["400m"]), "")
+
+    @staticmethod
+    def fallen(*rounds):
+        return report.Medians({"collapse/100m": {"liena": [
+            {"before_p99": 900, "during_p99": during, "after_p99": 900, "frames_during": 48, "frames_back_s": back,
+             **{f"{span}_max": 9000 for span in ("before", "during", "after")}} if during else {} for during, back in rounds]}})
+
+    def test_a_falling_link_is_judged_by_its_limit_and_by_when_frames_are_back(self):
+        def answers(*rounds):
+            return [line.split("|")[3].strip() for line in targets.collapse_lines(self.fallen(*rounds))]
+
+        self.assertEqual(answers((4600, 0.8)), ["1", "1"])  # 900 + 3277 + 500
+        self.assertEqual(answers((4700, 5.0)), ["0", "1"])
+        self.assertEqual(answers((4600, 5.1)), ["1", "0"])
+        self.assertEqual(answers((4600, float("inf"))), ["1", "0"])
+        self.assertEqual(answers((None, None)), ["0", "0"])
+        self.assertEqual(targets.collapse_lines(report.Medians({})), [])
+        table = "\n".join(collapse_table.sections(self.fallen((4700, 5.1)), transports.TRANSPORTS))
+        self.assertIn("| 4 677 | **no** | 48 | 5.1 | **no** |", table)
 
     def test_a_failure_is_counted_as_not_met(self):
         medians = self.beside_frames()

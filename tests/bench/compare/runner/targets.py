@@ -1,8 +1,10 @@
 """What the figures of LiENa are held against."""
 from dataclasses import dataclass
 
+from . import collapse_table
+from .conditions import COLLAPSES, LINKS
 from .load_table import FRAME_RATIO, limits_of, verdict, within
-from .conditions import FRAME_RATES, LINKS
+from .transports import OWN
 
 BELOW = "<"
 AT_MOST = "≤"
@@ -49,18 +51,25 @@ TARGETS = [
 ]
 
 
-def conditions_with_frames(medians):
-    """`(key, idle key, link)` of those that were measured with LiENa, whether it came through or not."""
+def conditions_with_frames(medians, fitting):
+    """`(key, idle key, link)` of those that were measured with LiENa, whether it came through or not: where the link carries the frames, or
+    where it does not. Links that lose packets are judged by themselves."""
     for name, link in LINKS.items():
-        for rate in filter(None, FRAME_RATES):
+        for rate in filter(None, link.frame_rates):
             key = f"load/{name}/{rate}"
-            if medians.results.get(key, {}).get("liena"):
+            if not link.loss and link.carries(rate) == fitting and medians.results.get(key, {}).get("liena"):
                 yield key, f"load/{name}/0", link
+
+
+def conditions_with_losses(medians):
+    """The keys of those that were measured with LiENa's packets, with frames and without."""
+    keys = [f"load/{name}/{rate}" for name, link in LINKS.items() if link.loss for rate in link.frame_rates]
+    return [key for key in keys if medians.results.get(key, {}).get("liena-udp")]
 
 
 def best_of_others(medians, key):
     """The least p99 of any other transport there; None when there is no other."""
-    found = [medians.of(key, other, "command_p99") for other in medians.results[key] if other != "liena"]
+    found = [medians.of(key, other, "command_p99") for other in medians.results[key] if other not in OWN]
     return min((p99 for p99 in found if p99 is not None), default=None)
 
 
@@ -82,15 +91,44 @@ def judge_load(medians, key, idle_key, link):
             None if raw is None else frame <= FRAME_RATIO * raw, arrived >= ALL_FRAMES)
 
 
+def judge_packets(medians, key):
+    """Whether LiENa's commands as packets of their own are as prompt as those of the best other transport; None without another. A failure
+    is not."""
+    p99, best = medians.of(key, "liena-udp", "command_p99"), best_of_others(medians, key)
+    return False if p99 is None else None if best is None else p99 <= best
+
+
+def counted(title, answers):
+    """How many of the conditions are met; nothing where none is known."""
+    known = [answer for answer in answers if answer is not None]
+    return [f"| {title} | all {len(known)} | {sum(known)} | {verdict(all(known))} |"] if known else []
+
+
 def load_lines(medians):
-    """Over all conditions with frames: how many are met."""
-    judged = [judge_load(medians, *condition) for condition in conditions_with_frames(medians)]
-    for title, met in zip(("Commands beside frames: p99 and p99.9 within their limits, conditions",
-                           "Commands beside frames: p99 not above the best other transport's, conditions",
-                           f"Frames: p50 ÷ raw TCP ≤ {FRAME_RATIO}, conditions", "Frames: all arrive but one in fifty, conditions"), zip(*judged)):
-        known = [answer for answer in met if answer is not None]
-        if known:
-            yield f"| {title} | all {len(known)} | {sum(known)} | {verdict(all(known))} |"
+    """Over all conditions with frames that the link carries."""
+    judged = [judge_load(medians, *condition) for condition in conditions_with_frames(medians, fitting=True)]
+    titles = ("Commands beside frames: p99 and p99.9 within their limits, conditions",
+              "Commands beside frames: p99 not above the best other transport's, conditions",
+              f"Frames: p50 ÷ raw TCP ≤ {FRAME_RATIO}, conditions", "Frames: all arrive but one in fifty, conditions")
+    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+
+
+def overload_lines(medians):
+    """Frames are withheld there, so that how old and how many they are is no target."""
+    judged = [judge_load(medians, *condition)[0] for condition in conditions_with_frames(medians, fitting=False)]
+    return counted("Commands beside more frames than the link carries: p99 and p99.9 within their limits, conditions", judged)
+
+
+def loss_lines(medians):
+    judged = [judge_packets(medians, key) for key in conditions_with_losses(medians)]
+    return counted("Commands as sealed UDP packets where packets are lost: p99 not above the best other transport's, conditions", judged)
+
+
+def collapse_lines(medians):
+    judged = [collapse_table.judge(medians, path, "liena") for path in COLLAPSES if medians.results.get(f"collapse/{path.key}", {}).get("liena")]
+    titles = ("A link that falls to a tenth: commands' p99 during that within its limit, links",
+              f"A link that falls to a tenth: all frames again within {collapse_table.BACK_S} s of its healing, links")
+    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
 
 
 def sections(medians):
@@ -99,5 +137,5 @@ def sections(medians):
         value = target.value(medians)
         if value is not None:
             lines.append(f"| {target.title} | {target.relation} {target.bound:g} | {value:.2f} | {verdict(target.is_met(value))} |")
-    lines += load_lines(medians)
+    lines += load_lines(medians) + overload_lines(medians) + loss_lines(medians) + collapse_lines(medians)
     return ["\n".join(["### LiENa's targets", "", "| | target | measured | met |", "|---|---|---|---|", *lines])] if lines else []

@@ -1,6 +1,8 @@
 """The programs under comparison, and which of them need certificates."""
 from dataclasses import dataclass
 
+from .conditions import LOOPBACK
+
 
 @dataclass(frozen=True)
 class Transport:
@@ -10,6 +12,13 @@ class Transport:
     mode: str  # of the topology that LiENa reads
     arguments: tuple = ()  # of the program, besides those of the measurement
     round_trips_only: bool = False
+    also_with_losses: bool = False  # beside frames as well, where packets are lost
+
+    def suits(self, measurement):
+        """Mode none is for comparison on loopback only, and whoever never sleeps takes a processor from what is measured beside it."""
+        if self.round_trips_only:
+            return measurement.workload in ("roundtrip", "paced") or (self.also_with_losses and measurement.link.loss > 0)
+        return measurement.link == LOOPBACK or self.key not in ("liena-none", "asio")
 
 
 TRANSPORTS = [
@@ -17,7 +26,7 @@ TRANSPORTS = [
     Transport("asio-tls", "Asio TLS", "peer_asio_tls", "tls"),
     Transport("raw", "raw TCP", "peer_raw_tcp", "none"),
     Transport("liena-asleep", "LiENa, TLS, asleep between messages", "peer_liena", "tls", ("--asleep",), True),
-    Transport("liena-udp", "LiENa, sealed UDP packets", "peer_liena", "tls", ("--packets",), True),
+    Transport("liena-udp", "LiENa, sealed UDP packets", "peer_liena", "tls", ("--packets",), True, True),
     Transport("liena-spin", "LiENa, TLS, never asleep", "peer_liena", "tls", ("--spin",), True),
     Transport("raw-spin", "raw TCP, never asleep", "peer_raw_tcp", "none", ("--spin",), True),
     Transport("liena-none", "LiENa, mode none", "peer_liena", "none"),
@@ -27,6 +36,7 @@ TRANSPORTS = [
     Transport("cyclone", "Cyclone DDS", "peer_cyclonedds", "none"),
     Transport("fastdds", "Fast DDS", "peer_fastdds", "none"),
 ]
+OWN = tuple(t.key for t in TRANSPORTS if t.program == "peer_liena")
 
 
 def built(bin_dir):

@@ -1,4 +1,5 @@
 // Commands in a fixed rhythm beside frames that go the same way: one-way latencies of both.
+#include "measure/command_row.hpp"
 #include "measure/due_grid.hpp"
 #include "measure/result_line.hpp"
 #include "measure/ticker.hpp"
@@ -110,8 +111,10 @@ public:
     {
         if (command.stamp.number == lastNumber)
             return end();
-        if (command.stamp.number > 0)
-            record(command.stamp, m_commands, m_commandTimes);
+        if (command.stamp.number == 0)
+            return;
+        for (const auto& stamp : m_row.come(command.stamp))
+            record(stamp, m_commands, m_commandTimes);
     }
 
     void frameReceived(const Stamp& stamp, std::size_t /*size*/) override
@@ -134,7 +137,9 @@ private:
         if (std::exchange(m_ended, true))
             return;
         ResultLine line;
-        line.add("command", m_commands).add("frame", m_frames);
+        line.add("command", m_commands)
+            .add("commands_arrived", static_cast<double>(m_commands.count() - m_row.missing()))
+            .add("frame", m_frames);
         if (m_tellsAll) {
             line.add("command_due_ms", m_commandTimes.due).add("command_late_ms", m_commandTimes.late);
             line.add("frame_due_ms", m_frameTimes.due).add("frame_late_ms", m_frameTimes.late);
@@ -142,6 +147,7 @@ private:
         line.print();
     }
 
+    CommandRow m_row;
     LatencySamples m_commands;
     LatencySamples m_frames;
     Timeline m_commandTimes;
