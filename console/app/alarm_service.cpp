@@ -11,6 +11,20 @@ constexpr std::chrono::milliseconds period{50};
 
 qint64 wallTime() { return QDateTime::currentMSecsSinceEpoch(); }
 
+/// `ENGAGED, picture LIVE, AGE 98 ms, force 0.12 N`.
+QString howThingsStand(const ConsoleModels& models, Instant now)
+{
+    const PictureReading picture = models.picture.reading(now);
+    const auto& robot = models.instrument.robot();
+    const bool fresh = robot.freshness(now, InstrumentState::statusLimit) == Freshness::Fresh;
+    const QString age =
+        picture.age ? AlarmService::tr("AGE %1 ms").arg(milliseconds(*picture.age), 0, 'f', 0) : AlarmService::tr("AGE unknown");
+    const QString force =
+        fresh ? AlarmService::tr("force %1 N").arg(robot.value.guidewireForce, 0, 'f', 2) : AlarmService::tr("force unknown");
+    return QStringList{word(models.permit.phase()), AlarmService::tr("picture %1").arg(word(picture.condition)), age, force}.join(
+        AlarmService::tr(", "));
+}
+
 QString named(const QString& who) { return who.isEmpty() ? AlarmService::tr("the operator") : who; }
 
 } // namespace
@@ -119,6 +133,13 @@ void AlarmService::toggleAudioPause(const QString& who)
         m_models.alarms.resumeAudio(wallTime());
     else
         m_models.alarms.pauseAudio(now, wallTime(), who);
+}
+
+void AlarmService::markIncident(const QString& who)
+{
+    const auto text = tr("incident marked by %1: %2").arg(named(who), howThingsStand(m_models, std::chrono::steady_clock::now()));
+    m_models.alarms.note(wallTime(), text);
+    m_models.log.append(LogKind::Operator, text, wallTime());
 }
 
 void AlarmService::beginSelfTest()

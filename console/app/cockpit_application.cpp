@@ -123,6 +123,10 @@ void CockpitApplication::buildLog()
     });
     connect(m_window.get(), &CockpitWindow::reportRequested, &m_reportSaver,
             [this](const QString& text) { m_reportSaver.save(text.toUtf8(), suggestedLogPath(QStringLiteral("incident"))); });
+    connect(m_window.get(), &CockpitWindow::patientSideCallRequested, this, [this] {
+        const QString how = m_models.patientSide.isEmpty() ? tr("how is not set up") : m_models.patientSide;
+        m_models.log.append(LogKind::Operator, tr("call the patient side: %1").arg(how), QDateTime::currentMSecsSinceEpoch());
+    });
     connect(&m_reportSaver, &LogSaver::saved, m_window.get(), [this](const QString& path) {
         m_models.log.append(LogKind::Note, tr("report saved: %1").arg(path), QDateTime::currentMSecsSinceEpoch());
         m_window->showReportNote(tr("Report saved: %1").arg(path));
@@ -165,6 +169,10 @@ void CockpitApplication::connectAlarms()
     auto* alarms = m_alarms.get();
     connect(window, &CockpitWindow::acknowledgeRequested, alarms, [this](quint64 alarm) { m_alarms->acknowledge(alarm, m_options.user); });
     connect(window, &CockpitWindow::audioPauseRequested, alarms, [this] { m_alarms->toggleAudioPause(m_options.user); });
+    connect(window, &CockpitWindow::incidentMarkRequested, alarms, [this] {
+        m_alarms->markIncident(m_options.user);
+        m_window->showIncidentMarked();
+    });
     connect(window, &CockpitWindow::alarmTestRequested, alarms, &AlarmService::beginSelfTest);
     connect(window, &CockpitWindow::alarmTestAnswered, alarms, [this](bool seenAndHeard) {
         m_alarms->answerSelfTest(seenAndHeard, m_options.unattended ? tr("the unattended run, no person") : m_options.user);

@@ -33,6 +33,9 @@ public:
     /// Sounds in place of the loudspeaker, for measurements; before prepare(). It must outlive this object.
     void setVoice(AlarmVoice& voice) { m_voice = &voice; }
 
+    /// Keys and mouse come from elsewhere by this way, whatever the session says of itself; empty: they are this computer's. For tests.
+    void setInputOrigin(const QString& way) { m_models.remoteInput = way; }
+
     /// Reads the files and takes the port; false with one sentence in `error` when it cannot.
     bool prepare(QString* error);
 

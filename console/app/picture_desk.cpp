@@ -33,7 +33,12 @@ QString folderFor(const QString& named)
 } // namespace
 
 PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject* parent)
-    : QObject(parent), m_displayFile(options.display), m_models(models), m_review(m_ring), m_saver(folderFor(options.pictures))
+    : QObject(parent),
+      m_displayFile(options.display),
+      m_patient{options.patient, options.patientId},
+      m_models(models),
+      m_review(m_ring),
+      m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
     m_pipeline.mapInto(m_maker);
@@ -277,7 +282,9 @@ void PictureDesk::save(const DisplayPicture& picture, PictureCanvas& pane)
     PictureCanvas* before = m_saver.isBusy() ? m_saving : &pane;
     pane.tell({}); // what was told before is no part of the picture
     m_saving = &pane;
-    m_saver.save(picture, pane.grab().toImage());
+    const QImage seen = pane.grab().toImage();
+    const auto condition = m_models.picture.reading(std::chrono::steady_clock::now()).condition;
+    m_saver.save({picture, condition, pane.measurement(), m_patient}, seen);
     m_saving = before;
 }
 

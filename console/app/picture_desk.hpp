@@ -67,6 +67,7 @@ private:
     void answer(bool trouble, const QString& text);
 
     const QString m_displayFile;
+    const PatientIdentity m_patient;
     ConsoleModels& m_models;
     CineRing m_ring;
     RoadmapMaker m_maker;

@@ -1,35 +1,14 @@
 // A pane with an X-ray picture in it: the part that is shown, and what is measured on it.
-#include "imaging/pane_colours.hpp"
+#include "imaging/measurement_marks.hpp"
 #include "imaging/picture_canvas.hpp"
 #include "imaging/text_plates.hpp"
 
 #include <QPainter>
 
-#include <functional>
+#include <optional>
 #include <vector>
 
 namespace console {
-
-namespace {
-
-constexpr double crossArm = 7;
-
-// Light on a dark edge: to be seen on every grey.
-void paintTwice(QPainter& painter, const std::function<void()>& stroke)
-{
-    painter.setPen(QPen(pane_colours::background, 4));
-    stroke();
-    painter.setPen(QPen(pane_colours::wire, 1.5));
-    stroke();
-}
-
-void paintCross(QPainter& painter, QPointF at)
-{
-    painter.drawLine(at - QPointF(crossArm, 0), at + QPointF(crossArm, 0));
-    painter.drawLine(at - QPointF(0, crossArm), at + QPointF(0, crossArm));
-}
-
-} // namespace
 
 void PictureCanvas::paintShown(QPainter& painter) const
 {
@@ -79,29 +58,20 @@ QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
     const PictureViewport view = viewport();
     painter.save();
     painter.setClipRect(view.target());
-    painter.setRenderHint(QPainter::Antialiasing);
     std::vector<QPointF> points;
     for (const QPointF& point : m_measurement.points())
         points.push_back(view.toPane(point));
-    paintTwice(painter, [&] {
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            paintCross(painter, points[i]);
-            if (i > 0)
-                painter.drawLine(points[i - 1], points[i]);
-        }
-        if (m_cursor)
-            paintCross(painter, view.toPane(*m_cursor));
-    });
+    paintMeasured(painter, points, m_cursor ? std::optional<QPointF>(view.toPane(*m_cursor)) : std::nullopt);
     QRegion region;
     for (const QPointF& point : points)
         region += QRectF(point - QPointF(10, 10), QSizeF(20, 20)).toAlignedRect();
     TextPlates plates(overlayFont());
-    const QPoint place(view.target().center().x(), view.target().top() + view.target().height() * 3 / 4);
+    const QPoint place = measuredPlace(view.target());
     const QString result = m_measurement.text();
     const QString request = tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.wanted());
     const QRect first = plates.add(result.isEmpty() ? request : result, place, Qt::AlignHCenter | Qt::AlignTop);
     if (m_measurement.pixels() && m_measurement.calibration().kind != CalibrationKind::Catheter)
-        plates.add(tr("Right button or B: it is the width of a catheter of 4 F, 5 F, \u2026"), {place.x(), first.bottom() + 1},
+        plates.add(tr("Right button or B: it is the width of a catheter of 4 F to 8 F"), {place.x(), first.bottom() + 1},
                    Qt::AlignHCenter | Qt::AlignTop);
     plates.paint(painter);
     painter.restore();

@@ -4,6 +4,7 @@
 #include "imaging/file_writing.hpp"
 #include "imaging/pane_colours.hpp"
 #include "imaging/picture_marks.hpp"
+#include "imaging/text_plates.hpp"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -37,14 +38,23 @@ QString roleName(PictureRole role)
     return QStringLiteral("picture");
 }
 
+/// A hold and a review are of another time whatever the live picture is.
+bool followsLive(PictureRole role) { return role == PictureRole::Live || role == PictureRole::Roadmap; }
+
 } // namespace
 
-QString exportWords(const DisplayPicture& picture)
+QString exportWords(const Snapshot& snapshot)
 {
+    const DisplayPicture& picture = snapshot.picture;
     // Saved, nothing is live any more.
-    const QString role = picture.role == PictureRole::Live ? Text::tr("SNAPSHOT") : word(picture.role);
-    const QString source = picture.about.source == PictureSource::Live ? QString() : QStringLiteral("  ") + word(picture.about.source);
-    return Text::tr("%1%2  picture of %3").arg(role, source, clockTime(picture.about.captureNs));
+    QStringList words{picture.role == PictureRole::Live ? Text::tr("SNAPSHOT") : word(picture.role)};
+    const bool wasLive = snapshot.condition == PictureCondition::Live || snapshot.condition == PictureCondition::None;
+    if (followsLive(picture.role) && !wasLive)
+        words << word(snapshot.condition);
+    if (picture.about.source != PictureSource::Live)
+        words << word(picture.about.source);
+    words << Text::tr("picture of %1").arg(clockTime(picture.about.captureNs));
+    return words.join(QStringLiteral("  "));
 }
 
 QString exportName(const DisplayPicture& picture)
@@ -56,19 +66,20 @@ QString exportName(const DisplayPicture& picture)
         .arg(picture.about.frame);
 }
 
-QImage withBanner(const QImage& pane, const DisplayPicture& picture)
+QImage withBanner(const QImage& pane, const Snapshot& snapshot)
 {
     if (pane.isNull())
         return {};
     QFont font;
     font.setPixelSize(std::clamp(pane.width() / 40, 10, 40));
+    font = fitted(font, {exportWords(snapshot)}, pane.width());
     QImage image(pane.width(), pane.height() + 2 * font.pixelSize(), QImage::Format_RGB32);
     image.fill(pane_colours::background);
     QPainter painter(&image);
     painter.drawImage(0, 0, pane);
     painter.setFont(font);
     painter.setPen(pane_colours::text);
-    painter.drawText(QRect(0, pane.height(), pane.width(), 2 * font.pixelSize()), Qt::AlignCenter, exportWords(picture));
+    painter.drawText(QRect(0, pane.height(), pane.width(), 2 * font.pixelSize()), Qt::AlignCenter, exportWords(snapshot));
     return image;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "imaging/display_picture.hpp"
+#include "imaging/measurement.hpp"
 
 #include <QByteArray>
 #include <QImage>
@@ -9,14 +10,28 @@
 
 namespace console {
 
-/// What a saved picture says of itself in words: role, source, time of the pulse.
-QString exportWords(const DisplayPicture& picture);
+/// As the console was told at its start; nobody has checked it against the X-ray system's. Both or neither.
+struct PatientIdentity {
+    QString name;
+    QString number;
+};
+
+/// A picture as it was seen when somebody asked for it to be saved.
+struct Snapshot {
+    DisplayPicture picture;
+    PictureCondition condition = PictureCondition::Live; ///< of the live picture then
+    Measurement measurement{};                           ///< on this picture
+    PatientIdentity patient{};
+};
+
+/// What a saved picture says of itself in words: role, why it was not live, source, time of the pulse.
+QString exportWords(const Snapshot& snapshot);
 
 /// `liena_2026-01-31T12-03-41.250_review_run3_frame17`, without folder and ending; times in UTC.
 QString exportName(const DisplayPicture& picture);
 
 /// The pane as it was seen, and below it in a line of its own what was saved: on paper nothing is live.
-QImage withBanner(const QImage& pane, const DisplayPicture& picture);
+QImage withBanner(const QImage& pane, const Snapshot& snapshot);
 
 /// Each writes the whole file or leaves what was there: empty, or one sentence with the file, the reason and what to do. Any thread.
 QString savePng(const QImage& image, const QString& path);
@@ -29,9 +44,9 @@ struct CaptureSeries {
     static CaptureSeries begin();
 };
 
-/// The picture as it is displayed, 8 bits, DICOM PS3.3 A.8.1. What it is stands in its pixels and in its attributes. No patient is named:
-/// what the console shows as one was typed at its start, and nobody has checked it against the X-ray system's. A picture that is not from
-/// the X-ray system's live beam is marked as one for quality control.
-QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path, const CaptureSeries& series = CaptureSeries::begin());
+/// The picture as it is displayed, 8 bits, DICOM PS3.3 A.8.1. What it is, and what was measured on it, stands in its pixels and in its
+/// attributes; of the patient they say that nobody has checked the name. A picture that is not from the X-ray system's live beam is marked
+/// as one for quality control.
+QString saveSecondaryCapture(const Snapshot& snapshot, const QString& path, const CaptureSeries& series = CaptureSeries::begin());
 
 } // namespace console

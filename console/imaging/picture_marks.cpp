@@ -8,7 +8,6 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QFontMetrics>
 #include <QPainter>
 #include <QStringList>
 
@@ -31,6 +30,34 @@ QString noiseWords(int asked, const PictureTreatment& treatment)
         return Text::tr("noise %1 %").arg(asked);
     return treatment.filterIsBounded ? Text::tr("noise %1 of %2 %, for latency").arg(present).arg(asked)
                                      : Text::tr("noise %1 of %2 %").arg(present).arg(asked);
+}
+
+/// What must be said first: where the room lacks, the last ones are left out.
+QStringList treatmentParts(const DisplayPicture& picture)
+{
+    QStringList parts{picture.isCalibrated ? Text::tr("display calibrated") : Text::tr("display not calibrated")};
+    const DisplaySettings& settings = picture.settings;
+    if (settings.inverted)
+        parts << Text::tr("INVERTED");
+    if (settings.noiseReduction > 0)
+        parts << noiseWords(settings.noiseReduction, picture.treatment);
+    if (settings.edge > 0)
+        parts << Text::tr("edge %1 %, %2").arg(settings.edge).arg(word(settings.edgeMethod));
+    if (settings.shutter != ShutterShape::None)
+        parts << Text::tr("SHUTTER");
+    return parts;
+}
+
+/// As many of `parts` as there is room for, none of them cut, and the first in any case.
+QString asManyAsFit(QStringList parts, const QFont& font, int room)
+{
+    const QString gap = QStringLiteral("  ");
+    QString text = parts.join(gap);
+    while (parts.size() > 1 && figuresWidth(font, text) > room) {
+        parts.removeLast();
+        text = parts.join(gap) + gap + QChar(0x2026);
+    }
+    return figuresWidth(font, text) <= room ? text : parts.first();
 }
 
 } // namespace
@@ -64,21 +91,7 @@ QString windowLine(const DisplayPicture& picture)
     return line;
 }
 
-QString treatmentLine(const DisplayPicture& picture)
-{
-    QStringList parts;
-    const DisplaySettings& settings = picture.settings;
-    if (settings.inverted)
-        parts << Text::tr("INVERTED");
-    if (settings.noiseReduction > 0)
-        parts << noiseWords(settings.noiseReduction, picture.treatment);
-    if (settings.edge > 0)
-        parts << Text::tr("edge %1 %, %2").arg(settings.edge).arg(word(settings.edgeMethod));
-    if (settings.shutter != ShutterShape::None)
-        parts << Text::tr("SHUTTER");
-    parts << (picture.isCalibrated ? Text::tr("display calibrated") : Text::tr("display not calibrated"));
-    return parts.join(QStringLiteral("  "));
-}
+QString treatmentLine(const DisplayPicture& picture) { return treatmentParts(picture).join(QStringLiteral("  ")); }
 
 void placeSides(TextPlates& plates, const QRect& area, const DisplayPicture& picture)
 {
@@ -130,17 +143,25 @@ void paintScaleBar(QPainter& painter, const QRect& bar)
 void placeFacts(TextPlates& plates, const QRect& area, const QRect& bar, const DisplayPicture& picture, double zoom)
 {
     const int gap = plates.gap();
-    const QPoint corner(area.left() + gap, area.bottom() - gap);
     const int room = area.width() - 4 * gap;
+    QPoint corner(area.left() + gap, area.bottom() - gap);
+    const auto place = [&](const QString& text, const QFont& font) {
+        if (const QRect placed = plates.addAbove(text, font, corner, bar, area.top()); !placed.isEmpty())
+            corner.setY(placed.top() - 1);
+    };
+    const QString window = windowLine(picture);
     const QString frame = Text::tr("frame %1  run %2").arg(picture.about.frame).arg(picture.about.acquisition);
-    const QString whole = frame + QStringLiteral("  ") + windowLine(picture);
-    // Fewer facts where the room lacks, and never a number that is cut.
-    const QRect low = plates.addAbove(figuresWidth(plates.font(), whole) <= room ? whole : frame, corner, bar, area.top());
-    QString treatment = treatmentLine(picture);
+    const QString whole = frame + QStringLiteral("  ") + window;
+    // The grey values mean nothing without their window: it gives way to nothing, and no number is cut.
+    const bool beside = figuresWidth(plates.font(), whole) <= room;
+    place(beside ? whole : window, fitted(plates.font(), {beside ? whole : window}, room));
+    QStringList treatment = treatmentParts(picture);
+    const QFont font = fitted(plates.font(), {treatment.first()}, room);
     if (zoom > 1)
-        treatment.prepend(Text::tr("ZOOM %1\u00D7  ").arg(zoom, 0, 'f', 1));
-    treatment = QFontMetrics(plates.font()).elidedText(treatment, Qt::ElideRight, room);
-    plates.addAbove(treatment, {corner.x(), low.isEmpty() ? corner.y() : low.top() - 1}, bar, area.top());
+        treatment.insert(1, Text::tr("ZOOM %1\u00D7").arg(zoom, 0, 'f', 1));
+    place(asManyAsFit(treatment, font, room), font);
+    if (!beside && figuresWidth(plates.font(), frame) <= room)
+        place(frame, plates.font());
 }
 
 } // namespace console

@@ -15,7 +15,7 @@ double scaleBarLength(double pictureWidthMm);
 /// The wall-clock time of the pulse, to the tenth of a second.
 QString clockTime(quint64 captureNs);
 
-/// `C 2048  W 4096  AUTO`, and what else is not as sent: function, inverse, noise reduction, edges, shutter, calibration.
+/// `C 2048  W 4096  AUTO`, and what else is not as sent: calibration first, then inverse, noise reduction, edges, shutter.
 QString windowLine(const DisplayPicture& picture);
 QString treatmentLine(const DisplayPicture& picture);
 
@@ -26,7 +26,8 @@ void placeSides(TextPlates& plates, const QRect& area, const DisplayPicture& pic
 QRect placeScale(TextPlates& plates, const QRect& area, const DisplayPicture& picture, double shownShare);
 void paintScaleBar(QPainter& painter, const QRect& bar);
 
-/// Frame, run and treatment in the lower left corner, above the scale's label and `bar` where there is no room beside them.
+/// Frame, run, window and treatment in the lower left corner, above the scale's label and `bar` where there is no room beside them. The
+/// window and whether the display is calibrated stand there whatever else has no room.
 void placeFacts(TextPlates& plates, const QRect& area, const QRect& bar, const DisplayPicture& picture, double zoom);
 
 } // namespace console

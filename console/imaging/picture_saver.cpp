@@ -33,7 +33,7 @@ PictureSaver::~PictureSaver()
         m_thread.join();
 }
 
-void PictureSaver::save(const DisplayPicture& picture, const QImage& pane)
+void PictureSaver::save(const Snapshot& snapshot, const QImage& pane)
 {
     if (m_busy) {
         Q_EMIT failed(tr("A picture is still being saved. Save again when it is done."));
@@ -42,16 +42,16 @@ void PictureSaver::save(const DisplayPicture& picture, const QImage& pane)
     if (m_thread.joinable())
         m_thread.join();
     m_busy = true;
-    m_thread = std::thread([this, picture, pane, folder = m_folder, series = m_series] {
-        const QString path = freePath(QDir(folder).filePath(exportName(picture)));
+    m_thread = std::thread([this, snapshot, pane, folder = m_folder, series = m_series] {
+        const QString path = freePath(QDir(folder).filePath(exportName(snapshot.picture)));
         QString reason;
         if (!QDir().mkpath(folder))
             reason = tr("The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).").arg(folder);
         const QString dicom = path + QStringLiteral(".dcm");
         if (reason.isEmpty())
-            reason = saveSecondaryCapture(picture, dicom, series);
+            reason = saveSecondaryCapture(snapshot, dicom, series);
         if (reason.isEmpty()) {
-            reason = savePng(withBanner(pane, picture), path + QStringLiteral(".png"));
+            reason = savePng(withBanner(pane, snapshot), path + QStringLiteral(".png"));
             if (!reason.isEmpty())
                 QFile::remove(dicom); // both or none
         }

@@ -1,7 +1,6 @@
 // Saves pictures beside the work of the console: encoding and disk keep neither the hand nor the pictures waiting.
 #pragma once
 
-#include "imaging/display_picture.hpp"
 #include "imaging/picture_export.hpp"
 
 #include <QImage>
@@ -22,8 +21,8 @@ public:
     /// From the next saving on.
     void setFolder(const QString& folder) { m_folder = folder; }
 
-    /// `pane` as it is seen becomes a PNG, `picture` a Secondary Capture, side by side in the folder, which is made when it is missing.
-    void save(const DisplayPicture& picture, const QImage& pane);
+    /// `pane` as it is seen becomes a PNG, `snapshot` a Secondary Capture, side by side in the folder, which is made when it is missing.
+    void save(const Snapshot& snapshot, const QImage& pane);
 
     bool isBusy() const { return m_busy; }
 

@@ -1,5 +1,6 @@
 // Saving a picture as a DICOM Secondary Capture.
 #include "imaging/file_writing.hpp"
+#include "imaging/measurement_marks.hpp"
 #include "imaging/picture_export.hpp"
 #include "imaging/picture_marks.hpp"
 #include "imaging/text_plates.hpp"
@@ -27,14 +28,19 @@ struct Text {
 };
 
 // What the picture is stands in its pixels: whoever looks at it without the attributes must see it, too.
-QImage withWords(const DisplayPicture& picture)
+QImage withWords(const Snapshot& snapshot)
 {
-    QImage image = picture.image.convertToFormat(QImage::Format_RGB32);
+    QImage image = snapshot.picture.image.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
     QFont font;
     font.setPixelSize(std::clamp(image.width() / 40, 10, 40));
     TextPlates plates(font);
-    plates.add(exportWords(picture), {plates.gap(), plates.gap()}, Qt::AlignLeft | Qt::AlignTop);
+    const QString words = exportWords(snapshot);
+    plates.add(words, fitted(font, {words}, image.width() - 4 * plates.gap()), {plates.gap(), plates.gap()}, Qt::AlignLeft | Qt::AlignTop);
+    if (const QString measured = snapshot.measurement.text(); !measured.isEmpty()) {
+        paintMeasured(painter, snapshot.measurement.points());
+        plates.add(measured, measuredPlace(image.rect()), Qt::AlignHCenter | Qt::AlignTop);
+    }
     plates.paint(painter);
     return image.convertToFormat(QImage::Format_Grayscale8);
 }
@@ -45,6 +51,26 @@ QByteArray uniqueUid(const char* root)
 {
     char uid[65];
     return dcmGenerateUniqueIdentifier(uid, root);
+}
+
+/// What a value of a name or a number may hold (PS3.5, 6.2).
+QString plain(QString text)
+{
+    constexpr qsizetype most = 64;
+    const auto isPlain = [](QChar c) { return c.isPrint() && c != QLatin1Char('\\') && c != QLatin1Char('='); };
+    for (QChar& c : text)
+        if (!isPlain(c))
+            c = QLatin1Char(' ');
+    return text.trimmed().left(most);
+}
+
+void putPatient(DcmDataset& dataset, const PatientIdentity& patient)
+{
+    if (patient.name.isEmpty() && patient.number.isEmpty())
+        return;
+    put(dataset, DCM_PatientName, plain(patient.name));
+    put(dataset, DCM_PatientID, plain(patient.number));
+    put(dataset, DCM_PatientComments, QStringLiteral("typed at the start of the console, not checked against the X-ray system"));
 }
 
 void putIdentity(DcmDataset& dataset, const CaptureSeries& series)
@@ -61,8 +87,9 @@ void putIdentity(DcmDataset& dataset, const CaptureSeries& series)
 }
 
 // Descriptions that other systems sort by are English whatever the screen speaks.
-void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
+void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
 {
+    const DisplayPicture& picture = snapshot.picture;
     const XrayFrame& about = picture.about;
     const auto taken = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(about.captureNs / 1'000'000), QTimeZone::utc());
     put(dataset, DCM_ContentDate, taken.toString(QStringLiteral("yyyyMMdd")));
@@ -75,7 +102,8 @@ void putFacts(DcmDataset& dataset, const DisplayPicture& picture)
     put(dataset, DCM_ImageType, QStringLiteral("DERIVED\\SECONDARY"));
     put(dataset, DCM_SecondaryCaptureDeviceManufacturer, QStringLiteral("LiENa"));
     put(dataset, DCM_SeriesDescription, QStringLiteral("LiENa console, research system, not a medical device"));
-    put(dataset, DCM_ImageComments, exportWords(picture));
+    const QString measured = snapshot.measurement.text();
+    put(dataset, DCM_ImageComments, exportWords(snapshot) + (measured.isEmpty() ? QString() : QStringLiteral("  ") + measured));
     const QString values = picture.isCalibrated ? Text::tr("  values are driving levels of a calibrated display, not P-values") : QString();
     put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
@@ -131,15 +159,16 @@ QByteArray encoded(DcmFileFormat& file, std::size_t pixels)
 
 CaptureSeries CaptureSeries::begin() { return {uniqueUid(SITE_STUDY_UID_ROOT), uniqueUid(SITE_SERIES_UID_ROOT)}; }
 
-QString saveSecondaryCapture(const DisplayPicture& picture, const QString& path, const CaptureSeries& series)
+QString saveSecondaryCapture(const Snapshot& snapshot, const QString& path, const CaptureSeries& series)
 {
-    if (picture.image.isNull())
+    if (snapshot.picture.image.isNull())
         return Text::tr("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
-    const QImage grey = withWords(picture);
+    const QImage grey = withWords(snapshot);
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();
     putIdentity(dataset, series);
-    putFacts(dataset, picture);
+    putPatient(dataset, snapshot.patient);
+    putFacts(dataset, snapshot);
     putPixels(dataset, grey);
     const QByteArray bytes = encoded(file, static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()));
     if (bytes.isEmpty())

@@ -86,9 +86,9 @@ QRect TextPlates::add(const QString& text, const QFont& font, QPoint corner, Qt:
     return rect;
 }
 
-QRect TextPlates::addAbove(const QString& text, QPoint corner, const QRect& avoid, int top)
+QRect TextPlates::addAbove(const QString& text, const QFont& font, QPoint corner, const QRect& avoid, int top)
 {
-    QRect placed = add(text, corner, Qt::AlignLeft | Qt::AlignBottom);
+    QRect placed = add(text, font, corner, Qt::AlignLeft | Qt::AlignBottom);
     const OverlayPlate plate = m_plates.back();
     m_plates.pop_back();
     const QRegion taken = region() + avoid;

@@ -51,13 +51,14 @@ public:
 
     /// In the lower left: moved up until it neither covers nor touches another plate or `avoid` sideways. Left out, and empty, where there
     /// is no such place below `top`.
-    QRect addAbove(const QString& text, QPoint corner, const QRect& avoid, int top);
+    QRect addAbove(const QString& text, const QFont& font, QPoint corner, const QRect& avoid, int top);
 
     bool isFree(const QRect& rect) const { return !region().intersects(rect); }
 
     /// Of the plate that was added last.
     void setInk(const QColor& ink) { m_plates.back().ink = ink; }
 
+    const std::vector<OverlayPlate>& plates() const { return m_plates; }
     QRegion region() const;
     void paint(QPainter& painter) const;
 

@@ -48,6 +48,7 @@ struct PromptContent {
     QString picture; ///< `Picture: live` or `Picture: frozen since 12:03:41.2`
     QString tip;     ///< `Tip position: last known`
     QStringList evidence;
+    QStringList details; ///< for whoever has to find the cause: devices, addresses, times in UTC
     QString likelyCause;
     QString tryFirst;
     QString lastTry;        ///< why the last re-opening failed; empty
@@ -63,8 +64,11 @@ struct PromptContent {
 /// Pure: no clock, no state.
 PromptContent promptContent(const IncidentRecord& incident, const SessionModel& sessions, const PromptSurroundings& around, Instant now);
 
+/// Its details: exact time and number of the incident, both ends with their addresses, what the peer said last, the system's topology.
+QStringList promptDetails(const IncidentRecord& incident, const SessionModel& sessions);
+
 /// The same as a text for a file, one fact a line.
-QString promptReport(const IncidentRecord& incident, const PromptContent& content);
+QString promptReport(const PromptContent& content);
 
 /// The likely cause and what to try first for what a probe found.
 struct ProbeAdvice {

@@ -120,7 +120,7 @@ GuardLine handLine(const GuardReadings& r)
 {
     auto missing = r.handMissing.isEmpty() ? Text::tr("No hand control answers") : r.handMissing;
     if (!r.remoteInput.isEmpty())
-        missing = Text::tr("Remote input (%1): arm at the console itself").arg(r.remoteInput);
+        missing = Text::tr("Remote input: %1").arg(r.remoteInput);
     return line(Guard::HandAlive, r.handAlive && r.remoteInput.isEmpty(), Text::tr("Hand control is there"), missing);
 }
 

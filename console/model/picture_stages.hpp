@@ -16,8 +16,8 @@ namespace console {
 
 /// In the order in which a picture goes through them; together they are its age when it is painted.
 enum class PictureStage : std::uint8_t {
-    Sending,     ///< at the X-ray system: from the pulse's end to the sending, reading out and encoding; with the way it is NET
-    Way,         ///< from the sending to the last byte here
+    Sending,     ///< at the X-ray system: from the pulse's end to the sending, reading out and encoding
+    Way,         ///< from the sending to the last byte here: NET
     Waiting,     ///< for the decoder and for the screen
     Decoding,    ///< to stored values
     Filters,     ///< noise reduction and edges

@@ -16,6 +16,9 @@ bool enough(double shown, double expected) { return expected <= 0 || 3 * shown >
 /// Not by a tenth of them, nor by the one more or less that a second of counting has.
 bool nearly(double shown, double expected) { return expected - shown <= std::max(1.0, expected / 10); }
 
+/// Of one whose times are known.
+Duration wayOf(const PictureStamp& stamp) { return stamp.arrived - *stamp.captured - stamp.beforeSending; }
+
 } // namespace
 
 PictureState::PictureState(QObject* parent) : QObject(parent) {}
@@ -107,7 +110,7 @@ PictureReading PictureState::reading(Instant now) const
     if (const auto taken = shown(*m_newest)) {
         reading.age = now - *taken;
         reading.uncertainty = m_newest->uncertainty;
-        reading.network = m_newest->arrived - *m_newest->captured;
+        reading.network = wayOf(*m_newest);
     }
     reading.processing = m_newest->painted - m_newest->arrived + m_newest->filterDelay;
     reading.shownPerSecond = paintedPerSecond(now);
@@ -162,8 +165,8 @@ void PictureState::noteStages(const PictureStamp& stamp)
     if (!shown(stamp))
         return;
     const auto waiting = stamp.painted - stamp.arrived - stamp.decoding - stamp.filters - stamp.window;
-    const auto way = stamp.arrived - *stamp.captured - stamp.beforeSending;
-    m_stages.note({stamp.beforeSending, way, waiting, stamp.decoding, stamp.filters, stamp.window, stamp.filterDelay}, stamp.painted);
+    m_stages.note({stamp.beforeSending, wayOf(stamp), waiting, stamp.decoding, stamp.filters, stamp.window, stamp.filterDelay},
+                  stamp.painted);
 }
 
 void PictureState::notePresented(quint32 frame, Duration presenting)

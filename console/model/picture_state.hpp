@@ -67,7 +67,7 @@ struct PictureReading {
     quint64 captureNs = 0;
     std::optional<Duration> age;     ///< of the newest painted picture, capture to now
     Duration uncertainty{};          ///< of `age`, to either side
-    std::optional<Duration> network; ///< NET: capture to arrival
+    std::optional<Duration> network; ///< NET: from the sending to the arrival
     Duration processing{};           ///< PROC: arrival to paint, with the filter's delay
     bool mayGuide = false;           ///< the source is one that instruments may be moved by
     double shownPerSecond = 0;

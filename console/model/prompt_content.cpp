@@ -331,6 +331,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
                                                 : Text::tr("Call the patient side: %1").arg(around.patientSide);
     addSeen(content, around);
     content.evidence = evidence(incident, sessions);
+    content.details = promptDetails(incident, sessions);
     const bool pictures = incident.peer != 0 && kindOf(incident.peer) == DeviceKind::Eye;
     if (incident.peer != 0) {
         const auto advice =
@@ -350,21 +351,6 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     if (incident.stage != LossStage::Lost)
         addInterruption(content, incident, sessions, around.robot, around.robotHeldAt);
     return content;
-}
-
-QString promptReport(const IncidentRecord& incident, const PromptContent& content)
-{
-    QStringList lines{content.headline, content.since, content.flaps, content.directions, content.patient, content.call};
-    for (const auto& hold : content.rollCall) {
-        const auto after = hold.afterMs ? Text::tr("holds, %1 ms after the loss").arg(*hold.afterMs, 0, 'f', 0) : Text::tr("holds");
-        lines << Text::tr("%1: %2").arg(hold.title, hold.holding ? after : Text::tr("NOT CONFIRMED"));
-    }
-    lines << content.picture << content.tip << content.evidence << content.likelyCause << content.tryFirst << content.lastTry;
-    lines.removeAll(QString());
-    lines << Text::tr("Began %1, incident %2")
-                 .arg(QDateTime::fromMSecsSinceEpoch(incident.sinceWallMs).toUTC().toString(Qt::ISODateWithMs))
-                 .arg(incident.id, 16, 16, QLatin1Char('0'));
-    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
 } // namespace console

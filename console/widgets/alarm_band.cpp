@@ -1,27 +1,24 @@
-// The band's colour says the priority from afar; its badge flashes, its text never does.
+// What the alarm band offers to press, and what it is told to show.
 #include "widgets/alarm_band.hpp"
 
-#include "widgets/alarm_colours.hpp"
 #include "widgets/flash_clock.hpp"
 #include "widgets/focus_return.hpp"
 #include "widgets/self_test_block.hpp"
 #include "widgets/theme.hpp"
 #include "widgets/touch_button.hpp"
 
+#include <QApplication>
 #include <QHBoxLayout>
-#include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 
 namespace console {
 
 using theme::TextRole;
-namespace colour = theme::colour;
 
 namespace {
 
-QString badgeWord(AlarmPriority priority) { return word(priority).toUpper(); }
+constexpr std::chrono::seconds markedShown{2};
 
 void makeCompact(QPushButton* button)
 {
@@ -32,18 +29,12 @@ void makeCompact(QPushButton* button)
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 }
 
-QString testText(AlarmPriority priority, bool brief)
+/// So wide that `widest` fits, and what stands beside it stands still.
+void keepRoom(QPushButton* button, const QString& widest)
 {
-    switch (priority) {
-    case AlarmPriority::High:
-        return brief ? AlarmBand::tr("SELF-TEST, no alarm: red, flashing fast, five pulses")
-                     : AlarmBand::tr("SELF-TEST, no alarm: red, flashing fast, ten pulses");
-    case AlarmPriority::Medium:
-        return AlarmBand::tr("SELF-TEST, no alarm: yellow, flashing slowly, three pulses");
-    case AlarmPriority::Low:
-        break;
-    }
-    return AlarmBand::tr("SELF-TEST, no alarm: cyan, steady, two pulses");
+    const int room = button->fontMetrics().horizontalAdvance(widest) + theme::px(button, 44);
+    if (button->minimumWidth() != room)
+        button->setFixedWidth(room);
 }
 
 } // namespace
@@ -54,11 +45,12 @@ AlarmBand::AlarmBand(QWidget* parent)
       m_row(new QHBoxLayout(this)),
       m_test(new SelfTestBlock(this)),
       m_pause(new TouchButton(this)),
-      m_acknowledge(new TouchButton(tr("Acknowledge"), this))
+      m_acknowledge(new TouchButton(tr("Acknowledge"), this)),
+      m_mark(new TouchButton(tr("Incident"), this))
 {
     setAccessibleName(tr("Alarms"));
     theme::setTextRole(this, TextRole::Alarm);
-    for (QPushButton* button : {m_pause, m_acknowledge})
+    for (QPushButton* button : {m_pause, m_acknowledge, m_mark})
         makeCompact(button);
     m_acknowledge->setAccessibleName(tr("Acknowledge the alarm shown"));
     for (QPushButton* button : {m_pause, m_acknowledge}) {
@@ -74,6 +66,8 @@ AlarmBand::AlarmBand(QWidget* parent)
     m_row->addWidget(m_test);
     m_row->addWidget(m_pause);
     m_row->addWidget(m_acknowledge);
+    m_row->addWidget(m_mark);
+    makeMark();
     connect(m_pause, &QPushButton::clicked, this, &AlarmBand::audioPauseRequested);
     connect(m_test, &SelfTestBlock::beginRequested, this, &AlarmBand::selfTestRequested);
     connect(m_test, &SelfTestBlock::answered, this, &AlarmBand::selfTestAnswered);
@@ -90,6 +84,31 @@ AlarmBand::AlarmBand(QWidget* parent)
         if (!m_alarms.empty() || testSignal())
             update();
     });
+}
+
+void AlarmBand::makeMark()
+{
+    m_mark->setAccessibleName(tr("Mark this moment in both logs as an incident"));
+    m_mark->setToolTip(tr("Marks this moment in both logs, with permit, picture and force"));
+    m_markedEnds.setSingleShot(true);
+    m_markedEnds.setInterval(markedShown);
+    connect(m_mark, &QPushButton::clicked, this, &AlarmBand::mark);
+    connect(&m_markedEnds, &QTimer::timeout, this, [this] { m_mark->setText(tr("Incident")); });
+}
+
+/// A double click is one wish.
+void AlarmBand::mark()
+{
+    if (m_marking.isValid() && m_marking.elapsed() < QApplication::doubleClickInterval())
+        return;
+    m_marking.start();
+    Q_EMIT markRequested();
+}
+
+void AlarmBand::showMarked()
+{
+    m_mark->setText(tr("Marked"));
+    m_markedEnds.start();
 }
 
 const Alarm* AlarmBand::firstUnacknowledged() const
@@ -171,185 +190,13 @@ void AlarmBand::setSound(bool demanded, std::optional<Duration> pausedFor)
     const QString text = pausedFor ? tr("AUDIO PAUSED %1 s").arg(left) : tr("Pause sound (F9)");
     if (m_pause->text() != text)
         m_pause->setText(text);
-    const int room = m_pause->fontMetrics().horizontalAdvance(tr("AUDIO PAUSED %1 s").arg(60)) + theme::px(this, 44);
-    if (m_pause->minimumWidth() != room)
-        m_pause->setFixedWidth(room);
+    keepRoom(m_pause, tr("AUDIO PAUSED %1 s").arg(60));
+    const auto longer = [](const QString& a, const QString& b) { return a.size() > b.size() ? a : b; };
+    keepRoom(m_mark, longer(tr("Incident"), tr("Marked")));
     const bool shown = demanded || pausedFor;
     if (!shown)
         returnFocus(m_pause);
     m_pause->setVisible(shown);
-}
-
-std::optional<AlarmColours> AlarmBand::colours() const
-{
-    if (const auto test = testSignal())
-        return alarmColours(*test, false);
-    if (m_alarms.empty())
-        return std::nullopt;
-    return alarmColours(m_alarms.front().priority, m_alarms.front().acknowledged);
-}
-
-QColor AlarmBand::surface() const
-{
-    const auto shown = colours();
-    return shown ? shown->surface : colour::panel;
-}
-
-QColor AlarmBand::ink() const
-{
-    const auto shown = colours();
-    return shown ? shown->ink : colour::secondary;
-}
-
-int AlarmBand::paintBadge(QPainter& painter, AlarmPriority priority, bool acknowledged) const
-{
-    const AlarmColours colours = alarmColours(priority, acknowledged);
-    const bool lit = !acknowledged && m_clock->isLit(priority);
-    painter.setFont(theme::font(TextRole::Title, theme::scaleOf(this)));
-    const QFontMetricsF metrics(painter.font());
-    const double bars = metrics.height();
-    const double width = metrics.horizontalAdvance(badgeWord(priority)) + bars + theme::px(this, 44);
-    const QRectF badge(6, 5, width, height() - 10);
-    QPainterPath path;
-    path.addRoundedRect(badge, 4, 4);
-    painter.fillPath(path, lit ? colours.badgeLit : colours.badgeDim);
-    painter.setPen(lit ? colours.badgeInkLit : colours.badgeInkDim);
-    const double pad = theme::px(this, 14);
-    drawPriorityBars(painter, QRectF(badge.left() + pad, badge.center().y() - bars * 0.38, bars, bars * 0.76), priority);
-    painter.drawText(badge.adjusted(pad + bars + pad / 2, 0, -pad / 2, 0), Qt::AlignLeft | Qt::AlignVCenter, badgeWord(priority));
-    return int(badge.right()) + theme::px(this, 16);
-}
-
-void AlarmBand::paintChips(QPainter& painter, const QRectF& room, std::size_t first) const
-{
-    painter.setFont(theme::font(TextRole::Strong, theme::scaleOf(this)));
-    const QFontMetricsF metrics(painter.font());
-    const double pad = theme::px(this, 12);
-    double x = room.left();
-    for (std::size_t i = first; i < m_alarms.size(); ++i) {
-        const QString more = tr("+%1 more").arg(m_alarms.size() - i);
-        const double reserve = i + 1 < m_alarms.size() ? metrics.horizontalAdvance(more) + pad : 0;
-        const double width = metrics.horizontalAdvance(m_alarms[i].text) + metrics.height() * 0.8 + 3 * pad;
-        if (x + width + reserve > room.right()) {
-            painter.setPen(ink());
-            painter.drawText(QRectF(x, room.top(), room.right() - x, room.height()), Qt::AlignLeft | Qt::AlignVCenter, more);
-            return;
-        }
-        paintChip(painter, QRectF(x, room.top() + room.height() * 0.16, width, room.height() * 0.68), m_alarms[i]);
-        x += width + pad * 0.7;
-    }
-}
-
-/// One that nobody acknowledged flashes, whatever stands before it in the band.
-void AlarmBand::paintChip(QPainter& painter, const QRectF& chip, const Alarm& alarm) const
-{
-    const AlarmColours colours = alarmColours(alarm.priority, alarm.acknowledged);
-    const bool lit = alarm.acknowledged || m_clock->isLit(alarm.priority);
-    const double pad = theme::px(this, 12);
-    const double bars = QFontMetricsF(painter.font()).height() * 0.8;
-    QPainterPath path;
-    path.addRoundedRect(chip, 4, 4);
-    painter.fillPath(path, lit ? colours.surface : colours.badgeDim);
-    painter.setPen(QPen(colour::background, 2));
-    painter.drawPath(path);
-    painter.setPen(lit ? colours.ink : colours.badgeInkDim);
-    drawPriorityBars(painter, QRectF(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8), alarm.priority);
-    painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, alarm.text);
-}
-
-/// What is left of the band for the highest alarm's text: the others' chips give way to it, down to how many they are.
-double AlarmBand::textRoom(double room) const
-{
-    if (m_alarms.size() < 2)
-        return room;
-    const QFontMetricsF metrics(theme::font(TextRole::Strong, theme::scaleOf(this)));
-    return room - metrics.horizontalAdvance(tr("+%1 more").arg(m_alarms.size() - 1)) - theme::px(this, 24 + 12);
-}
-
-void AlarmBand::paintQuiet(QPainter& painter, double right) const
-{
-    using Step = AlarmSelfTest::Step;
-    painter.setPen(ink());
-    QString text = tr("No alarms");
-    if (m_testStep == Step::Asking)
-        text = tr("Were all three colours seen, and all three sounds heard?");
-    else if (m_testStep == Step::Failed)
-        text = tr("No alarms. The alarm self-test was not confirmed: have screen and sound looked at");
-    else if (m_testStep == Step::NotDone)
-        text = tr("No alarms. The alarm self-test is to be done before arming");
-    const double left = theme::px(this, 20);
-    painter.setFont(fitting(text, right - left, {TextRole::Title, TextRole::Strong, TextRole::Body, TextRole::Caption}));
-    const QString shown = QFontMetricsF(painter.font()).elidedText(text, Qt::ElideRight, right - left);
-    painter.drawText(QRectF(left, 0, right - left, height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
-}
-
-/// The first of `roles` in which `text` is whole: smaller letters are better than none.
-QFont AlarmBand::fitting(const QString& text, double room, std::initializer_list<TextRole> roles) const
-{
-    QFont face = font();
-    for (const TextRole role : roles) {
-        face = theme::font(role, theme::scaleOf(this));
-        if (QFontMetricsF(face).horizontalAdvance(text) <= room)
-            break;
-    }
-    return face;
-}
-
-/// The text of the test or of the highest alarm; returns where it ends.
-double AlarmBand::paintText(QPainter& painter, const QString& text, double left, double most) const
-{
-    painter.setFont(fitting(text, most, {TextRole::Alarm, TextRole::Title, TextRole::Strong}));
-    const QFontMetricsF metrics(painter.font());
-    const QString shown = metrics.elidedText(text, Qt::ElideRight, most);
-    painter.setPen(ink());
-    painter.drawText(QRectF(left, 0, most, height()), Qt::AlignLeft | Qt::AlignVCenter, shown);
-    return left + metrics.horizontalAdvance(shown) + theme::px(this, 24);
-}
-
-void AlarmBand::paintAlarms(QPainter& painter, double right) const
-{
-    const Alarm& top = m_alarms.front();
-    const int left = paintBadge(painter, top.priority, top.acknowledged);
-    const double room = right - left;
-    const double end = paintText(painter, top.text, left, textRoom(room));
-    if (m_alarms.size() > 1)
-        return paintChips(painter, QRectF(end, 0, right - end, height()), 1);
-    paintRemedy(painter, top.remedy, QRectF(end, 0, right - end, height()));
-}
-
-/// One line, or two of smaller letters.
-void AlarmBand::paintRemedy(QPainter& painter, const QString& remedy, const QRectF& room) const
-{
-    painter.setFont(fitting(remedy, room.width(), {TextRole::Body, TextRole::Caption}));
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, remedy);
-}
-
-double AlarmBand::freeRight() const
-{
-    double right = m_acknowledge->isVisible() ? m_acknowledge->x() : width() - 12;
-    for (const QWidget* other : {static_cast<const QWidget*>(m_test), static_cast<const QWidget*>(m_pause)})
-        if (other->isVisible())
-            right = std::min(right, double(other->x()));
-    for (const QPushButton* chip : m_chips)
-        right = std::min(right, double(chip->x()));
-    return right - theme::px(this, 16);
-}
-
-void AlarmBand::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), surface());
-    const double right = freeRight();
-    if (const auto test = testSignal()) {
-        const int left = paintBadge(painter, *test, false);
-        const double end = paintText(painter, testText(*test, m_testBrief), left, right - left);
-        paintChips(painter, QRectF(end, 0, right - end, height()), 0);
-    } else if (m_alarms.empty()) {
-        paintQuiet(painter, right);
-    } else {
-        paintAlarms(painter, right);
-    }
 }
 
 } // namespace console

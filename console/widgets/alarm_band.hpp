@@ -5,7 +5,9 @@
 #include "widgets/alarm_colours.hpp"
 #include "widgets/theme.hpp"
 
+#include <QElapsedTimer>
 #include <QFrame>
+#include <QTimer>
 
 #include <initializer_list>
 #include <optional>
@@ -35,6 +37,9 @@ public:
     /// While `signal` is shown it takes the band's place; the alarms that stand are then chips beside it.
     void setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriority> signal, bool brief = false);
 
+    /// What the button of the incident says for a moment: the logs have it.
+    void showMarked();
+
     /// `demanded`: something sounds, or would but for the pause.
     void setSound(bool demanded, std::optional<Duration> pausedFor);
 
@@ -47,6 +52,7 @@ Q_SIGNALS:
     void acknowledgeRequested(quint64 id);
     void sheetRequested(quint64 incident);
     void audioPauseRequested();
+    void markRequested();
     void selfTestRequested();
     void selfTestAnswered(bool seenAndHeard);
 
@@ -55,6 +61,8 @@ protected:
 
 private:
     void makeChips();
+    void makeMark();
+    void mark();
     std::optional<AlarmColours> colours() const;
     std::optional<AlarmPriority> testSignal() const { return m_testSignal; }
     double freeRight() const;
@@ -65,6 +73,7 @@ private:
     void paintChips(QPainter& painter, const QRectF& room, std::size_t first) const;
     void paintChip(QPainter& painter, const QRectF& chip, const Alarm& alarm) const;
     double textRoom(double room) const;
+    double leastRemedyRoom(const QString& remedy) const;
     void paintQuiet(QPainter& painter, double right) const;
     void paintAlarms(QPainter& painter, double right) const;
     QColor ink() const;
@@ -80,6 +89,9 @@ private:
     SelfTestBlock* m_test;
     QPushButton* m_pause;
     QPushButton* m_acknowledge;
+    QPushButton* m_mark;
+    QElapsedTimer m_marking; ///< since it was asked for last
+    QTimer m_markedEnds;
     std::vector<QPushButton*> m_chips;
     std::vector<std::pair<quint64, QString>> m_folded;
 };

@@ -25,6 +25,7 @@ void CockpitWindow::connectIntents()
     connect(m_rail, &LinksRail::topologyRequested, this, [this] { showView(View::Topology); });
     connect(m_band, &AlarmBand::acknowledgeRequested, this, done(&CockpitWindow::acknowledgeRequested));
     connect(m_band, &AlarmBand::audioPauseRequested, this, done(&CockpitWindow::audioPauseRequested));
+    connect(m_band, &AlarmBand::markRequested, this, done(&CockpitWindow::incidentMarkRequested));
     connect(m_band, &AlarmBand::selfTestRequested, this, done(&CockpitWindow::alarmTestRequested));
     connect(m_band, &AlarmBand::selfTestAnswered, this, done(&CockpitWindow::alarmTestAnswered));
     connect(m_band, &AlarmBand::sheetRequested, m_deck, &SheetDeck::open);
@@ -41,6 +42,7 @@ void CockpitWindow::connectIntents()
             Q_EMIT audioPauseRequested();
     });
     connect(sheet, &DiagnosisSheet::reportRequested, this, &CockpitWindow::reportRequested);
+    connect(sheet, &DiagnosisSheet::callRequested, this, &CockpitWindow::patientSideCallRequested);
     connect(m_away, &InterruptionCard::readRequested, this, done(&CockpitWindow::interruptionReadRequested));
     connect(m_motion, &MotionBar::emergencyStopRequested, this, &CockpitWindow::emergencyStopRequested);
     connect(m_motion, &MotionBar::emergencyStopResetRequested, this, &CockpitWindow::emergencyStopResetRequested);

@@ -148,6 +148,8 @@ void CockpitWindow::addView(View view, QWidget* widget)
     stack();
 }
 
+void CockpitWindow::showIncidentMarked() { m_band->showMarked(); }
+
 void CockpitWindow::showReportNote(const QString& note) { m_deck->sheet()->showNote(note); }
 
 void CockpitWindow::setOperator(const QString& user) { m_strip->setRole(user, m_models.role); }

@@ -60,6 +60,9 @@ public:
     /// The screen that the cockpit was on is gone: the hand has no keys until a person clicks into the cockpit or presses F1.
     void noteScreenGone();
 
+    /// The incident that was asked for is in the logs.
+    void showIncidentMarked();
+
     /// What became of a report that was to be kept.
     void showReportNote(const QString& note);
 
@@ -83,6 +86,7 @@ Q_SIGNALS:
     void probeRequested(quint32 peer);
     void dismissRequested(quint64 incident);
     void reportRequested(const QString& text); ///< what the diagnosis says, to be kept
+    void patientSideCallRequested();           ///< its number is shown
     void interruptionReadRequested();
     void emergencyStopRequested(const QString& reason);
     void emergencyStopResetRequested();
@@ -93,6 +97,7 @@ Q_SIGNALS:
     void forceAccepted(double newtons);
     void acknowledgeRequested(quint64 alarm);
     void audioPauseRequested();
+    void incidentMarkRequested();
     void alarmTestRequested();
     void alarmTestAnswered(bool seenAndHeard);
     void panicHoldRequested();

@@ -7,6 +7,7 @@
 #include <QFrame>
 
 class QLabel;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace console {
@@ -35,21 +36,29 @@ Q_SIGNALS:
     void dismissRequested(quint64 incident);
     void foldRequested(quint64 incident);
     void silenceRequested();
+    void callRequested(); ///< how the patient side is called is shown large
     void reportRequested(const QString& text);
 
 private:
     QWidget* makeHead();
     QWidget* makeBody();
+    QVBoxLayout* makePatientSide(QWidget* body);
+    QVBoxLayout* makeFindings(QWidget* body);
+    QWidget* makeDetails(QWidget* body);
     QWidget* makeActions();
     QWidget* makeGiveUp();
     QLabel* addSection(QVBoxLayout* column, const QString& heading);
     void connectActions();
+    void connectShown();
+    void setCall(const QString& call);
+    void showCall(bool large);
     void setReopening(const PromptContent& content);
     void setActions(const IncidentRecord& incident, const PromptContent& content);
 
     quint64 m_incident = 0;
     QString m_report;
-    QElapsedTimer m_saved; ///< since the report was asked for last
+    QElapsedTimer m_saved;  ///< since the report was asked for last
+    QElapsedTimer m_called; ///< the same of a call
     quint32 m_peer = 0;
     FigureLabel* m_since = nullptr;
     QLabel* m_headline = nullptr;
@@ -63,9 +72,14 @@ private:
     QLabel* m_evidence = nullptr;
     QLabel* m_cause = nullptr;
     QLabel* m_lastTry = nullptr;
+    QLabel* m_details = nullptr;
+    QWidget* m_detailsPart = nullptr;
+    QScrollArea* m_body = nullptr;
     SheetButton* m_fold = nullptr;
     SheetButton* m_silence = nullptr;
     SheetButton* m_save = nullptr;
+    SheetButton* m_showDetails = nullptr;
+    SheetButton* m_showCall = nullptr;
     SheetButton* m_checks = nullptr;
     SheetButton* m_reopen = nullptr;
     SheetButton* m_reopenAll = nullptr;

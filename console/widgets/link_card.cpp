@@ -156,7 +156,7 @@ void LinkCard::paintFigures(QPainter& painter, const Metrics& m) const
     } cells[4] = {{tr("Heard ago"), heard && m_link.state != LinkState::Closed ? spokenAge(*heard) : tr("\u2014")},
                   {tr("Round trip"), ms(f.roundTrip)},
                   {tr("Jitter"), ms(f.jitter)},
-                  {tr("Loss"), open ? figure(f.loss() * 100, 1, tr("%")) : figure({}, 1, tr("%"))}};
+                  {tr("Loss so far"), open ? figure(f.loss() * 100, 1, tr("%")) : figure({}, 1, tr("%"))}};
     const double scale = theme::scaleOf(this);
     const double columnWidth = m.figures.width() / 2;
     const double rowHeight = m.caption + m.strong + m.pad * 0.3;

@@ -120,12 +120,13 @@ void RobotPanel::refreshHeading(Instant now)
 void RobotPanel::refreshArm(Instant now)
 {
     m_arm->setVisible(m_models.sessions.firstPeer(DeviceKind::Arm).has_value());
-    const auto& arm = m_models.arm.status();
-    const auto state = !arm.known()               ? QStringLiteral("\u2014")
-                       : !m_models.arm.fresh(now) ? tr("last known: %1").arg(word(arm.value.phase))
-                                                  : word(arm.value.phase);
-    m_arm->setText(tr("Robotic arm: %1").arg(state));
-    setInk(m_arm, m_models.arm.fresh(now) ? colour::text : colour::secondary);
+    const Aged<ArmStatus>& arm = m_models.arm.status();
+    const Freshness freshness = arm.freshness(now, ArmState::statusLimit);
+    QString state = freshness == Freshness::Unknown ? QStringLiteral("\u2014") : word(arm.value.phase);
+    if (freshness == Freshness::Stale)
+        state = tr("last known: %1").arg(state);
+    m_arm->setText(tr("Robotic arm: %1").arg(state) + QStringLiteral(" \u00B7 ") + ageText(freshness, arm.age(now)));
+    setInk(m_arm, freshness == Freshness::Fresh ? colour::text : colour::secondary);
 }
 
 void RobotPanel::refreshDrives(Instant now)

@@ -137,6 +137,22 @@
         <source>No alarms. The alarm self-test is to be done before arming</source>
         <translation>无报警。解锁前须做报警自检</translation>
     </message>
+    <message>
+        <source>Incident</source>
+        <translation>标记事件</translation>
+    </message>
+    <message>
+        <source>Mark this moment in both logs as an incident</source>
+        <translation>在两份日志中将此刻标记为事件</translation>
+    </message>
+    <message>
+        <source>Marks this moment in both logs, with permit, picture and force</source>
+        <translation>在两份日志中标记此刻，并记下运动许可、图像和受力</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>已标记</translation>
+    </message>
 </context>
 <context>
     <name>console::AlarmJournal</name>
@@ -553,6 +569,34 @@
         <source>alarm self-test not confirmed, by %1</source>
         <translation>报警自检未获 %1 确认</translation>
     </message>
+    <message>
+        <source>AGE %1 ms</source>
+        <translation>时龄 %1 ms</translation>
+    </message>
+    <message>
+        <source>AGE unknown</source>
+        <translation>时龄未知</translation>
+    </message>
+    <message>
+        <source>force %1 N</source>
+        <translation>受力 %1 N</translation>
+    </message>
+    <message>
+        <source>force unknown</source>
+        <translation>受力未知</translation>
+    </message>
+    <message>
+        <source>picture %1</source>
+        <translation>图像 %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>incident marked by %1: %2</source>
+        <translation>%1 标记了事件：%2</translation>
+    </message>
 </context>
 <context>
     <name>console::AxisPanel</name>
@@ -786,6 +830,14 @@
         <source>Report saved: %1</source>
         <translation>报告已保存：%1</translation>
     </message>
+    <message>
+        <source>how is not set up</source>
+        <translation>呼叫方式未设置</translation>
+    </message>
+    <message>
+        <source>call the patient side: %1</source>
+        <translation>呼叫患者端：%1</translation>
+    </message>
 </context>
 <context>
     <name>console::CockpitControl</name>
@@ -977,6 +1029,22 @@
     <message>
         <source>Re-opening…</source>
         <translation>正在重新打开…</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>细节</translation>
+    </message>
+    <message>
+        <source>Show the details, for whoever has to find the cause</source>
+        <translation>显示细节，供查找原因的人员使用</translation>
+    </message>
+    <message>
+        <source>Call patient side</source>
+        <translation>呼叫患者端</translation>
+    </message>
+    <message>
+        <source>Show large how to call the patient side</source>
+        <translation>放大显示患者端的呼叫方式</translation>
     </message>
 </context>
 <context>
@@ -1595,8 +1663,8 @@
         <translation>本控制台仅供观察</translation>
     </message>
     <message>
-        <source>Remote input (%1): arm at the console itself</source>
-        <translation>远程输入（%1）：请在控制台本机解锁</translation>
+        <source>Remote input: %1</source>
+        <translation>远程输入：%1</translation>
     </message>
 </context>
 <context>
@@ -2376,8 +2444,8 @@
         <translation>抖动</translation>
     </message>
     <message>
-        <source>Loss</source>
-        <translation>丢失率</translation>
+        <source>Loss so far</source>
+        <translation>累计丢失率</translation>
     </message>
     <message>
         <source>%</source>
@@ -3032,8 +3100,8 @@
         <translation>测量%1：请设 %2 个点</translation>
     </message>
     <message>
-        <source>Right button or B: it is the width of a catheter of 4 F, 5 F, …</source>
-        <translation>右键或 B：此为 4 F、5 F、… 导管的宽度</translation>
+        <source>Right button or B: it is the width of a catheter of 4 F to 8 F</source>
+        <translation>右键或 B：此为 4 F 至 8 F 导管的宽度</translation>
     </message>
 </context>
 <context>
@@ -3189,8 +3257,8 @@
         <translation>快照</translation>
     </message>
     <message>
-        <source>%1%2  picture of %3</source>
-        <translation>%1%2  图像时刻 %3</translation>
+        <source>picture of %1</source>
+        <translation>图像时刻 %1</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. Nothing was saved; make room on the disk or name another folder.</source>
@@ -3276,8 +3344,8 @@
         <translation>帧 %1  曝光 %2</translation>
     </message>
     <message>
-        <source>ZOOM %1×  </source>
-        <translation>缩放 %1×  </translation>
+        <source>ZOOM %1×</source>
+        <translation>缩放 %1×</translation>
     </message>
 </context>
 <context>
@@ -4171,6 +4239,22 @@
     <message>
         <source>open</source>
         <translation>已打开</translation>
+    </message>
+    <message>
+        <source>%1: device %2 at %3</source>
+        <translation>%1：设备 %2，地址 %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 said last: %2</source>
+        <translation>%1 最后报告：%2</translation>
+    </message>
+    <message>
+        <source>Topology %1, hash %2</source>
+        <translation>拓扑 %1，哈希 %2</translation>
     </message>
 </context>
 <context>

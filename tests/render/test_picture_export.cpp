@@ -41,6 +41,16 @@ QString valueOf(DcmDataset& dataset, const DcmTagKey& tag)
     return QString::fromUtf8(value.c_str());
 }
 
+QByteArray pixelsOf(const QString& path)
+{
+    DcmFileFormat file;
+    const Uint8* pixels = nullptr;
+    unsigned long count = 0;
+    if (file.loadFile(path.toLocal8Bit().constData()).bad() || file.getDataset()->findAndGetUint8Array(DCM_PixelData, pixels, &count).bad())
+        return {};
+    return {reinterpret_cast<const char*>(pixels), static_cast<qsizetype>(count)};
+}
+
 // While it lives no file of this process grows beyond so many bytes: a disk that is full.
 class FullDisk {
 public:
@@ -68,7 +78,11 @@ private Q_SLOTS:
     void writesSecondaryCapture();
     void savesOfOneRunBelongTogether();
     void leavesOutWhatIsNotKnown();
+    void carriesWhatWasMeasured();
+    void namesThePatientAsOneWhomNobodyChecked();
     void namesAndWordsTellWhatItIs();
+    void saysThatItWasNotLive_data();
+    void saysThatItWasNotLive();
     void writesPng();
     void leavesOldFileWhenDiskIsFull();
     void namesFolderThatIsMissing();
@@ -83,7 +97,7 @@ void TestPictureExport::writesSecondaryCapture()
     DisplayPicture sent = picture();
     sent.settings.edge = 30;
     sent.settings.edgeMethod = EdgeMethod::MultiScale;
-    QCOMPARE(saveSecondaryCapture(sent, path), QString());
+    QCOMPARE(saveSecondaryCapture({sent}, path), QString());
     DcmFileFormat file;
     QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
     DcmDataset& dataset = *file.getDataset();
@@ -125,7 +139,7 @@ void TestPictureExport::savesOfOneRunBelongTogether()
         PictureSaver saver(folder.filePath(QString::fromLatin1(run)));
         QSignalSpy saved(&saver, &PictureSaver::saved);
         for (int count = 1; count <= 2; ++count) {
-            saver.save(picture(), picture().image);
+            saver.save({picture()}, picture().image);
             QTRY_COMPARE(saved.count(), count);
             paths << saved.last().first().toString();
         }
@@ -154,7 +168,7 @@ void TestPictureExport::leavesOutWhatIsNotKnown()
     DisplayPicture sent = picture(PictureRole::Live);
     sent.about.geometry = {};
     sent.about.source = PictureSource::Live;
-    QCOMPARE(saveSecondaryCapture(sent, path), QString());
+    QCOMPARE(saveSecondaryCapture({sent}, path), QString());
     DcmFileFormat file;
     QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
     QVERIFY(!file.getDataset()->tagExists(DCM_PixelSpacing));
@@ -162,14 +176,98 @@ void TestPictureExport::leavesOutWhatIsNotKnown()
     QCOMPARE(valueOf(*file.getDataset(), DCM_QualityControlImage), QStringLiteral("NO"));
 }
 
+void TestPictureExport::carriesWhatWasMeasured()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    Snapshot snapshot{picture()};
+    snapshot.measurement.setMode(MeasureMode::Distance);
+    snapshot.measurement.follow(snapshot.picture.about);
+    snapshot.measurement.add({50, 100});
+    QCOMPARE(saveSecondaryCapture(snapshot, path), QString());
+    const QByteArray withOnePoint = pixelsOf(path); // nothing was measured yet
+    snapshot.measurement.add({150, 100});
+    QCOMPARE(saveSecondaryCapture(snapshot, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    const QString comments = valueOf(*file.getDataset(), DCM_ImageComments);
+    QVERIFY2(comments.endsWith(QStringLiteral("  20.5 mm @ isocentre plane (geometry)")), qPrintable(comments));
+    const QByteArray measured = pixelsOf(path);
+    const auto changed = [&](const QRect& where) {
+        int count = 0;
+        for (int y = where.top(); y <= where.bottom(); ++y)
+            for (int x = where.left(); x <= where.right(); ++x)
+                count += measured[y * size.width() + x] != withOnePoint[y * size.width() + x] ? 1 : 0;
+        return count;
+    };
+    QVERIFY(changed(QRect(60, 99, 80, 3)) > 200);     // the line
+    QVERIFY(changed(QRect(100, 150, 100, 20)) > 500); // its length, in words
+    QCOMPARE(changed(QRect(0, 40, size.width(), 40)), 0);
+}
+
+void TestPictureExport::namesThePatientAsOneWhomNobodyChecked()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    Snapshot snapshot{picture()};
+    snapshot.patient = {QStringLiteral("Inv\u00E9nted\\ Anna\n"), QStringLiteral("PID-2026-0004711")};
+    QCOMPARE(saveSecondaryCapture(snapshot, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    QCOMPARE(valueOf(*file.getDataset(), DCM_PatientName), QStringLiteral("Inv\u00E9nted  Anna"));
+    QCOMPARE(valueOf(*file.getDataset(), DCM_PatientID), QStringLiteral("PID-2026-0004711"));
+    QVERIFY(valueOf(*file.getDataset(), DCM_PatientComments).contains(QStringLiteral("not checked")));
+}
+
+void TestPictureExport::saysThatItWasNotLive_data()
+{
+    QTest::addColumn<PictureRole>("role");
+    QTest::addColumn<PictureCondition>("condition");
+    QTest::addColumn<QString>("words");
+    const auto row = [](const char* name, PictureRole role, PictureCondition condition, const char* words) {
+        QTest::newRow(name) << role << condition << QString::fromLatin1(words);
+    };
+    row("live", PictureRole::Live, PictureCondition::Live, "SNAPSHOT  picture of ");
+    row("frozen", PictureRole::Live, PictureCondition::Frozen, "SNAPSHOT  FROZEN  picture of ");
+    row("of unknown age", PictureRole::Live, PictureCondition::Unknown, "SNAPSHOT  AGE UNKNOWN  picture of ");
+    row("pedal up", PictureRole::Live, PictureCondition::Held, "SNAPSHOT  LAST IMAGE HOLD  picture of ");
+    row("roadmap on a frozen one", PictureRole::Roadmap, PictureCondition::Frozen, "ROADMAP  FROZEN  picture of ");
+    row("hold beside a frozen one", PictureRole::Hold, PictureCondition::Frozen, "LAST IMAGE HOLD  picture of ");
+    row("review beside a frozen one", PictureRole::Review, PictureCondition::Frozen, "REVIEW  picture of ");
+}
+
+// In the words, in the DICOM file's pixels and attributes, and in the line below the PNG.
+void TestPictureExport::saysThatItWasNotLive()
+{
+    QFETCH(PictureRole, role);
+    QFETCH(PictureCondition, condition);
+    QFETCH(QString, words);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    Snapshot snapshot{picture(role)};
+    snapshot.picture.about.source = PictureSource::Live;
+    Snapshot live = snapshot;
+    snapshot.condition = condition;
+    QVERIFY2(exportWords(snapshot).startsWith(words), qPrintable(exportWords(snapshot)));
+    QCOMPARE(saveSecondaryCapture(live, path), QString());
+    const QByteArray livePixels = pixelsOf(path);
+    QCOMPARE(saveSecondaryCapture(snapshot, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    QVERIFY(valueOf(*file.getDataset(), DCM_ImageComments).startsWith(words));
+    const bool same = exportWords(snapshot) == exportWords(live);
+    QCOMPARE(pixelsOf(path) == livePixels, same);
+    QCOMPARE(withBanner(picture().image, snapshot) == withBanner(picture().image, live), same);
+}
+
 void TestPictureExport::namesAndWordsTellWhatItIs()
 {
     DisplayPicture sent = picture(PictureRole::Live);
     sent.about.source = PictureSource::Live;
-    QVERIFY(exportWords(sent).startsWith(QStringLiteral("SNAPSHOT  picture of")));
-    QVERIFY(!exportWords(sent).contains(QStringLiteral("LIVE")));
+    QVERIFY(exportWords({sent}).startsWith(QStringLiteral("SNAPSHOT  picture of")));
+    QVERIFY(!exportWords({sent}).contains(QStringLiteral("LIVE")));
     sent.about.source = PictureSource::Recorded;
-    QVERIFY(exportWords(sent).contains(QStringLiteral("RECORDED")));
+    QVERIFY(exportWords({sent}).contains(QStringLiteral("RECORDED")));
     sent.about.captureNs = 1'700'000'000'250'000'000ULL;
     QCOMPARE(exportName(sent), QStringLiteral("liena_2023-11-14T22-13-20.250_live_run3_frame17"));
     QVERIFY(exportName(picture(PictureRole::Hold)).contains(QStringLiteral("_hold_")));
@@ -179,7 +277,7 @@ void TestPictureExport::writesPng()
 {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("a.png"));
-    const QImage image = withBanner(picture().image, picture());
+    const QImage image = withBanner(picture().image, {picture()});
     QCOMPARE(savePng(image, path), QString());
     QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), image);
     QCOMPARE(image.copy(0, 0, size.width(), size.height()), picture().image);
@@ -193,7 +291,7 @@ void TestPictureExport::leavesOldFileWhenDiskIsFull()
     QCOMPARE(writeWhole("before", path), QString());
     {
         const FullDisk full(10000);
-        const QString reason = saveSecondaryCapture(picture(), path);
+        const QString reason = saveSecondaryCapture({picture()}, path);
         QVERIFY2(reason.contains(path) && reason.contains(QStringLiteral("make room on the disk")), qPrintable(reason));
     }
     QFile file(path);
@@ -215,14 +313,14 @@ void TestPictureExport::savesBothBesideTheWork()
     PictureSaver saver(folder.filePath(QStringLiteral("pictures")));
     QSignalSpy saved(&saver, &PictureSaver::saved);
     QSignalSpy failed(&saver, &PictureSaver::failed);
-    saver.save(picture(), picture().image);
-    saver.save(picture(), picture().image); // one at a time
+    saver.save({picture()}, picture().image);
+    saver.save({picture()}, picture().image); // one at a time
     QTRY_COMPARE(saved.count(), 1);
     QCOMPARE(failed.count(), 1);
     const QString path = saved.first().first().toString();
     QVERIFY(QFile::exists(path + QStringLiteral(".png")));
     QVERIFY(QFile::exists(path + QStringLiteral(".dcm")));
-    saver.save(picture(), picture().image);
+    saver.save({picture()}, picture().image);
     QTRY_COMPARE(saved.count(), 2);
 }
 

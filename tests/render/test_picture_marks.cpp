@@ -74,6 +74,8 @@ private Q_SLOTS:
     void frozenSecondsStandStill();
     void wordsThatTellAHoldAreLarge();
     void keepsFactsApart();
+    void windowAndCalibrationStandWhateverTheRoom_data();
+    void windowAndCalibrationStandWhateverTheRoom();
     void saysHowItWasTreated();
     void coversNoMarkWithAnother_data();
     void coversNoMarkWithAnother();
@@ -279,6 +281,49 @@ void TestPictureMarks::keepsFactsApart()
     }
 }
 
+void TestPictureMarks::windowAndCalibrationStandWhateverTheRoom_data()
+{
+    QTest::addColumn<int>("pixelSize");
+    for (const int pixelSize : {10, 16, 32})
+        QTest::addRow("letters of %d", pixelSize) << pixelSize;
+}
+
+// Whole, and as large as the room allows.
+void TestPictureMarks::windowAndCalibrationStandWhateverTheRoom()
+{
+    QFETCH(int, pixelSize);
+    DisplayPicture picture;
+    picture.about = *samples::frame(123456, frameSize, 12, PixelEncoding::Raw);
+    picture.window = {32768, 65536};
+    picture.windowIsAutomatic = true;
+    picture.settings.inverted = true;
+    picture.settings.noiseReduction = 60;
+    picture.settings.edge = 30;
+    picture.settings.shutter = ShutterShape::Circle;
+    QFont font;
+    font.setPixelSize(pixelSize);
+    bool withFrame = false;
+    for (int width = 160; width <= 1600; width += 7) {
+        TextPlates plates(font);
+        const QRect where(0, 0, width, 400);
+        placeFacts(plates, where, {}, picture, 2);
+        const auto shows = [&](const QString& text) {
+            return std::any_of(plates.plates().begin(), plates.plates().end(), [&](const OverlayPlate& plate) {
+                return plate.text.contains(text) && figuresWidth(plate.font, plate.text) <= plate.rect.width() &&
+                       where.contains(plate.rect);
+            });
+        };
+        QVERIFY2(shows(windowLine(picture)) && windowLine(picture).endsWith(QStringLiteral("AUTO")), qPrintable(QString::number(width)));
+        QVERIFY2(shows(QStringLiteral("display not calibrated")), qPrintable(QString::number(width)));
+        const bool frame = shows(QStringLiteral("frame 123456  run "));
+        QVERIFY2(frame || !withFrame, qPrintable(QString::number(width))); // more room never takes it away
+        withFrame = frame;
+        if (figuresWidth(font, windowLine(picture)) <= width - 4 * plates.gap())
+            QCOMPARE(plates.plates().front().font.pixelSize(), pixelSize);
+    }
+    QVERIFY(withFrame);
+}
+
 void TestPictureMarks::saysHowItWasTreated()
 {
     DisplayPicture picture;
@@ -294,7 +339,7 @@ void TestPictureMarks::saysHowItWasTreated()
     picture.settings.edge = 30;
     picture.settings.shutter = ShutterShape::Circle;
     QCOMPARE(windowLine(picture), QStringLiteral("C 2048  W 4096  SIGMOID  AUTO"));
-    QCOMPARE(treatmentLine(picture), QStringLiteral("INVERTED  noise 60 %  edge 30 %, unsharp mask  SHUTTER  display calibrated"));
+    QCOMPARE(treatmentLine(picture), QStringLiteral("display calibrated  INVERTED  noise 60 %  edge 30 %, unsharp mask  SHUTTER"));
     picture.settings.edgeMethod = EdgeMethod::MultiScale;
     QVERIFY(treatmentLine(picture).contains(QStringLiteral("edge 30 %, multi-scale  ")));
     picture.treatment.k = 0.7;

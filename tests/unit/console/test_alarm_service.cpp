@@ -1,6 +1,7 @@
 // Sound, log, self-test and watchdog together: what fails of them is an alarm of its own.
 #include "app/alarm_service.hpp"
 #include "invented_cockpit.hpp"
+#include "model/log_roles.hpp"
 
 #include <QDir>
 #include <QFile>
@@ -196,6 +197,29 @@ private Q_SLOTS:
         QTRY_VERIFY(beats().contains('a'));
         service.acknowledge(room.cockpit.models.alarms.highest()->id, QString());
         QTRY_VERIFY(beats().endsWith('i'));
+    }
+
+    /// Where it survives, and where it is read; with how things stood.
+    void aMarkedIncidentIsInBothLogs()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        auto& models = room.cockpit.models;
+        service.markIncident({});
+        const QString unknown = QStringLiteral("incident marked by the operator: OFF, picture NO PICTURE, AGE unknown, force unknown");
+        QCOMPARE(models.alarms.log().back().text, unknown);
+        RobotStatus status;
+        status.guidewireForce = 0.25;
+        models.instrument.receiveRobot(status, std::chrono::steady_clock::now());
+        service.markIncident(QStringLiteral("Dr Wu"));
+        const QString marked = models.alarms.log().back().text;
+        QVERIFY2(marked.startsWith(QStringLiteral("incident marked by Dr Wu: ")) && marked.endsWith(QStringLiteral("force 0.25 N")),
+                 qPrintable(marked));
+        const auto line = models.log.index(models.log.rowCount() - 1);
+        QCOMPARE(line.data(LogTextRole).toString(), marked);
+        QCOMPARE(line.data(LogKindRole).toInt(), int(LogKind::Operator));
+        QTRY_VERIFY(room.logged().contains(marked.toUtf8()));
+        QVERIFY(models.alarms.alarms().empty()); // it raises nothing
     }
 
     void theSelfTestIsLoggedWithWhoConfirmedIt()

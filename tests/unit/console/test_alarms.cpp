@@ -1,5 +1,5 @@
 // Alarms: the rules of the table, latching, acknowledging, and the log.
-#include "model/alarm_rules.hpp"
+#include "alarm_cases.hpp"
 
 #include <QFile>
 #include <QMap>
@@ -7,107 +7,15 @@
 #include <QTest>
 
 #include <algorithm>
-#include <functional>
 
 using namespace console;
+using console::test::alarmCases;
+using console::test::calmReadings;
 using namespace std::chrono_literals;
 
 namespace {
 
 const Instant start = Instant{} + 1h;
-
-using Change = std::function<void(AlarmReadings&)>;
-
-struct Case {
-    const char* name;
-    Change change;
-    AlarmCondition condition;
-    AlarmPriority armed;
-    std::optional<AlarmPriority> otherwise;
-    bool latching;
-};
-
-AlarmReadings calm()
-{
-    AlarmReadings r;
-    r.robotFresh = true;
-    r.drivesKnown = true;
-    r.pictureLimit = 250ms;
-    r.contrastLeft = 40;
-    r.airKerma = 2999;
-    r.painting = PaintingReading{15, 14};
-    AlarmLinkReading link;
-    link.peer = 5;
-    link.title = QStringLiteral("Robot");
-    link.state = LinkState::Open;
-    link.commandRoundTrip = 150ms;
-    r.links = {link};
-    return r;
-}
-
-const std::vector<Case>& cases()
-{
-    using C = AlarmCondition;
-    constexpr auto High = AlarmPriority::High, Medium = AlarmPriority::Medium, Low = AlarmPriority::Low;
-    static const std::vector<Case> all{
-        {"link lost", [](auto& r) { r.links[0].state = LinkState::StandBy; }, C::LinkLost, High, Medium, true},
-        {"picture link lost",
-         [](auto& r) {
-             r.links[0].state = LinkState::StandBy;
-             r.links[0].images = true;
-         },
-         C::ImageLost, High, Medium, true},
-        {"hold not confirmed", [](auto& r) { r.awaitingHold = 201ms; }, C::HoldNotConfirmed, High, Medium, true},
-        {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, C::PictureStale, High, Low, false},
-        {"picture reduced",
-         [](auto& r) {
-             r.picture.condition = PictureCondition::Live;
-             r.picture.reduction = {6, 15, 15, PixelEncoding::Jpeg, 75};
-         },
-         C::PictureReduced, Low, Low, false},
-        {"force stop", [](auto& r) { r.force = -2.0; }, C::ForceStop, High, Medium, true},
-        {"force warning", [](auto& r) { r.force = 1.0; }, C::ForceWarn, Medium, std::nullopt, false},
-        {"drive fault", [](auto& r) { r.faultCode = 2; }, C::DriveFault, High, Medium, true},
-        {"emergency stop", [](auto& r) { r.emergencyStop = true; }, C::EmergencyStop, High, Medium, true},
-        {"emergency stop unheard", [](auto& r) { r.stopUnheard = 201ms; }, C::StopUnheard, High, High, true},
-        {"deadline", [](auto& r) { r.links[0].deadlineMissed = QStringLiteral("RobotStatus"); }, C::DeadlineMissed, Medium, Low, false},
-        {"unsteady", [](auto& r) { r.links[0].suspectsInMinute = 3; }, C::LinkUnsteady, Low, Low, false},
-        {"packets lost", [](auto& r) { r.links[0].packetsLost = true; }, C::PacketsLost, Low, Low, false},
-        {"clock", [](auto& r) { r.links[0].clockUncertain = true; }, C::ClockUncertain, Medium, Low, false},
-        {"soft limit", [](auto& r) { r.limitSwitches = GuidewireSoftHigh; }, C::SoftLimit, Low, std::nullopt, false},
-        {"hard limit", [](auto& r) { r.limitSwitches = CatheterHardLow; }, C::HardLimit, Medium, std::nullopt, false},
-        {"round trip, caution", [](auto& r) { r.links[0].commandRoundTrip = 151ms; }, C::CommandRoundTrip, Low, std::nullopt, false},
-        {"round trip above the limit", [](auto& r) { r.links[0].commandRoundTrip = 251ms; }, C::CommandRoundTrip, Medium, Low, false},
-        {"tracker", [](auto& r) { r.trackerOverdue = true; }, C::TrackerStale, Medium, Low, false},
-        {"roadmap", [](auto& r) { r.roadmapRemoved = QStringLiteral("the table moved"); }, C::RoadmapRemoved, Low, std::nullopt, false},
-        {"contrast low", [](auto& r) { r.contrastLeft = 4.9; }, C::ContrastLow, Low, Low, false},
-        {"contrast empty",
-         [](auto& r) {
-             r.contrastLeft = 0;
-             r.injecting = true;
-         },
-         C::ContrastEmpty, Medium, Low, true},
-        {"air kerma 3 Gy", [](auto& r) { r.airKerma = 3000; }, C::AirKerma, Low, Low, true},
-        {"fluoroscopy 5 min", [](auto& r) { r.fluoroscopyTime = 300; }, C::FluoroscopyTime, Low, Low, true},
-        {"air kerma 5 Gy", [](auto& r) { r.airKerma = 5000; }, C::AirKerma, Medium, Medium, true},
-        {"picture slow",
-         [](auto& r) {
-             r.picture.condition = PictureCondition::Live;
-             r.pictureSlow = true;
-         },
-         C::PictureSlow, Low, std::nullopt, false},
-        {"painting",
-         [](auto& r) {
-             r.painting = PaintingReading{15, 11};
-         },
-         C::PaintingBehind, Medium, Low, false},
-        {"another system", [](auto& r) { r.links[0].systemDiffers = true; }, C::SystemDiffers, Medium, Medium, true},
-        {"recorder", [](auto& r) { r.recorderTroubles << QStringLiteral("disk full"); }, C::RecorderStopped, Low, Low, true},
-        {"sound", [](auto& r) { r.soundTrouble = QStringLiteral("no output"); }, C::SoundFailed, Medium, Low, false},
-        {"watchdog", [](auto& r) { r.watchdogTrouble = QStringLiteral("ended"); }, C::WatchdogGone, Medium, Low, false},
-    };
-    return all;
-}
 
 /// The cells of each row of the table in docs/ALARMS.md, by the name in the first.
 QMap<QString, QStringList> documentedAlarms()
@@ -176,7 +84,7 @@ private Q_SLOTS:
 
     void aSecondCauseDemandsAttentionAnew()
     {
-        auto readings = calm();
+        auto readings = calmReadings();
         readings.armed = true;
         AlarmList list;
         const auto at = [&](quint16 switches) {
@@ -197,7 +105,7 @@ private Q_SLOTS:
     void eachIsDocumentedAsItIs()
     {
         auto documented = documentedAlarms();
-        for (const auto& one : cases()) {
+        for (const auto& one : alarmCases()) {
             const auto row = documented.take(QString::fromLatin1(one.name));
             QVERIFY2(row.size() == 5, one.name);
             const QStringList expected{priorityWord(one.armed), priorityWord(one.otherwise),
@@ -214,7 +122,7 @@ private Q_SLOTS:
     void aDriveIsToldOfWhateverTheRobotStoppedForBefore()
     {
         for (const quint16 code : std::initializer_list<quint16>{0, 1, 4, 5}) {
-            auto readings = calm();
+            auto readings = calmReadings();
             readings.faultCode = code;
             readings.drivesHealthy = false;
             const auto present = presentAlarms(readings);
@@ -238,7 +146,7 @@ private Q_SLOTS:
     {
         QFETCH(double, seconds);
         QFETCH(QString, told);
-        auto readings = calm();
+        auto readings = calmReadings();
         readings.fluoroscopyTime = seconds;
         const auto present = presentAlarms(readings);
         QCOMPARE(present.empty() ? QString() : present.front().text, told);
@@ -246,7 +154,7 @@ private Q_SLOTS:
 
     void theNextFiveMinutesDemandAttentionAnew()
     {
-        auto readings = calm();
+        auto readings = calmReadings();
         AlarmList list;
         const auto at = [&](double seconds) {
             readings.fluoroscopyTime = seconds;
@@ -271,7 +179,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, message);
         QFETCH(QString, text);
-        auto readings = calm();
+        auto readings = calmReadings();
         readings.links[0].title = QStringLiteral("Vascular robot");
         readings.links[0].deadlineMissed = message;
         QCOMPARE(presentAlarms(readings).front().text, text);
@@ -279,8 +187,8 @@ private Q_SLOTS:
 
     void calmRaisesNothing()
     {
-        QVERIFY(presentAlarms(calm()).empty());
-        auto armed = calm();
+        QVERIFY(presentAlarms(calmReadings()).empty());
+        auto armed = calmReadings();
         armed.armed = armed.engaged = true;
         QVERIFY(presentAlarms(armed).empty());
         armed.awaitingHold = 200ms;
@@ -297,15 +205,15 @@ private Q_SLOTS:
     void conditionsHaveThePrioritiesOfTheTable_data()
     {
         QTest::addColumn<int>("number");
-        for (int number = 0; number < int(cases().size()); ++number)
-            QTest::newRow(cases().at(std::size_t(number)).name) << number;
+        for (int number = 0; number < int(alarmCases().size()); ++number)
+            QTest::newRow(alarmCases().at(std::size_t(number)).name) << number;
     }
 
     void conditionsHaveThePrioritiesOfTheTable()
     {
         QFETCH(int, number);
-        const auto& one = cases().at(std::size_t(number));
-        auto readings = calm();
+        const auto& one = alarmCases().at(std::size_t(number));
+        auto readings = calmReadings();
         one.change(readings);
         auto present = presentAlarms(readings);
         QCOMPARE(present.size(), std::size_t(one.otherwise ? 1 : 0));
@@ -389,7 +297,7 @@ private Q_SLOTS:
     void eachFurtherGrayDemandsAttentionAnew()
     {
         AlarmList list;
-        auto readings = calm();
+        auto readings = calmReadings();
         const auto at = [&](double milligrays) {
             readings.airKerma = milligrays;
             list.update(presentAlarms(readings), start, 0);
@@ -408,7 +316,7 @@ private Q_SLOTS:
 
     void aRoundTripOfAClosedLinkIsNoAlarm()
     {
-        auto readings = calm();
+        auto readings = calmReadings();
         readings.armed = true;
         readings.links[0].commandRoundTrip = 900ms;
         readings.links[0].state = LinkState::Closed;

@@ -58,7 +58,7 @@ private Q_SLOTS:
         fill(sessions);
         const auto incident = lost(robot);
         const auto content = promptContent(incident, sessions, around(), start);
-        const auto report = promptReport(incident, content);
+        const auto report = promptReport(content);
         QVERIFY(report.endsWith(QLatin1Char('\n')) && !report.contains(QStringLiteral("\n\n")));
         for (const auto& fact : QStringList{content.headline, content.since, content.directions, content.patient, content.call,
                                             content.picture, content.tip, content.likelyCause, content.tryFirst} +
@@ -66,6 +66,25 @@ private Q_SLOTS:
             QVERIFY2(report.contains(fact), qPrintable(fact));
         for (const auto& hold : content.rollCall)
             QVERIFY2(report.contains(hold.title + QStringLiteral(": ")), qPrintable(hold.title));
+    }
+
+    void detailsAreForWhoeverHasToFindTheCause()
+    {
+        SessionModel sessions;
+        fill(sessions);
+        auto incident = lost(robot);
+        incident.sinceWallMs = 1'700'000'000'250;
+        incident.diagnosis->peerState = LinkState::StandBy;
+        const auto content = promptContent(incident, sessions, around(), start);
+        const QStringList expected{QStringLiteral("Began 2023-11-14T22:13:20.250Z, incident 000000000000000b"),
+                                   QStringLiteral("Robot: device 0x00008208 at 10.0.0.2:1 (patient)"),
+                                   QStringLiteral("Cockpit: device 0x40018208 at 10.0.0.1:1 (surgeon)"),
+                                   QStringLiteral("Robot said last: ") + word(LinkState::StandBy), QStringLiteral("Topology t, hash ")};
+        QCOMPARE(content.details, expected);
+        for (const auto& line : content.details)
+            QVERIFY2(promptReport(content).contains(line), qPrintable(line));
+        incident.peer = 0; // of others: what neither of them said to this console is not invented
+        QCOMPARE(promptContent(incident, sessions, around(), start).details.size(), 4);
     }
 
     void rollCallNamesEveryDevice()

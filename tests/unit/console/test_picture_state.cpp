@@ -318,6 +318,20 @@ private Q_SLOTS:
         QCOMPARE(*reading.network, Duration(50ms));
     }
 
+    /// A slow X-ray system is not a slow way.
+    void netIsTheWayAlone()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        auto late = stamp(1, start, 80ms);
+        late.beforeSending = 35ms;
+        state.notePainted(late);
+        const auto reading = state.reading(start);
+        QCOMPARE(*reading.network, Duration(15ms));
+        QCOMPARE(*reading.age, Duration(80ms)); // it makes the picture old all the same
+    }
+
     void samePicturePaintedAgainIsNotANewOne()
     {
         PictureState state;
