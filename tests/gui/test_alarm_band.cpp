@@ -1,5 +1,7 @@
 // The alarm band: what flashes and how, measured in painted pixels; contrast; self-test and audio pause.
 #include "cockpit_stage.hpp"
+#include "shown_texts.hpp"
+#include "unit/console/alarm_cases.hpp"
 #include "widgets/alarm_band.hpp"
 #include "widgets/flash_clock.hpp"
 #include "widgets/self_test_block.hpp"
@@ -270,6 +272,51 @@ private Q_SLOTS:
         }
     }
 
+    /// With every button that may stand beside it: what is wrong can be read from where the surgeon stands.
+    void everyAlarmsTextIsAsLargeAsAnAlarms()
+    {
+        Band room(AlarmPriority::High);
+        room.band.setSound(true, 60s);
+        const double wanted = QFontMetricsF(theme::font(theme::TextRole::Alarm, 1)).capHeight();
+        for (const AlarmCase& one : alarmCases()) {
+            AlarmReadings readings = calmReadings();
+            readings.links[0].title = QStringLiteral("Vascular robot");
+            readings.armed = readings.engaged = true;
+            one.change(readings);
+            Alarm shown = alarm(AlarmPriority::High, false);
+            const auto reports = presentAlarms(readings);
+            QVERIFY(!reports.empty());
+            shown.text = reports.front().text;
+            room.band.setAlarms({shown});
+            QCoreApplication::processEvents();
+            const auto texts = textsPaintedBy(room.band);
+            const auto found = std::find_if(texts.begin(), texts.end(), [&](const ShownText& text) { return text.text == shown.text; });
+            QVERIFY2(found != texts.end(), qPrintable(shown.text)); // in one line, and whole
+            QVERIFY2(found->ink.height() > wanted - 0.5, qPrintable(shown.text));
+        }
+    }
+
+    /// One whose reason comes from elsewhere, as long as it likes.
+    void aLongerTextTakesASecondLineBeforeItsLettersGetSmall()
+    {
+        Band room(AlarmPriority::High);
+        Alarm shown = alarm(AlarmPriority::High, false);
+        shown.text = QStringLiteral("Recording: alarms-0x40018208.jsonl: No space left on device; the audit file of the sessions cannot be "
+                                    "written: No space left on device; the pictures' folder is full; the event log is kept in memory alone "
+                                    "until somebody makes room");
+        room.band.setAlarms({shown});
+        room.band.setSound(true, 60s);
+        QCoreApplication::processEvents();
+        const double wanted = QFontMetricsF(theme::font(theme::TextRole::Title, 1)).capHeight();
+        QStringList lines;
+        for (const ShownText& text : textsPaintedBy(room.band))
+            if (shown.text.contains(text.text.trimmed()) && text.ink.height() > wanted - 0.5)
+                lines << text.text.trimmed();
+        QCOMPARE(lines.join(QLatin1Char(' ')), shown.text);
+        QCOMPARE(lines.size(), 2);
+        QCOMPARE(unreadableTexts(room.band), QStringList());
+    }
+
     void everyPairOfAlarmColoursIsReadable()
     {
         for (const auto priority : {AlarmPriority::High, AlarmPriority::Medium, AlarmPriority::Low})
@@ -359,6 +406,35 @@ private Q_SLOTS:
             if (one->isVisible())
                 words << one->text();
         QVERIFY2(words.contains(QStringLiteral("Test seen; no sound here")), qPrintable(words.join(QLatin1Char('|'))));
+    }
+
+    /// Always there, whatever stands: the moment does not wait.
+    void anIncidentIsMarkedByItsButton()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        QSignalSpy asked(&stage.window, &CockpitWindow::incidentMarkRequested);
+        auto* button = stage.named<QPushButton>(QStringLiteral("Mark this moment in both logs as an incident"));
+        QVERIFY(button);
+        QCOMPARE(button->text(), QStringLiteral("Incident"));
+        QTest::mouseDClick(button, Qt::LeftButton);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(asked.count(), 1);          // a double click is one wish
+        QVERIFY(stage.window.handHasKeys()); // and takes no keys
+        const QRect place = button->geometry();
+        stage.window.showIncidentMarked();
+        QCOMPARE(button->text(), QStringLiteral("Marked"));
+        stage.cockpit.freezePicture();
+        stage.refresh();
+        QCoreApplication::processEvents();
+        QCOMPARE(button->geometry(), place); // nothing moves it
+        QVERIFY(button->isVisible() && button->isEnabled());
+        QTRY_COMPARE_WITH_TIMEOUT(button->text(), QStringLiteral("Incident"), 4000);
+        button->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(button, Qt::Key_Space);
+        QCOMPARE(asked.count(), 2);
+        QVERIFY(stage.window.handHasKeys());
     }
 
     void soundIsPausedByButtonAndKeyAndCountsDown()

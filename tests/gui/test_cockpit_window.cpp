@@ -10,6 +10,7 @@
 #include "widgets/trends_pane.hpp"
 #include "widgets/waterfall.hpp"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 
@@ -310,6 +311,24 @@ private Q_SLOTS:
         QVERIFY(pixelsOf(stale, colour::stale) > 20);
         QCOMPARE(pixelsOf(fresh, colour::stale), 0);
         QVERIFY(panel->accessibleDescription().contains(QStringLiteral("stale")));
+    }
+
+    void theArmsStateHasItsAge()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        const auto& arm = stage.cockpit.models.arm.status();
+        const auto line = [&stage] {
+            for (const auto* label : stage.window.findChildren<QLabel*>())
+                if (label->isVisible() && label->text().startsWith(QStringLiteral("Robotic arm: ")))
+                    return label->text();
+            return QString();
+        };
+        stage.window.refresh(*arm.received + std::chrono::milliseconds(40));
+        QCOMPARE(line(), QStringLiteral("Robotic arm: %1 \u00B7 age 40\u00A0ms").arg(word(arm.value.phase)));
+        stage.window.refresh(*arm.received + std::chrono::milliseconds(2400));
+        QCOMPARE(line(), QStringLiteral("Robotic arm: last known: %1 \u00B7 stale 2.4\u00A0s").arg(word(arm.value.phase)));
     }
 
     void unknownValuesAreDashes()

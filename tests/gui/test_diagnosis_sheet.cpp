@@ -4,6 +4,7 @@
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/sheet_button.hpp"
 
+#include <QDialog>
 #include <QLabel>
 #include <QSignalSpy>
 
@@ -84,6 +85,67 @@ private Q_SLOTS:
         QVERIFY(report.first().first().toString().startsWith(QStringLiteral("Vascular robot link lost\n")));
         stage.window.showReportNote(QStringLiteral("Report saved: /somewhere"));
         QVERIFY(says(sheet(stage), QStringLiteral("/somewhere")));
+    }
+
+    void detailsAreShownWhenAskedForAndAreInTheReportAnyway()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot(0xf1a9);
+        stage.refresh();
+        const QString number = QStringLiteral("incident 000000000000f1a9");
+        QVERIFY(!says(sheet(stage), number));
+        auto* details = button(stage, QStringLiteral("Details"));
+        details->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(details, Qt::Key_Return);
+        QVERIFY(says(sheet(stage), number));
+        QVERIFY(says(sheet(stage), QStringLiteral("Vascular robot: device 0x")));
+        stage.refresh();
+        const auto seen = [&stage, &number] {
+            for (const QLabel* label : sheet(stage)->findChildren<QLabel*>())
+                if (label->text().contains(number))
+                    return !label->visibleRegion().isEmpty();
+            return false;
+        };
+        QTRY_VERIFY(seen()); // the sheet scrolls to them
+        QTest::mouseClick(details, Qt::LeftButton);
+        QVERIFY(!says(sheet(stage), number));
+        QSignalSpy report(&stage.window, &CockpitWindow::reportRequested);
+        QTest::mouseClick(button(stage, QStringLiteral("Save report")), Qt::LeftButton);
+        QVERIFY(report.first().first().toString().contains(number));
+    }
+
+    void theNumberOfThePatientSideIsShownLargeWhenTheyAreToBeCalled()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.models.patientSide = QStringLiteral("lab 2, tel. 4711");
+        stage.cockpit.loseRobot(7);
+        stage.refresh();
+        const auto height = [&stage] {
+            for (const QLabel* label : sheet(stage)->findChildren<QLabel*>())
+                if (label->isVisible() && label->text().contains(QStringLiteral("4711")))
+                    return label->font().pixelSize();
+            return 0;
+        };
+        const int usual = height();
+        QVERIFY(usual > 0);
+        QSignalSpy called(&stage.window, &CockpitWindow::patientSideCallRequested);
+        const auto call = [&stage] { return button(stage, QStringLiteral("Call patient side")); };
+        QTest::mouseClick(call(), Qt::LeftButton);
+        QCOMPARE(called.count(), 1);
+        QVERIFY2(height() > 1.7 * usual, qPrintable(QString::number(height())));
+        QVERIFY(stage.window.findChildren<QDialog*>().isEmpty());
+        QTest::mouseClick(call(), Qt::LeftButton);
+        QCOMPARE(called.count(), 1); // a double click is one wish, and takes nothing away
+        QVERIFY(height() > 1.7 * usual);
+        stage.cockpit.models.incidents.end(7);
+        stage.cockpit.loseRobot(8); // of another incident nobody was called
+        stage.refresh();
+        QCOMPARE(height(), usual);
+        QCOMPARE(called.count(), 1);
     }
 
     void alarmsAreSilencedFromTheSheetAsByF9()

@@ -2,23 +2,154 @@
 #include "app/language.hpp"
 #include "gallery_scene.hpp"
 #include "link/library_words.hpp"
-#include "model/alarm_rules.hpp"
 #include "pseudo_language.hpp"
 #include "shown_texts.hpp"
+#include "unit/console/alarm_cases.hpp"
 #include "widgets/alarm_band.hpp"
 #include "widgets/stop_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QFile>
 #include <QFontDatabase>
 #include <QGraphicsScene>
 #include <QGraphicsView>
 #include <QLabel>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTranslator>
+#include <QXmlStreamReader>
 
 using namespace console;
 using namespace console::test;
+
+namespace {
+
+/// As bad as it can be at once.
+AlarmReadings everythingWrong()
+{
+    AlarmReadings bad;
+    bad.armed = bad.engaged = bad.robotFresh = bad.drivesKnown = bad.emergencyStop = bad.trackerOverdue = bad.injecting = true;
+    AlarmLinkReading link;
+    link.peer = 1;
+    link.title = QStringLiteral("Vascular robot");
+    link.state = LinkState::StandBy;
+    link.suspectsInMinute = 9;
+    link.deadlineMissed = QStringLiteral("RobotStatus");
+    link.jittery = link.lossy = link.clockUncertain = true;
+    link.images = link.systemDiffers = true;
+    link.commandRoundTrip = std::chrono::milliseconds(900);
+    bad.links = {link, link};
+    bad.links[1].state = LinkState::Open;
+    bad.awaitingHold = std::chrono::seconds(1);
+    bad.picture.condition = PictureCondition::Frozen;
+    bad.pictureLimit = std::chrono::milliseconds(250);
+    bad.force = 9;
+    bad.faultCode = 2;
+    bad.drivesHealthy = false;
+    bad.limitSwitches = 0xFFFF;
+    bad.airKerma = 5000;
+    bad.painting = PaintingReading{15, 3};
+    bad.recorderTroubles = QStringList{QStringLiteral("alarms-0x40018208.jsonl: No space left on device"),
+                                       QStringLiteral("the audit file is not written: No space left on device")};
+    bad.soundTrouble = QCoreApplication::translate("console::BurstPlayer", "the sound output does not take what is sent to it");
+    bad.watchdogTrouble = QCoreApplication::translate("console::WatchdogProcess", "its watchdog does not answer");
+    return bad;
+}
+
+/// What alarms have to say beside what each of them says first.
+const std::vector<AlarmChange>& furtherTexts()
+{
+    static const std::vector<AlarmChange> all = [] {
+        std::vector<AlarmChange> changes{
+            [](AlarmReadings& r) { r.links[0].state = LinkState::Reconnecting; },
+            [](AlarmReadings& r) {
+                r.links[0].state = LinkState::Reconnecting;
+                r.links[0].images = true;
+            },
+            [](AlarmReadings& r) { r.picture.condition = PictureCondition::Unknown; },
+            [](AlarmReadings& r) { r.armFault = true; },
+            [](AlarmReadings& r) { r.driveOff = true; },
+            [](AlarmReadings& r) { r.drivesHealthy = false; },
+            [](AlarmReadings& r) { r.faultCode = 3; },
+        };
+        for (const char* message : {"TipPose", "DriveStatus", "TravelLimits", "AcquisitionStatus", "ArmStatus"})
+            changes.push_back([message](AlarmReadings& r) { r.links[0].deadlineMissed = QString::fromLatin1(message); });
+        return changes;
+    }();
+    return all;
+}
+
+/// All at once, then each alone, armed and not.
+std::vector<AlarmReadings> wrongReadings()
+{
+    std::vector<AlarmReadings> all{everythingWrong()};
+    const auto add = [&all](const AlarmChange& change) {
+        for (const bool armed : {true, false}) {
+            auto readings = calmReadings();
+            readings.links[0].title = QStringLiteral("Vascular robot");
+            readings.armed = readings.engaged = armed;
+            change(readings);
+            all.push_back(readings);
+        }
+    };
+    for (const AlarmCase& one : alarmCases())
+        add(one.change);
+    for (const AlarmChange& change : furtherTexts())
+        add(change);
+    return all;
+}
+
+std::vector<AlarmReport> reportsOf(const std::vector<AlarmReadings>& all)
+{
+    std::vector<AlarmReport> reports;
+    for (const AlarmReadings& readings : all)
+        for (const AlarmReport& report : presentAlarms(readings))
+            reports.push_back(report);
+    return reports;
+}
+
+/// Hears which texts a part of the program asks to be translated, and translates none.
+class Listener : public QTranslator {
+public:
+    explicit Listener(const char* part) : m_part(part) {}
+
+    mutable QSet<QString> heard;
+
+    bool isEmpty() const override { return false; }
+    QString translate(const char* context, const char* source, const char*, int) const override
+    {
+        if (m_part == QLatin1String(context))
+            heard.insert(QString::fromUtf8(source));
+        return {};
+    }
+
+private:
+    QLatin1String m_part;
+};
+
+/// All texts of a part of the program that are translated into Chinese.
+QSet<QString> textsOf(const QString& part)
+{
+    QFile file(QStringLiteral(LIENA_SOURCE_DIR "/resources/translations/liena-console_zh_CN.ts"));
+    QSet<QString> texts;
+    if (!file.open(QIODevice::ReadOnly))
+        return texts;
+    QXmlStreamReader xml(&file);
+    bool inPart = false;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == QLatin1String("name"))
+            inPart = xml.readElementText() == part;
+        else if (inPart && xml.name() == QLatin1String("source"))
+            texts.insert(xml.readElementText());
+    }
+    return texts;
+}
+
+} // namespace
 
 class TestLanguage : public QObject {
     Q_OBJECT
@@ -58,6 +189,19 @@ private Q_SLOTS:
         PseudoLanguage pseudo;
         QVERIFY(QApplication::installTranslator(&pseudo));
         lookAtAlarms();
+    }
+
+    void noTextOfAnAlarmIsForgotten()
+    {
+        const QString part = QStringLiteral("console::AlarmRules");
+        Listener listener("console::AlarmRules");
+        QVERIFY(QCoreApplication::installTranslator(&listener));
+        (void)reportsOf(wrongReadings());
+        QCoreApplication::removeTranslator(&listener);
+        const auto texts = textsOf(part);
+        QVERIFY(texts.size() > 60);
+        const auto forgotten = QSet<QString>(texts).subtract(listener.heard).values();
+        QVERIFY2(forgotten.isEmpty(), qPrintable(forgotten.join(QLatin1Char('\n'))));
     }
 
     void systemsLanguageIsFoundByItsScript()
@@ -125,7 +269,7 @@ private Q_SLOTS:
     void everyAlarmIsWholeInChinese() { lookAtAlarms(); }
 
 private:
-    /// As bad as it can be, and each alarm alone: with its remedy.
+    /// Each alarm alone, with its remedy.
     static void lookAtAlarms()
     {
         QFETCH(QSize, band);
@@ -133,8 +277,8 @@ private:
         theme::applyScale(&shown, band.width() / 2560.0);
         shown.resize(band);
         shown.show();
-        const auto reports = presentAlarms(everythingWrong());
-        QVERIFY(reports.size() > 15);
+        const auto reports = reportsOf(wrongReadings());
+        QVERIFY(reports.size() > 50);
         for (const AlarmReport& report : reports) {
             Alarm alarm;
             alarm.id = 1;
@@ -148,36 +292,6 @@ private:
             const bool whole = QTest::qWaitFor([&] { return (wrong = unreadableTexts(shown)).isEmpty(); }, 200);
             QVERIFY2(whole, qPrintable(alarm.text + QStringLiteral(": ") + wrong.join(QLatin1Char('\n'))));
         }
-    }
-
-    static AlarmReadings everythingWrong()
-    {
-        AlarmReadings bad;
-        bad.armed = bad.engaged = bad.robotFresh = bad.drivesKnown = bad.emergencyStop = bad.trackerOverdue = bad.injecting = true;
-        AlarmLinkReading link;
-        link.peer = 1;
-        link.title = QStringLiteral("Vascular robot");
-        link.state = LinkState::StandBy;
-        link.suspectsInMinute = 9;
-        link.deadlineMissed = QStringLiteral("RobotStatus");
-        link.jittery = link.lossy = link.clockUncertain = true;
-        link.images = link.systemDiffers = true;
-        link.commandRoundTrip = std::chrono::milliseconds(900);
-        bad.links = {link, link};
-        bad.links[1].state = LinkState::Open;
-        bad.awaitingHold = std::chrono::seconds(1);
-        bad.picture.condition = PictureCondition::Frozen;
-        bad.pictureLimit = std::chrono::milliseconds(250);
-        bad.force = 9;
-        bad.faultCode = 2;
-        bad.drivesHealthy = false;
-        bad.limitSwitches = 0xFFFF;
-        bad.airKerma = 5000;
-        bad.painting = PaintingReading{15, 3};
-        bad.recorderTroubles = QStringList{QStringLiteral("alarms-0x40018208.jsonl: No space left on device")};
-        bad.soundTrouble = QCoreApplication::translate("console::BurstPlayer", "the sound output does not take what is sent to it");
-        bad.watchdogTrouble = QCoreApplication::translate("console::WatchdogProcess", "its watchdog does not answer");
-        return bad;
     }
 
     static void states()

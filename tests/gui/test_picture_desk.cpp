@@ -35,6 +35,8 @@ struct Desk {
         Options made;
         made.pictures = folder.filePath(QStringLiteral("saved"));
         made.display = display;
+        made.patient = QStringLiteral("Anna Invented");
+        made.patientId = QStringLiteral("PID-4711");
         return made;
     }
 
@@ -159,6 +161,26 @@ private Q_SLOTS:
         QVERIFY(!(desk.live->overlayRegion() - before).isEmpty()); // where the eye is
         QVERIFY(QRegion(desk.live->rect()).contains(desk.live->overlayRegion().boundingRect()));
         QVERIFY(desk.reference->told().isEmpty());
+    }
+
+    void aFrozenPictureIsSavedAsOneWithWhatWasMeasuredOnIt()
+    {
+        Desk desk;
+        QVERIFY(desk.send(1));
+        desk.models.picture.setLinkUp(false);
+        desk.desk.display().nextMeasureMode();
+        for (const double share : {0.3, 0.6})
+            QTest::mouseClick(desk.live, Qt::LeftButton, {}, (QPointF(desk.live->rect().bottomRight()) * share).toPoint());
+        QVERIFY(!desk.live->measurement().text().isEmpty());
+        desk.click(QStringLiteral("Save picture"));
+        const QDir saved(desk.folder.filePath(QStringLiteral("saved")));
+        QTRY_COMPARE(saved.entryList({QStringLiteral("*_live_*.png")}, QDir::Files).size(), 1); // written after the DICOM file
+        QFile file(saved.filePath(saved.entryList({QStringLiteral("*_live_*.dcm")}, QDir::Files).first()));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        for (const QByteArray& words : {QByteArray("SNAPSHOT  FROZEN  SIMULATED"), desk.live->measurement().text().toUtf8(),
+                                        QByteArray("Anna Invented"), QByteArray("PID-4711")})
+            QVERIFY2(bytes.contains(words), words.constData());
     }
 
     void saysWhyNothingCouldBeSaved()

@@ -1,9 +1,12 @@
 // Several screens: what is on them, what becomes of it when one vanishes, and who has the keys. On invented screens.
+#include "app/language.hpp"
 #include "app/picture_desk.hpp"
 #include "app/screen_desk.hpp"
 #include "cockpit_stage.hpp"
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
+#include "invented_picture.hpp"
+#include "pseudo_language.hpp"
 #include "shown_texts.hpp"
 #include "widgets/checklist_view.hpp"
 #include "widgets/log_lines.hpp"
@@ -209,8 +212,6 @@ private Q_SLOTS:
             told.insert(row->accessibleName());
         for (const GuardLine& line : stage.cockpit.models.permit.checklist())
             QVERIFY2(told.contains(line.text), qPrintable(line.text));
-        QStringList wrong;
-        QTRY_VERIFY2((wrong = unreadableTexts(*side)).isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
         for (const QWidget* widget : side->findChildren<QWidget*>())
             QVERIFY2(widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() || !widget->isVisible() ||
                          !widget->accessibleName().isEmpty(),
@@ -339,6 +340,51 @@ private Q_SLOTS:
         QTest::keyClick(&stage.window, Qt::Key_F10);
         QVERIFY(stage.window.arrangement() == Arrangement::ReferenceBeside);
         QVERIFY(stage.cockpit.models.permit.phase() == PermitPhase::Armed);
+    }
+
+    // Last: from its Chinese rows on the program speaks Chinese.
+    void furtherScreensAreWholeInEveryLanguage_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<bool>("lost");
+        for (const char* language : {"en", "pseudo", "zh_CN"})
+            for (const bool lost : {false, true})
+                QTest::addRow("%s, %s", language, lost ? "links lost" : "all open") << QString::fromLatin1(language) << lost;
+    }
+
+    void furtherScreensAreWholeInEveryLanguage()
+    {
+        QFETCH(QString, language);
+        QFETCH(bool, lost);
+        PseudoLanguage pseudo;
+        if (language == QLatin1String("pseudo"))
+            QVERIFY(QApplication::installTranslator(&pseudo));
+        else
+            QCOMPARE(speak(language), QString());
+        for (const bool swapped : {false, true}) {
+            Theatre stage;
+            QVERIFY(stage.readyWithKeys());
+            stage.cockpit.openAll();
+            if (lost) {
+                stage.cockpit.arm(), stage.cockpit.loseXray(), stage.cockpit.loseRobot();
+                stage.cockpit.logEvents();
+            }
+            Q_EMIT stage.view->secondChosen(swapped ? QStringLiteral("third") : QStringLiteral("second"));
+            Q_EMIT stage.view->thirdChosen(swapped ? QStringLiteral("second") : QStringLiteral("third"));
+            QVERIFY(stage.desk->second() && stage.desk->third());
+            QTRY_VERIFY(stage.desk->second()->isVisible() && stage.desk->third()->isVisible());
+            auto* reference = stage.desk->third()->findChild<ReferenceImageView*>();
+            QVERIFY(reference != nullptr);
+            for (SideWindow* side : {stage.desk->second(), stage.desk->third()}) {
+                QStringList wrong;
+                QTRY_VERIFY2((wrong = unreadableTexts(*side)).isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+            }
+            reference->showPicture(inventedPicture(*stage.cockpit.models.picture.newest(), PictureRole::Review));
+            reference->setPlace(
+                QCoreApplication::translate("console::CineReview", "%1 of %2, %3 s before the newest").arg(612).arg(900).arg(19.2));
+            QStringList wrong;
+            QTRY_VERIFY2((wrong = unreadableTexts(*stage.desk->third())).isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+        }
     }
 };
 

@@ -13,9 +13,11 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds turnLength{10};
-constexpr std::uint64_t leastHold = 20;          ///< turns
-constexpr std::uint64_t silence = 50;            ///< turns without a command; longer than the reference robot's, for sanitizers
-constexpr double commandLength = 0.002;          ///< s
+constexpr std::uint64_t leastHold = 20; ///< turns
+constexpr std::uint64_t silence = 50;   ///< turns without a command; longer than the reference robot's, for sanitizers
+constexpr double commandLength = 0.002; ///< s
+constexpr double firstPlace = 800;      ///< mm
+constexpr double lastPlace = 1500;
 constexpr std::chrono::seconds movementsKept{5}; ///< of an engagement
 constexpr milliseconds pedalLease{400};
 constexpr std::uint16_t edge = 64;
@@ -111,7 +113,10 @@ void PuppetRobot::onMotion(const Message& message)
     ++(velocity == 0 ? m_engagedAtRest : m_movements);
     if (velocity != 0 && message.arrival() - m_engagedAt < movementsKept)
         m_newest.push_back({message.arrival() - m_engagedAt, velocity});
+    m_fastest = std::max(m_fastest, std::abs(velocity));
     m_position += velocity * commandLength;
+    if (m_position > lastPlace || m_position < 0)
+        m_position = firstPlace; // a report of a place that its set does not know would not be sent
 }
 
 void PuppetRobot::onInjection(DistributedSystem& system, const Message& message)
@@ -152,6 +157,7 @@ void PuppetRobot::turn(DistributedSystem& system)
     Message status = system.report("RobotStatus").value();
     Message tip = system.report("TipPose").value();
     Message drives = system.report("DriveStatus").value();
+    bool tracked = false;
     {
         const std::lock_guard lock(m_mutex);
         ++m_turns;
@@ -162,6 +168,7 @@ void PuppetRobot::turn(DistributedSystem& system)
             m_state = State::Ready;
         if (m_silent)
             return;
+        tracked = !m_tipSilent;
         const Claim told = m_claim.value_or(Claim{m_state, 0, !armed});
         status.set("state", told.state).set("permit", m_permit + told.permitsAhead).set("hold_confirmed", told.holdConfirmed);
         status.set("engaged", told.state == State::Engaged).set("emergency_stop_token", m_stop);
@@ -176,7 +183,8 @@ void PuppetRobot::turn(DistributedSystem& system)
             m_alterDrives(drives);
     }
     system.publish(status);
-    system.publish(tip);
+    if (tracked)
+        system.publish(tip);
     system.publish(drives);
 }
 
@@ -190,6 +198,12 @@ void PuppetRobot::setSilent(bool silent)
 {
     const std::lock_guard lock(m_mutex);
     m_silent = silent;
+}
+
+void PuppetRobot::setTipSilent(bool silent)
+{
+    const std::lock_guard lock(m_mutex);
+    m_tipSilent = silent;
 }
 
 void PuppetRobot::setForce(double newtons)
@@ -226,6 +240,12 @@ std::vector<PuppetRobot::Movement> PuppetRobot::newestMovements() const
 {
     const std::lock_guard lock(m_mutex);
     return m_newest;
+}
+
+double PuppetRobot::fastest() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_fastest;
 }
 
 void PuppetRobot::standStill(std::chrono::milliseconds time)
@@ -276,6 +296,7 @@ void PuppetXray::build(DistributedSystem& system)
     orThrow(system.subscribe("AcquisitionCommand", [this](const Message& message) {
         const std::lock_guard lock(m_mutex);
         m_pedal = message.get<bool>("pedal");
+        m_pedalsHeard += m_pedal ? 1 : 0;
         m_press = message.get<std::uint32_t>("press");
         m_commandedAt = message.arrival();
     }));
@@ -358,6 +379,12 @@ void PuppetXray::setBeam(bool always)
 {
     const std::lock_guard lock(m_mutex);
     m_always = always;
+}
+
+int PuppetXray::pedalsHeard() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_pedalsHeard;
 }
 
 void PuppetXray::standStill(std::chrono::milliseconds time)

@@ -32,7 +32,8 @@ public:
 
     /// Its reports say that from now on, whatever it does; nothing: the truth again.
     void claim(std::optional<Claim> claim);
-    void setSilent(bool silent); ///< its reports end, its session stands
+    void setSilent(bool silent);    ///< its reports end, its session stands
+    void setTipSilent(bool silent); ///< only those of its tracker
     void setForce(double newtons);
     void setInjector(bool stuck); ///< an injection that begins while it is runs until it is not
 
@@ -50,6 +51,7 @@ public:
     };
     /// Of the newest engagement, and of its first seconds only.
     std::vector<Movement> newestMovements() const;
+    double fastest() const; ///< mm/s, of the guidewire, either way: of all that were asked of it so far
 
     /// Its network thread does nothing for so long: no report, no heartbeat.
     void standStill(std::chrono::milliseconds time);
@@ -80,6 +82,7 @@ private:
     double m_position = 800;
     double m_force = 0;
     bool m_silent = false;
+    bool m_tipSilent = false;
     bool m_injectorStuck = false;
     std::optional<std::uint32_t> m_injecting; ///< its number
     std::optional<Claim> m_claim;
@@ -88,6 +91,7 @@ private:
     Alter m_alterDrives;
     std::chrono::steady_clock::time_point m_engagedAt;
     std::vector<Movement> m_newest;
+    double m_fastest = 0;
     int m_armRequests = 0;
     int m_movements = 0;
     std::set<std::uint32_t> m_injections;
@@ -130,6 +134,8 @@ public:
 
     void setBeam(bool always); ///< on, whoever has its pedal
 
+    int pedalsHeard() const; ///< commands so far whose pedal is down
+
     /// Its network thread does nothing for so long: no picture, no heartbeat.
     void standStill(std::chrono::milliseconds time);
 
@@ -145,6 +151,7 @@ private:
     Alter m_alterFrame;
     bool m_always = false;
     bool m_pedal = false;
+    int m_pedalsHeard = 0;
     std::chrono::steady_clock::time_point m_commandedAt;
     std::uint32_t m_press = 0;
     std::uint32_t m_frame = 0;

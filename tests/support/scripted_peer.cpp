@@ -77,6 +77,7 @@ void ScriptedPeer::run()
             nextBeat = now + m_role.heartbeat;
             beat();
         }
+        sendLate();
         m_changed.notify_all();
     }
 }
@@ -259,10 +260,20 @@ void ScriptedPeer::beat()
                                            .state = m_state,
                                            .incidents = 0,
                                            .epoch = m_epoch}));
-    if (habits.laneZero)
-        m_lane0->send(datagram);
-    if (habits.datagrams)
-        sendPacket(sealNext(datagram));
+    constexpr std::uint32_t oneIn = 4;
+    const auto lateness = m_beat % oneIn == 0 ? habits.lateness.load() : std::chrono::milliseconds(0);
+    m_late.push_back({std::chrono::steady_clock::now() + lateness, datagram});
+    sendLate();
+}
+
+void ScriptedPeer::sendLate()
+{
+    for (; !m_late.empty() && m_late.front().leaves <= std::chrono::steady_clock::now(); m_late.pop_front()) {
+        if (habits.laneZero && !m_laneClosed)
+            m_lane0->send(m_late.front().datagram);
+        if (habits.datagrams)
+            sendPacket(sealNext(m_late.front().datagram));
+    }
 }
 
 // Opening and closing.
@@ -274,6 +285,7 @@ void ScriptedPeer::begin(std::uint64_t token, std::unique_ptr<TlsLink> lane0, co
     m_laneClosed = false;
     m_sealKey = m_lane0->datagramKey(token);
     m_underway.clear();
+    m_late.clear();
     m_newest = {};
     m_newestReceived = 0;
     m_packet = 0;

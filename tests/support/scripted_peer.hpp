@@ -43,6 +43,9 @@ public:
         std::atomic<bool> answers{true};   ///< goes on with the dialogue of an opening
         /// The device's heartbeats are that long on their way to us.
         std::atomic<std::chrono::milliseconds> delay{std::chrono::milliseconds(0)};
+        /// One in four of our heartbeats is that long on its way to the device, and those behind it wait for it, as in a queue. What a
+        /// test says itself does not wait.
+        std::atomic<std::chrono::milliseconds> lateness{std::chrono::milliseconds(0)};
     };
 
     struct Heard {
@@ -147,6 +150,7 @@ private:
     void hearDelayed();
     void take(const wire::Heartbeat& beat);
     void beat();
+    void sendLate();
     void begin(std::uint64_t token, std::unique_ptr<TlsLink> lane0, const wire::Bytes& first);
     wire::Bytes sealNext(const wire::Bytes& datagram);
 
@@ -172,6 +176,11 @@ private:
         wire::Heartbeat beat;
     };
     std::deque<Underway> m_underway;
+    struct Late {
+        std::chrono::steady_clock::time_point leaves;
+        wire::Bytes datagram;
+    };
+    std::deque<Late> m_late;
     wire::Heartbeat m_newest;
     std::uint64_t m_newestReceived = 0;
     std::uint64_t m_token = 0;

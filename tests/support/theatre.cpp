@@ -92,6 +92,8 @@ void Theatre::startConsole()
     cockpit = std::make_unique<CockpitApplication>(options);
     if (m_wishes.voice != nullptr)
         cockpit->setVoice(*m_wishes.voice);
+    if (!m_wishes.remoteInput.isEmpty())
+        cockpit->setInputOrigin(m_wishes.remoteInput);
     QString error;
     if (!cockpit->prepare(&error))
         throw std::runtime_error(error.toStdString());

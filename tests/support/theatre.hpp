@@ -36,7 +36,8 @@ public:
         liena::test::TestSystem::Options system = {}; ///< timing, for one
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
         QString user;
-        QString watchdog; ///< program; empty: none
+        QString watchdog;    ///< program; empty: none
+        QString remoteInput; ///< the way by which keys and mouse come from elsewhere; empty: they do not
         Preferences preferences = {};
         AlarmVoice* voice = nullptr; ///< in place of the loudspeaker; outlives the theatre
     };

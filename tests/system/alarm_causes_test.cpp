@@ -1,21 +1,22 @@
 // Alarms of the whole console by what causes them: what a robot and an X-ray system really send, or leave out, and what becomes of it.
 //
-// Those whose cause is a device that dies or a person beside it are tried by system.alarm_losses; a disk, a loudspeaker or a watchdog by
-// unit.disk_room, unit.alarm_service, unit.alarm_sounder and system.watchdog; a line that jitters by unit.line_alarm.
-#include "hostile_stage.hpp"
+// Those whose cause is a device that dies or a person beside it are tried by system.alarm_losses, those of a line by system.alarm_lines,
+// those of this computer by system.alarm_console; and a disk, a loudspeaker and a watchdog apart from the window by unit.disk_room,
+// unit.alarm_service, unit.alarm_sounder and system.watchdog.
 #include "puppet_theatre.hpp"
+#include "shown_alarms.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
 #include <QFile>
 #include <QTest>
-#include <QThread>
-#include <QTimer>
 
 #include <filesystem>
 #include <stdexcept>
 
 using namespace console;
+using console::test::isPresent;
+using console::test::present;
 using console::test::PuppetTheatre;
 using console::test::puppetWishes;
 using console::test::Theatre;
@@ -27,20 +28,6 @@ using C = AlarmCondition;
 namespace {
 
 constexpr int patience = Theatre::patience;
-
-const Alarm* present(const Theatre& theatre, C condition)
-{
-    for (const auto& one : theatre.models().alarms.alarms())
-        if (one.condition == condition && one.present)
-            return &one;
-    return nullptr;
-}
-
-bool isPresent(const Theatre& theatre, C condition, AlarmPriority priority)
-{
-    const auto* alarm = present(theatre, condition);
-    return alarm != nullptr && alarm->priority == priority;
-}
 
 Theatre::Wishes wishesWithArm()
 {
@@ -69,11 +56,31 @@ void truth(Stage& stage)
 {
     stage.robot.alterStatus({});
     stage.robot.alterTip({});
+    stage.robot.setTipSilent(false);
     stage.robot.alterDrives({});
     stage.xray.alterStatus({});
+    stage.xray.alterFrame({});
 }
 
 void robotSays(Stage& stage, PuppetRobot::Alter what) { stage.robot.alterStatus(std::move(what)); }
+
+/// From the run that is under way, which has contrast in it.
+void makeRoadmap(Stage& stage)
+{
+    auto& theatre = stage.theatre;
+    stage.xray.show(PuppetXray::Pictures::Filled);
+    const auto shown = theatre.models().picture.paintedCount();
+    (void)QTest::qWaitFor([&] { return theatre.models().picture.paintedCount() > shown + 10; }, patience);
+    theatre.click(QStringLiteral("Roadmap"));
+    (void)QTest::qWaitFor([&] { return theatre.models().roadmap.isValid(); }, patience);
+}
+
+void endRoadmap(Stage& stage)
+{
+    stage.xray.show(PuppetXray::Pictures::Good);
+    truth(stage);
+    stage.theatre.click(QStringLiteral("Review"));
+}
 
 const std::vector<Cause>& causes()
 {
@@ -105,20 +112,31 @@ const std::vector<Cause>& causes()
          truth},
         {"11 the tracker loses the tip", C::TrackerStale, AlarmPriority::Medium,
          [](Stage& s) { s.robot.alterTip([](Message& m) { m.set("valid", false); }); }, truth},
+        {"11 the tracker is silent", C::TrackerStale, AlarmPriority::Medium, [](Stage& s) { s.robot.setTipSilent(true); }, truth},
         {"12 the table moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             s.xray.show(PuppetXray::Pictures::Filled);
-             const auto shown = s.theatre.models().picture.paintedCount();
-             const auto hasRun = [&s, shown] { return s.theatre.models().picture.paintedCount() > shown + 10; };
-             (void)QTest::qWaitFor(hasRun, patience);
-             s.theatre.click(QStringLiteral("Roadmap"));
+             makeRoadmap(s);
              s.xray.alterStatus([](Message& m) { m.set("table_position", std::vector<double>{0, 5, 0}); });
          },
+         endRoadmap},
+        {"12 the C-arm turns under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             s.xray.show(PuppetXray::Pictures::Good);
-             truth(s);
-             s.theatre.click(QStringLiteral("Review"));
-         }},
+             makeRoadmap(s);
+             s.xray.alterFrame([](Message& m) { m.set("primary_angle", 3.0); });
+         },
+         endRoadmap},
+        {"12 the detector moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
+         [](Stage& s) {
+             makeRoadmap(s);
+             s.xray.alterFrame([](Message& m) { m.set("source_detector_distance", 1100.0); });
+         },
+         endRoadmap},
+        {"12 the zoom changes under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
+         [](Stage& s) {
+             makeRoadmap(s);
+             s.xray.alterFrame([](Message& m) { m.set("imager_pixel_spacing", 0.2); });
+         },
+         endRoadmap},
         {"13 contrast runs low", C::ContrastLow, AlarmPriority::Low,
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
         {"13 contrast runs out during an injection", C::ContrastEmpty, AlarmPriority::Medium,
@@ -231,100 +249,36 @@ private Q_SLOTS:
             QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(cause.condition) == nullptr, qPrintable(stage.theatre.story()), patience);
     }
 
-    /// 17: other work takes the time of the console's own thread.
-    void picturesThatAreNotPaintedInTimeAreAnAlarm()
+    /// 14.
+    void eachFurtherGrayDemandsAttentionAnew()
     {
-        Stage stage; // in which nothing was armed
+        Stage stage;
         QVERIFY(stage.theatre.openAll());
-        stage.theatre.hold(Qt::Key_F);
-        const auto live = [&stage] { return stage.theatre.models().picture.reading(std::chrono::steady_clock::now()).shownPerSecond > 12; };
-        QTRY_VERIFY2_WITH_TIMEOUT(live() && stage.alarm(C::PaintingBehind) == nullptr, qPrintable(stage.theatre.story()), patience);
-        QTimer work; // half of the pictures; the pedal's word still comes within its lease of 200 ms
-        QObject::connect(&work, &QTimer::timeout, &work, [] { QThread::msleep(120); });
-        work.start(140);
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PaintingBehind) != nullptr, qPrintable(stage.theatre.story()), patience);
-        QCOMPARE(stage.alarm(C::PaintingBehind)->priority, AlarmPriority::Low);
-        work.stop();
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PaintingBehind) == nullptr, qPrintable(stage.theatre.story()), patience);
-        stage.theatre.releaseAll();
-    }
-
-    /// 8 and 16: a line on which half a second passes until the robot hears.
-    void aLineThatIsSlowOneWayIsTwoAlarms()
-    {
-        Theatre theatre(puppetWishes());
-        auto role = liena::test::roleOf(theatre.files, "robot", "cockpit");
-        role.heartbeat = std::chrono::milliseconds(20);
-        liena::test::ScriptedPeer robot(role);
-        robot.open();
-        const auto told = [&theatre](C condition) { return isPresent(theatre, condition, AlarmPriority::Low); };
-        const auto compared = [&theatre] {
-            const auto* link = theatre.models().sessions.linkTo(theatre.files.idOf("robot").value());
-            return link != nullptr && link->state == LinkState::Open && link->figures.clockOffset.has_value();
+        const auto reaches = [&stage](double milligrays, int grays, AlarmPriority priority) {
+            stage.xray.alterStatus([milligrays](Message& m) { m.set("air_kerma", milligrays); });
+            const auto told = [&] {
+                const auto* alarm = stage.alarm(C::AirKerma);
+                return alarm != nullptr && alarm->text.endsWith(QStringLiteral(" %1 Gy").arg(grays)) && alarm->priority == priority &&
+                       !alarm->acknowledged;
+            };
+            return QTest::qWaitFor(told, patience);
         };
-        QTRY_VERIFY2_WITH_TIMEOUT(compared(), qPrintable(theatre.story()), patience);
-        QVERIFY(!told(C::CommandRoundTrip) && !told(C::ClockUncertain));
-        robot.habits.delay = std::chrono::milliseconds(500); // this profile: 400 ms there and back, clocks to within 200 ms
-        QTRY_VERIFY2_WITH_TIMEOUT(told(C::CommandRoundTrip), qPrintable(theatre.story()), patience);
-        QTRY_VERIFY2_WITH_TIMEOUT(told(C::ClockUncertain), qPrintable(theatre.story()), patience);
-        QCOMPARE(theatre.link("robot"), LinkState::Open);
-        robot.habits.delay = std::chrono::milliseconds(0);
-        QTRY_VERIFY2_WITH_TIMEOUT(!told(C::CommandRoundTrip) && !told(C::ClockUncertain), qPrintable(theatre.story()), patience);
-        robot.close();
-    }
-
-    /// 10: a firewall begins to drop UDP, and the session goes on by TCP.
-    void packetsThatPassNoMoreAreAnAlarm()
-    {
-        Theatre theatre(puppetWishes());
-        auto role = liena::test::roleOf(theatre.files, "robot", "cockpit");
-        role.heartbeat = std::chrono::milliseconds(20);
-        liena::test::ScriptedPeer robot(role);
-        robot.open();
-        const auto lost = [&theatre] { return isPresent(theatre, C::PacketsLost, AlarmPriority::Low); };
-        const auto passing = [&theatre] {
-            const auto* link = theatre.models().sessions.linkTo(theatre.files.idOf("robot").value());
-            return link != nullptr && link->state == LinkState::Open && link->figures.packetsPass;
+        const auto acknowledge = [&stage] {
+            if (auto* button = stage.theatre.button(QStringLiteral("Acknowledge")); button != nullptr && button->isEnabled())
+                QTest::mouseClick(button, Qt::LeftButton); // others may come first
+            return stage.alarm(C::AirKerma)->acknowledged;
         };
-        QTRY_VERIFY2_WITH_TIMEOUT(passing(), qPrintable(theatre.story()), patience);
-        QVERIFY(!lost());
-        robot.habits.datagrams = false;
-        QTRY_VERIFY2_WITH_TIMEOUT(lost(), qPrintable(theatre.story()), patience);
-        QCOMPARE(theatre.link("robot"), LinkState::Open);
-        robot.habits.datagrams = true;
-        QTRY_VERIFY2_WITH_TIMEOUT(!lost(), qPrintable(theatre.story()), patience);
-        robot.close();
-    }
-
-    /// 9: one heartbeat in five goes by no way.
-    void aLineThatLosesIsAnAlarm()
-    {
-        Theatre theatre(puppetWishes());
-        auto role = liena::test::roleOf(theatre.files, "robot", "cockpit");
-        role.heartbeat = std::chrono::milliseconds(20);
-        liena::test::ScriptedPeer robot(role);
-        robot.open();
-        const auto lossy = [&theatre] {
-            const auto* alarm = present(theatre, C::LinkUnsteady);
-            return alarm != nullptr && alarm->priority == AlarmPriority::Low && alarm->text.contains(QStringLiteral("% lost"));
-        };
-        QTRY_VERIFY2_WITH_TIMEOUT(theatre.link("robot") == LinkState::Open, qPrintable(theatre.story()), patience);
-        QVERIFY(!lossy());
-        int turns = 0;
-        QTimer line;
-        QObject::connect(&line, &QTimer::timeout, &line, [&robot, &turns] {
-            const bool passes = ++turns % 5 != 0;
-            robot.habits.datagrams = passes;
-            robot.habits.laneZero = passes;
-        });
-        line.start(60); // far below the half second after which a link is suspect
-        QTRY_VERIFY2_WITH_TIMEOUT(lossy(), qPrintable(theatre.story()), patience);
-        QCOMPARE(theatre.link("robot"), LinkState::Open);
-        line.stop();
-        robot.habits.datagrams = true;
-        robot.habits.laneZero = true;
-        QTRY_VERIFY2_WITH_TIMEOUT(!lossy(), qPrintable(theatre.story()), patience);
-        robot.close();
+        QVERIFY(stage.alarm(C::AirKerma) == nullptr);
+        QVERIFY2(reaches(3050, 3, AlarmPriority::Low), qPrintable(stage.theatre.story()));
+        QTRY_VERIFY2_WITH_TIMEOUT(acknowledge(), qPrintable(stage.theatre.story()), patience);
+        stage.xray.alterStatus([](Message& m) { m.set("air_kerma", 3950.0); });
+        QTRY_COMPARE_WITH_TIMEOUT(stage.theatre.models().xray.status().value.airKerma, 3950.0, patience);
+        QVERIFY(stage.alarm(C::AirKerma)->acknowledged); // it is still the third
+        QVERIFY2(reaches(4050, 4, AlarmPriority::Low), qPrintable(stage.theatre.story()));
+        QTRY_VERIFY2_WITH_TIMEOUT(acknowledge(), qPrintable(stage.theatre.story()), patience);
+        QVERIFY2(reaches(5050, 5, AlarmPriority::Medium), qPrintable(stage.theatre.story()));
+        QTRY_VERIFY2_WITH_TIMEOUT(acknowledge(), qPrintable(stage.theatre.story()), patience);
+        QVERIFY2(reaches(6050, 6, AlarmPriority::Medium), qPrintable(stage.theatre.story()));
     }
 
     /// 19: the robot was started with a topology, or a message set, of its own.

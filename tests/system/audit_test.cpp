@@ -1,15 +1,13 @@
 // What a device's audit file tells of its sessions, and what happens when it cannot be written. And a log that no peer can forge.
 #include "child_process.hpp"
+#include "full_disk.hpp"
 #include "test_system.hpp"
 
 #include "liena/audit.hpp"
 
 #include <QTest>
 
-#include <csignal>
 #include <fstream>
-
-#include <sys/resource.h>
 
 using namespace liena;
 using namespace liena::test;
@@ -31,23 +29,6 @@ bool tells(const std::filesystem::path& file, const std::string& event, const st
             return true;
     return false;
 }
-
-/// While it lives no file of this process grows: a full disk. Sockets and pipes are no files.
-class FullDisk {
-public:
-    FullDisk()
-    {
-        std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        rlimit limit = m_before;
-        limit.rlim_cur = 1;
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &m_before); }
-
-private:
-    rlimit m_before{};
-};
 
 /// Keeps the lines as a file of them would have them.
 class LogFile {

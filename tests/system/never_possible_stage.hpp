@@ -56,6 +56,7 @@ struct NeverStage : PuppetTheatre {
     }
 
     HoldButton* arm() { return holdButton(QStringLiteral("Arm:")); }
+    HoldButton* pedal() { return holdButton(QStringLiteral("X-ray pedal:")); }
     HoldButton* inject() { return holdButton(QStringLiteral("Inject contrast:")); }
 
     /// Waits for so many of the robot's turns; whether no further injection was asked of it.

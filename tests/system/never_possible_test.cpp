@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QScopeGuard>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <QThread>
 
@@ -45,6 +46,28 @@ void press(Stage& stage)
 {
     stage.theatre.strike(K);
 }
+
+template <View V>
+void bring(Stage& stage)
+{
+    stage.theatre.window().showView(V);
+}
+
+void clickAbout(Stage& stage) { (void)stage.theatre.click(QStringLiteral("About")); }
+
+/// The screen that the window is on is pulled out: Qt says so before it moves the window itself.
+void loseScreen(Stage& stage) { Q_EMIT qGuiApp->screenRemoved(stage.theatre.window().screen()); }
+
+void clickCockpit(Stage& stage)
+{
+    auto& window = stage.theatre.window();
+    window.activateWindow();
+    (void)QTest::qWaitForWindowActive(&window);
+    QTest::mouseClick(&window, Qt::LeftButton, {}, window.regionGeometry(Region::Status).center());
+}
+
+void beRemote(Stage& stage) { stage.theatre.cockpit->setInputOrigin(QStringLiteral("XRDP")); }
+void beHere(Stage& stage) { stage.theatre.cockpit->setInputOrigin({}); }
 
 void backToCockpit(Stage& stage) { stage.theatre.strike(Qt::Key_F1); }
 
@@ -120,8 +143,12 @@ const std::vector<Attempt>& interruptions()
         {"conditions in front", press<Qt::Key_F5>, backToCockpit},
         {"preferences in front", press<Qt::Key_F6>, backToCockpit},
         {"screens in front", press<Qt::Key_F7>, backToCockpit},
+        {"about in front", clickAbout, backToCockpit},
+        {"start page in front", bring<View::Start>, backToCockpit},
         {"window hidden", hide, showAgain},
+        {"screen gone", loseScreen, clickCockpit},
         {"another window in front", putAnotherInFront, takeItAway},
+        {"remote desktop", beRemote, beHere},
         {"console stands still", standStill, leaveNothing},
         {"panic key", press<Qt::Key_F12>, leaveNothing},
         {"emergency stop and its reset", press<Qt::Key_Escape>, resetStop},
@@ -149,6 +176,7 @@ const std::vector<Attempt>& obstacles()
          },
          beTrue},
         {"force", [](Stage& stage) { stage.robot.setForce(0.5); }, [](Stage& stage) { stage.robot.setForce(0); }},
+        {"remote desktop", beRemote, beHere},
         {"dead-man down", [](Stage& stage) { stage.theatre.hold(Qt::Key_D); }, [](Stage& stage) { stage.theatre.release(Qt::Key_D); }},
     };
     return all;

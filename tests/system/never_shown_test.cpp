@@ -1,15 +1,22 @@
-// What must never be shown, or not be shown: another device's picture, a picture or a number that looks live and is not, a reduction that
-// nobody is told of. By the pixels of the console's own window.
+// What must never be shown, or not be shown: another device's picture, a picture, a number or a tip that looks live and is not, a reduction
+// that nobody is told of. By the pixels of the console's own window.
+#include "gui/shown_texts.hpp"
 #include "imaging/live_image_view.hpp"
+#include "imaging/scene_view.hpp"
 #include "never_possible_stage.hpp"
+#include "shown_alarms.hpp"
+#include "widgets/diagnosis_sheet.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QScopeGuard>
 
 using namespace console;
+using console::test::isPresent;
 using console::test::logTells;
 using console::test::puppetWishes;
+using console::test::textsPaintedBy;
 using console::test::Theatre;
 using liena::Message;
 using liena::test::PuppetXray;
@@ -84,6 +91,48 @@ int changesAlongFrame(Stage& stage)
     for (int x = 1; x < shot.width(); ++x)
         changes += (qGray(shot.pixel(x, row)) > 90) != (qGray(shot.pixel(x - 1, row)) > 90) ? 1 : 0;
     return changes;
+}
+
+SceneView& scene(Stage& stage) { return *stage.theatre.window().findChild<SceneView*>(); }
+
+bool sceneSays(Stage& stage, const QString& text)
+{
+    const auto texts = textsPaintedBy(scene(stage));
+    return std::any_of(texts.begin(), texts.end(), [&text](const auto& shown) { return shown.text == text; });
+}
+
+/// Nothing else in the scene is green.
+int tipPixels(Stage& stage)
+{
+    const auto drawing = scene(stage).drawing().convertToFormat(QImage::Format_RGB32);
+    int count = 0;
+    for (int y = 0; y < drawing.height(); ++y)
+        for (int x = 0; x < drawing.width(); ++x) {
+            const QRgb pixel = drawing.pixel(x, y);
+            count += qGreen(pixel) > qRed(pixel) + 20 && qGreen(pixel) > qBlue(pixel) + 20 ? 1 : 0;
+        }
+    return count;
+}
+
+/// In the middle of the vessels that come with the console, so that it is in the picture.
+void putTip(Stage& stage, double aside)
+{
+    stage.robot.alterTip([aside](Message& tip) { tip.set("position", std::vector<double>{3 + aside, 12, -185}); });
+}
+
+/// What an X-ray system makes of its picture for a poor line.
+void sendAsJpeg(Message& frame)
+{
+    constexpr int quality = 75;
+    const auto raw = frame.get<std::span<const std::byte>>("pixels");
+    const int columns = frame.get<int>("columns");
+    const QImage picture(reinterpret_cast<const uchar*>(raw.data()), columns, frame.get<int>("rows"), columns, QImage::Format_Grayscale8);
+    QByteArray jpeg;
+    QBuffer buffer(&jpeg);
+    if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "JPG", quality))
+        qFatal("Qt writes no JPEG here");
+    frame.set("encoding", std::string_view("jpeg")).set("quality", quality);
+    frame.set("pixels", std::as_bytes(std::span(jpeg.constData(), std::size_t(jpeg.size()))));
 }
 
 PictureCondition conditionOf(const Stage& stage)
@@ -171,26 +220,77 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(bright() * 2 > before, patience);
     }
 
+    void aTipThatIsNoLongerTrackedIsNotShown()
+    {
+        Stage& stage = *m_stage;
+        putTip(stage, 0);
+        QTRY_VERIFY2_WITH_TIMEOUT(tipPixels(stage) > 5, qPrintable(scene(stage).unavailable()), patience);
+        QVERIFY(!sceneSays(stage, QStringLiteral("tip not tracked")));
+        stage.robot.setTipSilent(true);
+        const auto told = [&stage] { return isPresent(stage.theatre, AlarmCondition::TrackerStale, AlarmPriority::Low); };
+        QTRY_VERIFY2_WITH_TIMEOUT(told(), qPrintable(stage.theatre.story()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(tipPixels(stage) == 0 && sceneSays(stage, QStringLiteral("tip not tracked")), patience);
+        stage.robot.setTipSilent(false);
+        QTRY_VERIFY_WITH_TIMEOUT(tipPixels(stage) > 5 && !told(), patience);
+        stage.robot.alterTip({});
+    }
+
+    /// Where the tip was before an interruption is shown beside where it is, until somebody has read of it.
+    void theTipOfBeforeIsMarkedUntilItIsRead()
+    {
+        Stage& stage = *m_stage;
+        auto& theatre = stage.theatre;
+        const auto marked = [&stage] { return sceneSays(stage, QStringLiteral("BEFORE")); };
+        putTip(stage, 0);
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.tip().known(), patience);
+        QVERIFY(!marked());
+        stage.robot.standStill(std::chrono::milliseconds(4000)); // it is lost after 800 ms, and not waited for after two seconds more
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.link("robot"), LinkState::StandBy, patience);
+        putTip(stage, 40);
+        QVERIFY(!marked()); // the last known place is the only one there is
+        const auto slept = stage.robot.turns();
+        QTRY_VERIFY_WITH_TIMEOUT(stage.robot.turns() > slept + 10, patience); // and is awake again
+        QVERIFY2(theatre.click(QStringLiteral("Re-open channel"), theatre.window().findChild<DiagnosisSheet*>()),
+                 qPrintable(theatre.story()));
+        QTRY_VERIFY2_WITH_TIMEOUT(marked() && sceneSays(stage, QStringLiteral("NOW")), qPrintable(theatre.story()), patience);
+        const auto isRead = [&theatre] {
+            theatre.readAccount();
+            return theatre.models().interruption.settled();
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(isRead(), qPrintable(theatre.story()), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!marked() && !sceneSays(stage, QStringLiteral("NOW")), patience);
+        stage.robot.alterTip({});
+    }
+
     // Rule 9.
+
+    void aReducedPictureIsAnnounced_data()
+    {
+        QTest::addColumn<bool>("lossy");
+        QTest::addColumn<QString>("logged");
+        QTest::newRow("fewer pictures") << false << QStringLiteral("picture REDUCED 7.5 of 15 /s, raw");
+        QTest::newRow("lower quality") << true << QStringLiteral("picture REDUCED 15 of 15 /s, lossy 75");
+    }
 
     void aReducedPictureIsAnnounced()
     {
+        QFETCH(bool, lossy);
+        QFETCH(QString, logged);
         Stage& stage = *m_stage;
         const auto& theatre = stage.theatre;
-        const auto told = [&theatre] {
-            const auto& alarms = theatre.models().alarms.alarms();
-            return std::any_of(alarms.begin(), alarms.end(), [](const Alarm& alarm) {
-                return alarm.condition == AlarmCondition::PictureReduced && alarm.present && alarm.priority == AlarmPriority::Low;
-            });
-        };
+        const auto told = [&theatre] { return isPresent(theatre, AlarmCondition::PictureReduced, AlarmPriority::Low); };
         // Only the mark of a reduction has an alarm's colour on the picture.
         const auto marked = [&stage] { return showsNew(stage) ? countOf(paintedLive(stage), theme::colour::low) : -1; };
         QCOMPARE(marked(), 0);
         QVERIFY(!told());
-        stage.xray.alterFrame([](Message& frame) { frame.set("rung", 1).set("rate", 7.5).set("asked_rate", 15.0); });
+        stage.xray.alterFrame([lossy](Message& frame) {
+            frame.set("rung", 1).set("rate", lossy ? 15.0 : 7.5).set("asked_rate", 15.0);
+            if (lossy)
+                sendAsJpeg(frame);
+        });
         QTRY_VERIFY2_WITH_TIMEOUT(told(), qPrintable(theatre.story()), patience);
         QTRY_VERIFY_WITH_TIMEOUT(marked() > 50, patience);
-        QVERIFY2(logTells(theatre, QStringLiteral("picture REDUCED 7.5 of 15 /s")), qPrintable(theatre.story()));
+        QVERIFY2(logTells(theatre, logged), qPrintable(theatre.story()));
         stage.xray.alterFrame({});
         QTRY_VERIFY2_WITH_TIMEOUT(!told(), qPrintable(theatre.story()), patience);
         QTRY_COMPARE_WITH_TIMEOUT(marked(), 0, patience);
