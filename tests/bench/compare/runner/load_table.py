@@ -17,9 +17,9 @@ def verdict(met):
 
 
 def limits_of(medians, link, idle_key, transport_key):
-    """Of p99 and p99.9 beside frames, in µs; both are reckoned from the idle link's p99."""
+    """Of p99 and p99.9 beside frames, in µs; both are reckoned from the idle link's p99. There are none where packets are lost."""
     idle = medians.of(idle_key, transport_key, "command_p99")
-    return (None, None) if idle is None else tuple(idle + link.segment_us() + stall for stall in (STALL_US, LONG_STALL_US))
+    return (None, None) if idle is None or link.loss else tuple(idle + link.segment_us() + stall for stall in (STALL_US, LONG_STALL_US))
 
 
 def within(found, limits):
@@ -74,22 +74,24 @@ def rows(medians, link_name, transports, seconds):
 def what_is_no_target(link):
     """Where packets are lost, or the frames are too many; nothing where all columns are targets."""
     if link.loss:
-        return (f"{100 * link.loss:g} % of the packets are lost, each way and each by itself. No limit is a target here: sealed UDP packets' "
-                "p99 is held against the best other transport's. What is lost of them is not sent again, and late until the next one is there. ")
+        return (f"{100 * link.loss:g} % of the packets are lost, each way and each by itself. There are no limits: sealed UDP packets' p99 is "
+                "held against the best other transport's. What is lost of them is not sent again, and late until the next one is there.")
     if not all(map(link.carries, link.frame_rates)):
         return ("The link cannot carry these frames: LiENa withholds those that a newer one follows, and neither "
-                "their age nor their number is a target. ")
+                "their age nor their number is a target.")
     return ""
 
 
 def explanation(medians, link_name):
     spread = medians.spread(f"load/{link_name}/0", "raw", "command_p99")
     link = LINKS[link_name]
+    limits = (f"Limits: the same transport's p99 without frames, the time of a {link.segment_bytes() // 1024} KiB segment "
+              f"({link.segment_us():.0f} µs), and {STALL_US} µs for p99, {LONG_STALL_US} µs for p99.9.")
     exception = what_is_no_target(link)
-    return (f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due. Limits: the same transport's p99 without "
-            f"frames, the time of a {link.segment_bytes() // 1024} KiB segment ({link.segment_us():.0f} µs), and {STALL_US} µs for p99, "
-            f"{LONG_STALL_US} µs for p99.9. {exception}Frames: p50 in ms, and beside raw TCP's"
-            f"{'' if exception else f' (target {FRAME_RATIO})'}. Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %.")
+    parts = [f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else limits, exception,
+             f"Frames: p50 in ms, and beside raw TCP's{'' if exception else f' (target {FRAME_RATIO})'}.",
+             f"Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %."]
+    return " ".join(filter(None, parts))
 
 
 def sections(medians, transports, seconds):

@@ -97,6 +97,13 @@ class ReportTest(unittest.TestCase):
         self.assertIn("withholds", load_table.what_is_no_target(conditions.LINKS["400m-overload"]))
         self.assertEqual(load_table.what_is_no_target(conditions.LINKS["400m"]), "")
 
+    def test_there_are_no_limits_where_packets_are_lost(self):
+        medians = report.Medians({"load/100m-20ms-loss/0": {"raw": [{"command_p99": 100}]}})
+        self.assertEqual(load_table.limits_of(medians, conditions.LINKS["100m-20ms-loss"], "load/100m-20ms-loss/0", "raw"), (None, None))
+        self.assertNotIn("Limits:", load_table.explanation(medians, "100m-20ms-loss"))
+        self.assertIn("Limits:", load_table.explanation(medians, "400m-overload"))
+        self.assertIn("(target 1.15)", load_table.explanation(medians, "400m"))
+
     @staticmethod
     def fallen(*rounds):
         return report.Medians({"collapse/100m": {"liena": [
