@@ -40,7 +40,8 @@ def command_cells(of, due):
 
 def frame_cells(of, limits, raw):
     frame = of("frame_p50")
-    return [", ".join(map(number, limits)), verdict(within((of("command_p99"), of("command_p999")), limits)), number(frame, 1000, 1),
+    return ["–" if None in limits else ", ".join(map(number, limits)),
+            verdict(within((of("command_p99"), of("command_p999")), limits)), number(frame, 1000, 1),
             number(frame / raw, 1, 2) if frame and raw else "–", f"{number(of('frame_count'))} / {number(of('frames_sent'))}"]
 
 
