@@ -31,6 +31,8 @@ public:
         constexpr std::uint16_t edge = 512;
         picture.format.rows = picture.format.columns = edge;
         picture.format.bitsStored = 16;
+        picture.format.windowCentre = 2511; // in which the noise is seen, as in a real picture
+        picture.format.windowWidth = 1100;
         picture.pixels.resize(std::size_t{edge} * edge);
         m_moved = (m_moved + 977) % m_noise.size();
         for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
