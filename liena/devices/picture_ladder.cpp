@@ -122,7 +122,7 @@ bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const Pat
     while (!isPermitted(m_step))
         --m_step; // at the lower rate that is asked for now it is the same, or less
     hear(now, viewers);
-    const bool tooHeavy = m_rate && *m_rate < load(m_step);
+    const bool tooHeavy = m_rate && *m_rate < load(m_step) && now >= m_trialEnds;
     if (tooHeavy || m_withheld >= 2)
         stepDown(now);
     else if (isSteady(now) && mayClimb(now))
@@ -215,6 +215,7 @@ std::size_t PictureLadder::better() const
 void PictureLadder::stepDown(SteadyTime now)
 {
     m_step = lighter();
+    m_trialEnds = now;
     m_settled = now + settling;
     m_withheld = 0;
     m_steadySince.reset();
@@ -236,10 +237,14 @@ void PictureLadder::endWatch(SteadyTime now)
 {
     const std::size_t step = mayClimb(now) ? better() : m_step;
     if (step < m_step)
-        climbTo(step, now);
-    else
-        beginWatch(now);
+        return climbTo(step, now);
+    if (!mayClimb(now) || !tellsNothing())
+        return beginWatch(now);
+    climbTo(above(), now);
+    m_trialEnds = now + trial;
 }
+
+bool PictureLadder::tellsNothing() const { return m_step > 0 && m_carriedRate && load(m_step) < *m_carriedRate * telling; }
 
 void PictureLadder::climbTo(std::size_t step, SteadyTime now)
 {

@@ -54,6 +54,9 @@ struct PathReading {
 /// With `leastHeadroom` it takes `longPatience`, and goes by one. A step up that fails within `proven` makes the next wait: `firstWait`,
 /// then twice as long each time, at most `longestWait`; unless the rate is far above the one that was relied on.
 ///
+/// Pictures that use next to nothing of the known rate do not show whether the way carries more by now, and with them it would never be
+/// known. Then the next better rung is tried for `trial` though the rate does not carry it, and that is a climb as any other.
+///
 /// Sizes are measured as pictures are encoded, assumed before. What is encoded only to be measured, toMeasure() says: each encoding once,
 /// and on a lower rung the better ones again, since the way up is judged by them. Of several viewers the worst decides. Pure: time comes
 /// from the caller.
@@ -70,6 +73,8 @@ public:
     static constexpr std::chrono::seconds firstWait{2};
     static constexpr std::chrono::seconds longestWait{30};
     static constexpr std::chrono::seconds measureAgain{2};
+    static constexpr double telling = 0.1; ///< of the known rate: what uses less does not show whether it is still true
+    static constexpr std::chrono::seconds trial{1};
 
     PictureLadder(Encoding asked, unsigned quality, Reduction permitted);
 
@@ -109,6 +114,7 @@ private:
     void endWatch(SteadyTime now);
     void climbTo(std::size_t step, SteadyTime now);
     bool mayClimb(SteadyTime now) const;
+    bool tellsNothing() const;
     void beginWatch(SteadyTime now);
 
     std::vector<Cost> m_costs;
@@ -127,8 +133,9 @@ private:
     std::optional<double> m_carriedRate;     ///< the least known rate since; nothing while one was missing
     std::optional<SteadyTime> m_steadySince; ///< the known rate carries the next better rung, if barely
     std::optional<SteadyTime> m_climbed;     ///< and not proven
-    std::optional<double> m_promise;         ///< the rate that the climb relied on
-    std::optional<double> m_broken;          ///< a promise that was not kept
+    SteadyTime m_trialEnds;
+    std::optional<double> m_promise; ///< the rate that the climb relied on
+    std::optional<double> m_broken;  ///< a promise that was not kept
     std::chrono::nanoseconds m_wait{firstWait};
     SteadyTime m_notBefore;
 };

@@ -122,8 +122,9 @@ void ladder(Scene& scene)
     scene.engage();
     rig.say("cockpit", "pedal xray");
     rig.settle(Milliseconds(5000)); // until it knows what the way carries
-    if (cockpit.first(nowNs() - 500'000'000, isFull) == nullptr)
-        scene.fails("the wide way does not carry the pictures as they are asked for");
+    const auto learnt = nowNs();
+    scene.await([&] { return cockpit.first(learnt, isFull) != nullptr; }, Milliseconds(5000),
+                "the wide way does not carry the pictures as they are asked for");
     const auto fallen = rig.wire(narrow);
     scene.begin(fallen);
     rig.settle(Milliseconds(8000));

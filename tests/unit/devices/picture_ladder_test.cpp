@@ -104,6 +104,50 @@ private slots:
         QVERIFY(other.see({{2e6, 0}, {2e6, 1}}));
     }
 
+    /// 2 kB a picture on a way that carried 1 MB/s when it was known last: nothing is learnt from them, and the way may have healed.
+    void triesNextRungWherePicturesAreTooLightToTell()
+    {
+        Hand hand;
+        for (const PictureRung& rung : hand.ladder.rungs())
+            hand.ladder.measured(hand.now, rung, rung.encoding == Encoding::Jpeg ? 2'000 : 100'000, 100'000);
+        QVERIFY(hand.see({{0.3e6, 0}}));
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossy 90"));
+        const auto untilItMoves = [&hand](double rate) {
+            const auto from = hand.now;
+            while (!hand.see({{rate, 0}}) && hand.now - from < 60s)
+                continue;
+            return hand.now - from;
+        };
+        QVERIFY(untilItMoves(0.4e6) < 1s);
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("7.5 of 15 /s, lossless")); // 0.75 MB/s
+        auto tried = untilItMoves(0.4e6);
+        QVERIFY(tried >= PictureLadder::trial && tried < PictureLadder::trial + 200ms); // the way is as narrow as before
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossy 90"));
+        for (auto wait = std::chrono::nanoseconds(PictureLadder::firstWait); wait <= 4 * PictureLadder::firstWait; wait *= 2) {
+            const auto waited = untilItMoves(0.4e6);
+            QVERIFY(waited >= wait && waited < wait + 1s);
+            untilItMoves(0.4e6);
+        }
+        untilItMoves(0.4e6);
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("7.5 of 15 /s, lossless"));
+        QVERIFY(untilItMoves(4e6) < 1s); // it has healed, and the heavier pictures show it
+        QCOMPARE(hand.ladder.step(), std::size_t(0));
+    }
+
+    void endsATrialAtOnceWhenPicturesAreWithheld()
+    {
+        Hand hand;
+        for (const PictureRung& rung : hand.ladder.rungs())
+            hand.ladder.measured(hand.now, rung, rung.encoding == Encoding::Jpeg ? 2'000 : 100'000, 100'000);
+        QVERIFY(hand.see({{0.3e6, 0}}));
+        while (!hand.see({{0.4e6, 0}}))
+            continue;
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("7.5 of 15 /s, lossless"));
+        hand.see({{0.4e6, 1}});
+        QVERIFY(hand.see({{0.4e6, 1}}));
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossy 90"));
+    }
+
     void forgivesWhatWaitsBehindHeavierPicture()
     {
         Hand hand;
