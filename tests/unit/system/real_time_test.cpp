@@ -31,33 +31,39 @@ namespace {
 
 constexpr auto grantedToAll = "somebody grants this in the kernel's place";
 
-/// What a user is told who has neither rights nor limits: tried in a process that gives both up.
-QByteArray toldWithoutRights(const RealTimeOptions& options)
+/// What `say` says in a process of its own.
+QByteArray saidByAnother(const std::function<std::string()>& say)
 {
     std::array<int, 2> pipe{};
     if (::pipe(pipe.data()) != 0)
         return {};
     const pid_t child = ::fork();
     if (child == 0) {
+        const auto said = say();
+        (void)!::write(pipe[1], said.data(), said.size());
+        ::_exit(0);
+    }
+    ::close(pipe[1]);
+    QByteArray said(4096, '\0');
+    const auto size = ::read(pipe[0], said.data(), static_cast<std::size_t>(said.size()));
+    ::close(pipe[0]);
+    (void)::waitpid(child, nullptr, 0);
+    return said.left(static_cast<int>(std::max<ssize_t>(size, 0)));
+}
+
+/// What a user is told who has neither rights nor limits: tried in a process that gives both up.
+QByteArray toldWithoutRights(const RealTimeOptions& options)
+{
+    return saidByAnother([&options]() -> std::string {
         constexpr uid_t nobody = 65534;
         const rlimit none{0, 0};
         const bool stripped = ::setrlimit(RLIMIT_RTPRIO, &none) == 0 && ::setrlimit(RLIMIT_MEMLOCK, &none) == 0 &&
                               (::geteuid() != 0 || ::setuid(nobody) == 0);
-        const bool answered = options.lockMemory && ::mlockall(MCL_CURRENT) == 0;
+        if (options.lockMemory && ::mlockall(MCL_CURRENT) == 0)
+            return grantedToAll;
         const auto done = prepareRealTime(options);
-        const auto told = answered    ? std::string(grantedToAll)
-                          : !stripped ? std::string("it kept its rights")
-                          : done      ? std::string("permitted")
-                                      : done.error().what;
-        (void)!::write(pipe[1], told.data(), told.size());
-        ::_exit(0);
-    }
-    ::close(pipe[1]);
-    QByteArray told(4096, '\0');
-    const auto size = ::read(pipe[0], told.data(), static_cast<std::size_t>(told.size()));
-    ::close(pipe[0]);
-    (void)::waitpid(child, nullptr, 0);
-    return told.left(static_cast<int>(std::max<ssize_t>(size, 0)));
+        return !stripped ? "it kept its rights" : done ? "permitted" : done.error().what;
+    });
 }
 
 /// Of this process, as the kernel says.
@@ -193,25 +199,15 @@ private slots:
     /// In a process of its own: this one goes on with others.
     void lockedMemoryIsLocked()
     {
-        std::array<int, 2> pipe{};
-        QVERIFY(::pipe(pipe.data()) == 0);
-        const pid_t child = ::fork();
-        if (child == 0) {
-            const bool answered = ::mlockall(MCL_CURRENT) == 0 && lockedKiB() == 0;
+        const auto told = saidByAnother([]() -> std::string {
+            if (::mlockall(MCL_CURRENT) == 0 && lockedKiB() == 0)
+                return grantedToAll;
             (void)::munlockall();
             RealTimeOptions options;
             options.lockMemory = true;
             const auto done = prepareRealTime(options);
-            const auto told = answered ? std::string(grantedToAll) : done ? std::to_string(lockedKiB()) : done.error().what;
-            (void)!::write(pipe[1], told.data(), told.size());
-            ::_exit(0);
-        }
-        ::close(pipe[1]);
-        QByteArray told(4096, '\0');
-        const auto size = ::read(pipe[0], told.data(), static_cast<std::size_t>(told.size()));
-        ::close(pipe[0]);
-        (void)::waitpid(child, nullptr, 0);
-        told.truncate(static_cast<int>(std::max<ssize_t>(size, 0)));
+            return done ? std::to_string(lockedKiB()) : done.error().what;
+        });
         if (told == grantedToAll)
             QSKIP("a sanitizer answers mlockall() in the kernel's place");
         if (told.contains("memory cannot be locked"))
