@@ -187,8 +187,9 @@ std::optional<QPointF> Opacification::displacement(const Roadmap& roadmap) const
     const cv::Mat now = detail(attenuation(m_coarse, m_first), roadmap.background.size());
     cv::Mat window;
     cv::createHanningWindow(window, now.size(), CV_32F);
+    cv::Mat before = roadmap.background.clone(); // OpenCV 4.6 weighs a picture of 2^a 3^b 5^c rows and columns with the window in its place
     double likeness = 0;
-    const cv::Point2d shift = cv::phaseCorrelate(roadmap.background, now, window, &likeness);
+    const cv::Point2d shift = cv::phaseCorrelate(before, now, window, &likeness);
     if (!(likeness >= leastLikeness))
         return std::nullopt;
     return QPointF(shift.x * m_first.columns / now.cols, shift.y * m_first.rows / now.rows);

@@ -154,7 +154,9 @@ void PictureLadder::hear(SteadyTime now, std::span<const PathReading> viewers)
         m_broken.reset();
         m_wait = firstWait;
     }
-    m_carriedRate = m_rate && m_carriedRate ? std::optional(std::min(*m_rate, *m_carriedRate)) : std::nullopt;
+    m_wasUnknown = m_wasUnknown || !m_rate;
+    if (m_rate)
+        m_carriedRate = std::min(*m_rate, m_carriedRate.value_or(*m_rate));
     noteWithheld(now, withheld);
 }
 
@@ -204,10 +206,8 @@ bool PictureLadder::isSteady(SteadyTime now)
 
 std::size_t PictureLadder::better() const
 {
-    if (!m_rate)
-        return above();
-    for (std::size_t step = 0; step < m_step; ++step)
-        if (isPermitted(step) && m_carriedRate && load(step) * headroom <= *m_carriedRate)
+    for (std::size_t step = m_wasUnknown ? above() : 0; step < m_step; ++step)
+        if (isPermitted(step) && (!m_carriedRate || load(step) * headroom <= *m_carriedRate))
             return step;
     return m_step;
 }
@@ -259,6 +259,7 @@ void PictureLadder::beginWatch(SteadyTime now)
 {
     m_watchBegan = now;
     m_carriedRate = m_rate;
+    m_wasUnknown = !m_rate;
 }
 
 } // namespace liena::devices

@@ -50,9 +50,9 @@ struct PathReading {
 ///
 /// Down at once: to the best lighter rung that the known rate carries, as soon as it does not carry the present one; by one when two
 /// pictures were withheld within `withheldWindow`. Up after `patience` without a withheld picture: to the best rung that the known rate
-/// carried all the time with `headroom`; by one while no rate is known, so that the whole way up takes 4.4 s at 15 or 30 pulses a second.
-/// With `leastHeadroom` it takes `longPatience`, and goes by one. A step up that fails within `proven` makes the next wait: `firstWait`,
-/// then twice as long each time, at most `longestWait`; unless the rate is far above the one that was relied on.
+/// carried all the time with `headroom`; by one where the rate was unknown for some of the time, so that the whole way up takes 4.4 s at 15
+/// or 30 pulses a second. With `leastHeadroom` it takes `longPatience`, and goes by one. A step up that fails within `proven` makes the
+/// next wait: `firstWait`, then twice as long each time, at most `longestWait`; unless the rate is far above the one that was relied on.
 ///
 /// Pictures that use next to nothing of the known rate do not show whether the way carries more by now, and with them it would never be
 /// known. Then the next better rung is tried for `trial` though the rate does not carry it, and that is a climb as any other.
@@ -130,7 +130,8 @@ private:
     SteadyTime m_settled; ///< the pictures of a heavier rung have left by then
 
     SteadyTime m_watchBegan;                 ///< nothing was withheld since
-    std::optional<double> m_carriedRate;     ///< the least known rate since; nothing while one was missing
+    std::optional<double> m_carriedRate;     ///< the least of the rates that were known since
+    bool m_wasUnknown = true;                ///< the rate, at some time since
     std::optional<SteadyTime> m_steadySince; ///< the known rate carries the next better rung, if barely
     std::optional<SteadyTime> m_climbed;     ///< and not proven
     SteadyTime m_trialEnds;

@@ -83,6 +83,7 @@ private Q_SLOTS:
     void aRunThatIsTooShortIsNone();
     void anotherProjectionBeginsAnew();
     void thePatientsMovementIsMeasured();
+    void aPatientWhoLiesStillHasNotMovedHoweverOftenOneLooks();
     void noiseHasNotMoved();
     void theLastRunWithContrastCounts();
     void whatIsForgottenServesNoMore();
@@ -182,6 +183,21 @@ void TestRoadmap::thePatientsMovementIsMeasured()
         QVERIFY2(std::hypot(displacement->x() - by.x, displacement->y() - by.y) < 1,
                  qPrintable(QStringLiteral("%1 %2").arg(displacement->x()).arg(displacement->y())));
     }
+}
+
+/// Twice a second for a minute: looking changes nothing of what is looked at.
+void TestRoadmap::aPatientWhoLiesStillHasNotMovedHoweverOftenOneLooks()
+{
+    Opacification before;
+    takeRun(before, {}, 1);
+    const auto roadmap = before.roadmap();
+    QVERIFY(roadmap);
+    Opacification now;
+    now.take(picture(77, {}), frame(500, {}, 2));
+    const auto first = now.displacement(*roadmap);
+    QVERIFY(first);
+    for (int look = 0; look < 120; ++look)
+        QCOMPARE(now.displacement(*roadmap), first);
 }
 
 void TestRoadmap::noiseHasNotMoved()

@@ -2,6 +2,7 @@
 #include "puppet_devices.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <thread>
@@ -23,6 +24,18 @@ constexpr milliseconds pedalLease{400};
 constexpr std::uint16_t edge = 64;
 constexpr int vesselRows = 3;
 constexpr int stripRows = 9;
+
+/// What the noise lies over, in squares of four pixels: the same in each picture, as long as nobody moves. From 0 to 63.
+unsigned bone(std::size_t column, std::size_t row)
+{
+    constexpr std::size_t square = 4;
+    static const auto bones = [] {
+        std::array<unsigned, edge / square*(edge / square)> all{};
+        std::generate(all.begin(), all.end(), [random = std::mt19937(7)]() mutable { return unsigned(random() & 63U); });
+        return all;
+    }();
+    return bones[row / square * (edge / square) + column % edge / square];
+}
 
 void stamp(std::vector<std::byte>& pixels, std::uint32_t number)
 {
@@ -315,8 +328,8 @@ void PuppetXray::sendPicture(DistributedSystem& system)
             return;
         if (m_pictures != Pictures::Repeated || m_pixels.empty()) {
             m_pixels.resize(std::size_t{edge} * edge);
-            for (auto& pixel : m_pixels)
-                pixel = static_cast<std::byte>(96 + (m_random() & 63U));
+            for (std::size_t at = 0; at < m_pixels.size(); ++at)
+                m_pixels[at] = static_cast<std::byte>(80 + bone(at % edge + m_patient, at / edge) + (m_random() & 31U));
             if (m_pictures == Pictures::Filled)
                 std::fill_n(m_pixels.begin() + std::ptrdiff_t{edge / 2} * edge, vesselRows * edge, std::byte{20});
         }
@@ -373,6 +386,12 @@ void PuppetXray::alterFrame(Alter alter)
 {
     const std::lock_guard lock(m_mutex);
     m_alterFrame = std::move(alter);
+}
+
+void PuppetXray::movePatient(unsigned columns)
+{
+    const std::lock_guard lock(m_mutex);
+    m_patient = columns;
 }
 
 void PuppetXray::setBeam(bool always)

@@ -132,6 +132,8 @@ public:
     void alterStatus(Alter alter);
     void alterFrame(Alter alter);
 
+    void movePatient(unsigned columns); ///< from where the first pictures show the bones
+
     void setBeam(bool always); ///< on, whoever has its pedal
 
     int pedalsHeard() const; ///< commands so far whose pedal is down
@@ -149,6 +151,7 @@ private:
     Pictures m_pictures = Pictures::Good;
     Alter m_alterStatus;
     Alter m_alterFrame;
+    unsigned m_patient = 0; ///< columns
     bool m_always = false;
     bool m_pedal = false;
     int m_pedalsHeard = 0;

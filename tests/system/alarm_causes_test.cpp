@@ -137,6 +137,16 @@ const std::vector<Cause>& causes()
              s.xray.alterFrame([](Message& m) { m.set("imager_pixel_spacing", 0.2); });
          },
          endRoadmap},
+        {"12 the patient moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
+         [](Stage& s) {
+             makeRoadmap(s);
+             s.xray.show(PuppetXray::Pictures::Good); // the contrast is gone, which alone is no displacement
+             s.xray.movePatient(6);
+         },
+         [](Stage& s) {
+             s.xray.movePatient(0);
+             endRoadmap(s);
+         }},
         {"13 contrast runs low", C::ContrastLow, AlarmPriority::Low,
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
         {"13 contrast runs out during an injection", C::ContrastEmpty, AlarmPriority::Medium,

@@ -9,7 +9,7 @@ namespace liena::tasks {
 
 namespace {
 
-constexpr double part = 0.25;      // of the excess over the mean, at once
+constexpr double part = 0.35;      // of the excess over the mean, at once
 constexpr double mostRaise = 0.05; // of a lane's own rate: if it has a narrower path after all, it queues only this much more there
 constexpr double alike = 0.25;     // one waits for at least this part of the other's time: they wait in one queue
 

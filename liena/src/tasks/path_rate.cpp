@@ -29,7 +29,7 @@ constexpr double leastProof = 0.002;         // seconds at the rate: shorter bur
 constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
 constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
-constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
+constexpr auto passed = 2500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr auto passedWhenCalm = 2000ms;      // and that of a calm path
 constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;            // a step while nothing is known
@@ -108,8 +108,8 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     if (elapsed < std::max<Nanoseconds>(shortestWindow, facts.leastRoundTrip))
         return;
     const Window ended = std::exchange(*m_window, Window{now, facts.bytesAcknowledged, facts.windowClosed, false});
-    if (ended.first && facts.leastRoundTrip > shortestWindow)
-        return; // nothing of it is acknowledged yet
+    if (ended.first && facts.leastRoundTrip > shortestWindow / 8)
+        return; // little or nothing of it is acknowledged yet
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
     m_delivered = m_course.rate(ended, facts.bytesAcknowledged, now, timeToNotice());

@@ -17,8 +17,9 @@ constexpr Nanoseconds step = 250us;
 /// An X-ray system whose lane keeps the newest of two that wait, and gives up a picture that is too old.
 class Source {
 public:
-    Source(double bytesPerSecond, Nanoseconds roundTrip, double picturesPerSecond)
-        : path(bytesPerSecond, roundTrip), m_asked(picturesPerSecond), m_rawBytes(bytesPerSecond * 0.0168) // a quarter of the path at 15 /s
+    /// `share`: of the path, that the pictures take at 15 /s.
+    Source(double bytesPerSecond, Nanoseconds roundTrip, double picturesPerSecond, double share = 0.25)
+        : path(bytesPerSecond, roundTrip), m_asked(picturesPerSecond), m_rawBytes(bytesPerSecond * share / 15)
     {}
 
     void run(Nanoseconds time)
@@ -136,6 +137,37 @@ private slots:
         source.changes = 0;
         source.run(20s);
         QCOMPARE(source.changes, 0);
+    }
+
+    /// The moment of the healing is anywhere between two tries to pass what the narrow path carried, and a burst's first acknowledgements
+    /// come anywhere between two decisions.
+    void fullQualityIsBackWheneverThePathHeals_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<double>("share");
+        for (const double megabits : {100.0, 400.0})
+            for (const int roundTrip : {200, 1000, 1500, 1900, 2000, 9000})
+                for (const double share : {0.4, 0.63})
+                    QTest::addRow("%g Mbit/s, %d us, %g of it", megabits, roundTrip, share) << megabits << roundTrip << share;
+    }
+
+    void fullQualityIsBackWheneverThePathHeals()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, roundTripUs);
+        QFETCH(double, share);
+        for (const auto narrow : {4000ms, 4700ms, 5400ms, 6100ms, 6800ms}) {
+            Source source(megabits * 125'000, std::chrono::microseconds(roundTripUs), 15, share);
+            source.run(6s);
+            source.path.capacity /= 10;
+            source.run(narrow);
+            QVERIFY(source.ladder.step() > 0);
+            source.path.capacity *= 10;
+            const auto healed = source.now();
+            source.run(5s);
+            QVERIFY2(source.fullSince && *source.fullSince > healed, qPrintable(QStringLiteral("narrow for %1 ms").arg(narrow.count())));
+        }
     }
 };
 

@@ -148,6 +148,39 @@ private slots:
         QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossy 90"));
     }
 
+    /// As of a way that fills for a moment with each picture. Whichever of the readings knows it: the watch must not end with that one
+    /// alone.
+    void climbsThoughRateIsKnownOnlyNowAndThen_data()
+    {
+        QTest::addColumn<int>("every");
+        for (const int every : {2, 3, 4, 5, 6, 7, 12})
+            QTest::addRow("one reading in %d", every) << every;
+    }
+
+    void climbsThoughRateIsKnownOnlyNowAndThen()
+    {
+        QFETCH(int, every);
+        for (int first = 0; first < every; ++first) {
+            Hand hand;
+            hand.see({{0.45e6, 0}});
+            QVERIFY(hand.ladder.step() > 1);
+            for (int i = 0; i < 80; ++i) // 4.8 s
+                hand.see({{(first + i) % every == 0 ? std::optional(2e6) : std::nullopt, 0}});
+            QVERIFY2(hand.ladder.step() == 0, qPrintable(QString::number(first)));
+        }
+    }
+
+    /// What was known for some of the time, and does not carry the next rung, is not passed over.
+    void doesNotClimbAboveWhatWasKnownForSomeOfTheTime()
+    {
+        Hand hand;
+        hand.see({{0.9e6, 0}});
+        QCOMPARE(hand.ladder.step(), std::size_t(1));
+        for (int i = 0; i < 80; ++i)
+            hand.see({{i % 3 == 0 ? std::optional(1.5e6) : std::nullopt, 0}}); // as much as was asked for: nothing to spare
+        QCOMPARE(hand.ladder.step(), std::size_t(1));
+    }
+
     void forgivesWhatWaitsBehindHeavierPicture()
     {
         Hand hand;

@@ -130,12 +130,12 @@ double fairness(const std::vector<double>& parts)
 }
 
 /// One flow after the other begins, each finding what the earlier ones left.
-std::vector<double> partsOf(Bottleneck& bottleneck)
+std::vector<double> partsOf(Bottleneck& bottleneck, std::chrono::milliseconds between = 3s)
 {
     PathRate::Instant now{1h};
     for (auto& flow : bottleneck.flows) {
         flow->sending = true;
-        for (const auto end = now + 3s; now < end; now += step)
+        for (const auto end = now + between; now < end; now += step)
             bottleneck.tick(now);
     }
     (void)bottleneck.parts();
@@ -186,20 +186,25 @@ private slots:
     void sessionsBeforeOneQueueComeToEvenRatesWhateverTheirLanes()
     {
         QFETCH(const std::vector<unsigned>, sessions);
-        const auto share = std::make_shared<FairShare>();
-        Bottleneck bottleneck(gigabit, 1ms, sessions.size(), share);
-        for (std::size_t i = 0; i < sessions.size(); ++i)
-            bottleneck.flows[i]->rate.shareWith(share, liena::DeviceId(sessions[i]));
-        const auto parts = partsOf(bottleneck);
-        std::map<unsigned, double> ofSession;
-        for (std::size_t i = 0; i < sessions.size(); ++i)
-            ofSession[sessions[i]] += parts[i];
-        std::vector<double> shares;
-        for (const auto& [session, part] : ofSession)
-            shares.push_back(part);
-        const double index = fairness(shares); // lanes at even rates: 0.8 and 0.89
-        QVERIFY2(index > 0.93, qPrintable(QString::number(index)));
-        QVERIFY2(bottleneck.longestWait < 8ms, qPrintable(QString::number(bottleneck.longestWait.count())));
+        double sum = 0;
+        for (const auto between : {2500ms, 2800ms, 3000ms, 3300ms}) {
+            const auto share = std::make_shared<FairShare>();
+            Bottleneck bottleneck(gigabit, 1ms, sessions.size(), share);
+            for (std::size_t i = 0; i < sessions.size(); ++i)
+                bottleneck.flows[i]->rate.shareWith(share, liena::DeviceId(sessions[i]));
+            const auto parts = partsOf(bottleneck, between);
+            std::map<unsigned, double> ofSession;
+            for (std::size_t i = 0; i < sessions.size(); ++i)
+                ofSession[sessions[i]] += parts[i];
+            std::vector<double> shares;
+            for (const auto& [session, part] : ofSession)
+                shares.push_back(part);
+            const double index = fairness(shares); // lanes at even rates: 0.8 and 0.89
+            QVERIFY2(index > 0.9, qPrintable(QString::number(index)));
+            sum += index;
+            QVERIFY2(bottleneck.longestWait < 8ms, qPrintable(QString::number(bottleneck.longestWait.count())));
+        }
+        QVERIFY2(sum / 4 > 0.93, qPrintable(QString::number(sum / 4))); // where in its breathing a lane meets the next one is chance
     }
 
     /// The same lanes without a share: what the last one finds is what it keeps.
