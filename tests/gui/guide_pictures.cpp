@@ -2,6 +2,7 @@
 //
 // The console is the whole one, on Qt's offscreen platform; robot, arm and X-ray system are liena-devices in processes of their own. The
 // links' timing is slower than a real one, so that a moment lasts long enough for its picture.
+#include "imaging/live_image_view.hpp"
 #include "theatre.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/theme.hpp"
@@ -32,8 +33,8 @@ public:
     /// False at the first state that is not reached.
     bool work()
     {
-        return idle() && topology() && selfTest() && open() && armed() && engaged() && roadmap() && frozen() && interrupted() && lost() &&
-               reopened() && views();
+        return idle() && topology() && selfTest() && open() && measured() && armed() && engaged() && roadmap() && frozen() &&
+               interrupted() && lost() && reopened() && review() && views();
     }
 
     /// What was taken until now.
@@ -68,6 +69,7 @@ private:
     }
 
     static constexpr int settling = 150;   ///< ms
+    static constexpr int reviewedBack = 5; ///< pictures
     static constexpr int frozenFor = 1500; ///< ms, so that the seconds beside the word count something
 
     static bool until(const std::function<bool()>& reached) { return QTest::qWaitFor(reached, Theatre::patience); }
@@ -114,6 +116,30 @@ private:
     {
         m_theatre.hold(Qt::Key_F);
         return until([this] { return picture() == PictureCondition::Live; }) && m_theatre.reaches(PermitPhase::Ready) && take("open");
+    }
+
+    void press(const char* accessibleName)
+    {
+        for (auto* button : m_theatre.window().findChildren<QAbstractButton*>())
+            if (button->isVisible() && button->accessibleName() == QLatin1String(accessibleName))
+                QTest::mouseClick(button, Qt::LeftButton);
+    }
+
+    /// A distance in a larger picture with less noise; then the whole picture as it came.
+    bool measured()
+    {
+        auto* image = m_theatre.window().findChild<LiveImageView*>();
+        for (const char* wanted : {"More zoom", "More noise reduction", "More noise reduction"})
+            press(wanted);
+        if (!m_theatre.click(QStringLiteral("Measure")))
+            return false;
+        const QPoint middle = image->rect().center();
+        const int reach = image->height() / 8;
+        QTest::mouseClick(image, Qt::LeftButton, {}, middle - QPoint(reach, reach));
+        QTest::mouseClick(image, Qt::LeftButton, {}, middle + QPoint(reach, 0));
+        const bool taken = take("measured");
+        return m_theatre.click(QStringLiteral("distance")) && m_theatre.click(QStringLiteral("angle")) &&
+               m_theatre.click(QStringLiteral("Reset")) && taken;
     }
 
     bool armed() { return m_theatre.arm() && take("armed"); }
@@ -192,10 +218,21 @@ private:
         return until(read) && take("away");
     }
 
-    bool views()
+    /// Some pictures before the newest, with the pedal up.
+    bool review()
     {
         m_theatre.readAccount();
         m_theatre.acknowledgeAlarms();
+        const auto quiet = [this] { return m_theatre.models().alarms.alarms().empty(); };
+        if (!until(quiet) || !m_theatre.click(QStringLiteral("Review")))
+            return false;
+        for (int i = 0; i < reviewedBack; ++i)
+            m_theatre.click(QStringLiteral("\u25C0"));
+        return take("review");
+    }
+
+    bool views()
+    {
         for (const auto& [key, name] : {std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"}, std::pair{Qt::Key_F5, "conditions"},
                                         std::pair{Qt::Key_F6, "preferences"}, std::pair{Qt::Key_F7, "screens"}}) {
             QTest::keyClick(&m_theatre.window(), key);
