@@ -10,7 +10,7 @@ namespace console {
 
 namespace {
 
-constexpr std::chrono::seconds overdueMemory{5};
+constexpr std::chrono::seconds overdueMemory{5}; ///< at the least, and of what this console keeps no account of
 constexpr std::chrono::seconds paintingSpan{2};
 constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures without a gap, before it is told; of enough, before it ends
 constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
@@ -65,7 +65,43 @@ void AlarmWatch::noteDeadlineMissed(quint32 peer, const QString& message, Instan
 {
     // Pictures end with the pedal; whether one is missing is the picture's own rule.
     if (message != QLatin1String("XrayFrame"))
-        m_overdue[peer] = {message, now};
+        m_overdue[peer][message] = now;
+}
+
+/// When the newest of those came; nothing for what is not kept.
+std::optional<Instant> AlarmWatch::lastHeard(quint32 peer, const QString& message) const
+{
+    const auto& robot = m_models.instrument;
+    if (peer == m_robot && message == QLatin1String("RobotStatus"))
+        return robot.robot().received;
+    if (peer == m_robot && message == QLatin1String("DriveStatus"))
+        return robot.drives().received;
+    if (peer == m_robot && message == QLatin1String("TipPose"))
+        return robot.tip().received;
+    if (peer == m_models.sessions.firstPeer(DeviceKind::Eye) && message == QLatin1String("AcquisitionStatus"))
+        return m_models.xray.status().received;
+    if (peer == m_models.sessions.firstPeer(DeviceKind::Arm) && message == QLatin1String("ArmStatus"))
+        return m_models.arm.status().received;
+    return std::nullopt;
+}
+
+/// The report that is missing for longest. The library tells each gap once, when it begins.
+QString AlarmWatch::overdueOf(quint32 peer, Instant now) const
+{
+    const auto found = m_overdue.find(peer);
+    if (found == m_overdue.end())
+        return {};
+    QString longest;
+    Instant earliest = now;
+    for (const auto& [message, since] : found->second) {
+        const auto heard = lastHeard(peer, message);
+        const bool missing = heard && *heard <= since;
+        if ((missing || now - since < overdueMemory) && since <= earliest) {
+            longest = message;
+            earliest = since;
+        }
+    }
+    return longest;
 }
 
 AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) const
@@ -87,9 +123,7 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
     reading.systemDiffers = link.systemDiffers;
     if (link.peer == m_robot)
         reading.commandRoundTrip = link.figures.roundTrip;
-    const auto overdue = m_overdue.find(link.peer);
-    if (overdue != m_overdue.end() && now - overdue->second.at < overdueMemory)
-        reading.deadlineMissed = overdue->second.message;
+    reading.deadlineMissed = overdueOf(link.peer, now);
     return reading;
 }
 

@@ -22,7 +22,7 @@ public:
     /// Ten times a second. `delivered`: pictures that this console has received, in all.
     void update(Instant now, quint64 delivered);
 
-    /// A peer's report is overdue; it counts until reports come again.
+    /// A peer's report is overdue; it counts until the next one comes, and for five seconds.
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
 
     /// Motion ended, and the robot has not said yet that it holds.
@@ -35,6 +35,8 @@ public:
 private:
     void notePhase(PermitPhase from, PermitPhase to);
     bool robotHoldsSince(Instant stop) const;
+    std::optional<Instant> lastHeard(quint32 peer, const QString& message) const;
+    QString overdueOf(quint32 peer, Instant now) const;
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
     AlarmReadings readings(Instant now) const;
     bool awaitsDrives(Instant now) const;
@@ -49,18 +51,14 @@ private:
         quint64 delivered = 0;
         quint64 painted = 0;
     };
-    struct Overdue {
-        QString message;
-        Instant at;
-    };
 
     ConsoleModels& m_models;
     std::optional<quint32> m_robot;
     Instant m_armedAt;
     std::optional<Instant> m_stopAt; ///< motion ended and the robot has not yet said that it holds
     bool m_troubleWhileArmed = false;
-    bool m_troubleWhileEngaged = false; ///< motion has ended by the time that its cause is looked at
-    std::map<quint32, Overdue> m_overdue;
+    bool m_troubleWhileEngaged = false;                      ///< motion has ended by the time that its cause is looked at
+    std::map<quint32, std::map<QString, Instant>> m_overdue; ///< by peer and message: since when
     std::map<quint32, LineQuality> m_lines;
     std::deque<Counted> m_counted;        ///< of the last two seconds
     bool m_pictureSlow = false;           ///< too few pictures are shown, and not only for a moment

@@ -91,6 +91,12 @@ void CockpitControl::run()
     if (m_lastRun && now - *m_lastRun > stallLimit)
         apply(PermitEventKind::Stalled);
     m_lastRun = now;
+    if (const auto blocked = m_link.blockedPermit()) {
+        PermitEvent closed;
+        closed.kind = PermitEventKind::GateClosed;
+        closed.permit = *blocked;
+        apply(closed, now); // else it would go on as engaged, and nothing would move
+    }
     m_hand.poll(now);
     expectPictures(now);
     if (m_runs % guardRuns == 0)
@@ -169,9 +175,11 @@ void CockpitControl::tellRobot()
 void CockpitControl::expectPictures(Instant now)
 {
     const auto& xray = m_models.xray;
-    const bool up = m_link.xray() && carriesMessages(m_models.sessions.state(*m_link.xray()));
+    const auto state = m_link.xray() ? m_models.sessions.state(*m_link.xray()) : LinkState::Closed;
+    const bool up = carriesMessages(state);
     m_models.picture.setLinkUp(up);
-    const bool beam = xray.fresh(now) && xray.beamOn();
+    const bool broken = !up && state != LinkState::Closed; // nobody can report that the beam is off
+    const bool beam = xray.beamOn() && (xray.fresh(now) || broken);
     const double rate = beam && xray.status().value.pulseRate > 0 ? xray.status().value.pulseRate : xray.requestedRate();
     m_models.picture.expect(xray.pedalDown() || beam ? rate : 0, now);
     m_link.setPedal({xray.pedalDown(), m_press, xray.requestedRate(), now});

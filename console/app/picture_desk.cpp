@@ -184,7 +184,9 @@ void PictureDesk::beginRoadmap()
     m_vessels = vesselLayer(*made);
     m_maker.watch(made);
     m_models.roadmap.begin({made->about, made->lastNs});
-    answer(false, tr("roadmap made of %1 pictures of run %2").arg(made->pictures).arg(made->about.acquisition));
+    const bool stands = m_models.roadmap.isValid(); // else something moved since
+    answer(false,
+           stands ? tr("roadmap made of %1 pictures of run %2").arg(made->pictures).arg(made->about.acquisition) : m_models.roadmap.line());
     if (m_live->picture())
         mapPicture(*m_live->picture());
     m_reviewControls->showRoadmap(true);
@@ -256,6 +258,7 @@ ReferenceImageView* PictureDesk::makeReferenceCopy()
     m_copy = new ReferenceImageView;
     theme::setTextRole(m_copy, theme::TextRole::Caption);
     m_copy->setDisplay(&m_display);
+    m_copy->setOpacity(m_reference->opacity());
     if (m_reference->picture())
         m_copy->showPicture(*m_reference->picture());
     showVessels();

@@ -86,10 +86,11 @@ void CineReview::playOn()
         Q_EMIT placeChanged();
         return;
     }
+    const auto now = m_ring.at(*m_place + 1);
+    const auto next = m_ring.at(*m_place + 2);
+    m_timer.start(now && next ? pauseBetween(*now, *next)
+                              : shortestPause); // before it is shown: whoever hears of that asks whether it plays
     show(*m_place + 1);
-    const auto next = m_ring.at(*m_place + 1);
-    const auto now = m_ring.at(*m_place);
-    m_timer.start(now && next ? pauseBetween(*now, *next) : shortestPause);
 }
 
 void CineReview::show(quint64 number)

@@ -12,19 +12,15 @@ namespace console {
 
 namespace {
 
-constexpr int framesPerNoise = 8; ///< the noise is read anew from every eighth picture
-constexpr double gainStep = 0.1;  ///< share of the brightness by which two pictures of one run do not differ without a new gain
-constexpr double kStep = 0.05;    ///< by which K may fall from one picture to the next; it may rise at once
+constexpr int framesPerNoise = 8;       ///< the noise is read anew from every eighth picture
+constexpr double gainStep = 0.1;        ///< share of the brightness by which two pictures of one run do not differ without a new gain
+constexpr double kStep = 0.05;          ///< by which K may fall from one picture to the next; it may rise at once
+constexpr double restingAngle = 0.05;   ///< deg from one picture to the next: a C-arm that does not turn, and trembles in what it reports
+constexpr double restingDistance = 0.5; ///< mm
 constexpr std::chrono::seconds longestGap{1};
 constexpr int storedBits = 16;
 
 Instant present() { return std::chrono::steady_clock::now(); }
-
-bool sameProjection(const XrayGeometry& a, const XrayGeometry& b)
-{
-    return a.primaryAngle == b.primaryAngle && a.secondaryAngle == b.secondaryAngle &&
-           a.sourceDetectorDistance == b.sourceDetectorDistance && a.sourceObjectDistance == b.sourceObjectDistance;
-}
 
 /// The same with its centre among the picture's own values. A picture that a slip of the hand made all black or all white looks like one
 /// without a beam.
@@ -93,7 +89,7 @@ bool DisplayChain::continues(const XrayFrame& frame) const
         return false;
     const XrayFrame& before = m_last->about;
     const double brightness = brightnessOf(m_stored);
-    return before.acquisition == frame.acquisition && sameProjection(before.geometry, frame.geometry) &&
+    return before.acquisition == frame.acquisition && sameProjection(before.geometry, frame.geometry, restingAngle, restingDistance) &&
            before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
            before.bitsStored == frame.bitsStored && before.intensity == frame.intensity && before.photometric == frame.photometric &&
            before.mask == frame.mask && before.source == frame.source && frame.captureNs >= before.captureNs &&
@@ -123,7 +119,7 @@ void DisplayChain::filter(const XrayFrame& frame, const DisplaySettings& setting
     }
     const bool mixes = m_previous && m_temporal.remembers({m_filtered.cols, m_filtered.rows});
     const Duration period = mixes ? periodBetween(m_previous->about, frame) : Duration::zero();
-    m_k = mixes ? chosenK(settings.noiseReduction, room, period) : 1;
+    m_k = mixes ? chosenK(settings.noiseReduction, room - period, period) : 1; // it will stand for a period, and grow older
     m_temporal.apply(m_filtered, m_k, m_noise);
     PictureTreatment& treatment = m_last->treatment;
     treatment.k = m_k;
@@ -182,7 +178,7 @@ GreyWindow DisplayChain::chosenWindow(const DisplaySettings& settings, bool& isA
     isAutomatic = false;
     switch (settings.window) {
     case WindowChoice::Fixed:
-        return withinPicture(settings.fixed, percentileWindow(m_stored, shutter));
+        return withinPicture(carriedOver(settings.fixed, settings.fixedOn, basisOf(about)), percentileWindow(m_stored, shutter));
     case WindowChoice::FullRange:
         return {range / 2, range};
     case WindowChoice::AsSent:

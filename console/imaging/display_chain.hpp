@@ -18,7 +18,8 @@ namespace console {
 /// picture keeps 16 bits or is floating-point; only the last table makes 8 bits of it. One thread at a time; its buffers are used again.
 class DisplayChain {
 public:
-    /// A picture, or why there is none. `filterRoom`: how much later than it could a movement may be shown; the filter stays within it.
+    /// A picture, or why there is none. `filterRoom`: how much older what is shown may still become; the filter's delay and the time until
+    /// the next picture stay within it.
     QString process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture);
 
     /// The last picture once more under other settings; false when there was none. For the temporal filter no time passes.

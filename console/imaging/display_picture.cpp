@@ -15,6 +15,8 @@ CArmGeometry geometryOf(const XrayFrame& frame)
             {}};
 }
 
+WindowBasis basisOf(const XrayFrame& frame) { return {frame.bitsStored, {frame.windowCentre, frame.windowWidth}}; }
+
 std::optional<double> pixelSizeAtIsocentre(const XrayFrame& frame)
 {
     const XrayGeometry& geometry = frame.geometry;

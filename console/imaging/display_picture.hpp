@@ -46,6 +46,9 @@ struct DisplayPicture {
 /// The C-arm at the picture's pulse; detectorSize stays empty when the pixel spacing is unknown.
 CArmGeometry geometryOf(const XrayFrame& frame);
 
+/// For a window that is set on it.
+WindowBasis basisOf(const XrayFrame& frame);
+
 /// One pixel's edge in the isocentre's plane, mm (imager spacing x SOD / SID); nothing when any of the three is unknown.
 std::optional<double> pixelSizeAtIsocentre(const XrayFrame& frame);
 

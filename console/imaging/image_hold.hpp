@@ -26,8 +26,10 @@ Q_SIGNALS:
     void held(const console::DisplayPicture& picture);
 
 private:
+    void tell();
+
     std::optional<DisplayPicture> m_last;
-    std::optional<quint32> m_heldRun;
+    std::optional<quint64> m_heldNs; ///< its run has ended with the picture that was taken then
 };
 
 } // namespace console

@@ -2,6 +2,7 @@
 #include "imaging/measurement.hpp"
 
 #include "imaging/display_picture.hpp"
+#include "model/roadmap_state.hpp"
 
 #include <QCoreApplication>
 #include <QtMath>
@@ -22,12 +23,10 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::Measurement)
 };
 
-bool sameProjection(const XrayFrame& a, const XrayFrame& b)
+bool sameView(const XrayFrame& a, const XrayFrame& b)
 {
     return a.rows == b.rows && a.columns == b.columns && a.imagerPixelSpacing == b.imagerPixelSpacing &&
-           a.geometry.primaryAngle == b.geometry.primaryAngle && a.geometry.secondaryAngle == b.geometry.secondaryAngle &&
-           a.geometry.sourceDetectorDistance == b.geometry.sourceDetectorDistance &&
-           a.geometry.sourceObjectDistance == b.geometry.sourceObjectDistance;
+           sameProjection(a.geometry, b.geometry, RoadmapState::angleTolerance, RoadmapState::distanceTolerance);
 }
 
 } // namespace
@@ -126,11 +125,14 @@ PixelCalibration Measurement::calibration() const
 
 void Measurement::follow(const XrayFrame& frame)
 {
-    if (m_frame && !sameProjection(*m_frame, frame)) {
+    if (m_frame && !sameView(*m_frame, frame)) {
         clear();
         m_catheterWidth = 0;
     }
+    const bool holds = m_frame && (!m_points.empty() || m_catheterWidth > 0);
+    const XrayGeometry geometry = holds ? m_frame->geometry : frame.geometry; // a C-arm that creeps is to be noticed
     m_frame = frame;
+    m_frame->geometry = geometry;
     m_frame->owner.reset();
     m_frame->pixels = {};
 }

@@ -77,16 +77,6 @@ cv::Mat detail(const cv::Mat& values, cv::Size size)
     return small;
 }
 
-/// As it is reported: a C-arm at rest trembles in its last digits.
-bool sameProjection(const XrayGeometry& a, const XrayGeometry& b)
-{
-    const auto near = [](double one, double other, double tolerance) { return std::abs(one - other) <= tolerance; };
-    return near(a.primaryAngle, b.primaryAngle, RoadmapState::angleTolerance) &&
-           near(a.secondaryAngle, b.secondaryAngle, RoadmapState::angleTolerance) &&
-           near(a.sourceDetectorDistance, b.sourceDetectorDistance, RoadmapState::distanceTolerance) &&
-           near(a.sourceObjectDistance, b.sourceObjectDistance, RoadmapState::distanceTolerance);
-}
-
 } // namespace
 
 QImage vesselLayer(const Roadmap& roadmap)
@@ -107,7 +97,8 @@ bool Opacification::endsWith(const XrayFrame& frame) const
     return m_count > 0 &&
            (m_first.acquisition != frame.acquisition || m_first.rows != frame.rows || m_first.columns != frame.columns ||
             m_first.bitsStored != frame.bitsStored || m_first.photometric != frame.photometric || m_first.intensity != frame.intensity ||
-            m_first.imagerPixelSpacing != frame.imagerPixelSpacing || !sameProjection(m_first.geometry, frame.geometry));
+            m_first.imagerPixelSpacing != frame.imagerPixelSpacing ||
+            !sameProjection(m_first.geometry, frame.geometry, RoadmapState::angleTolerance, RoadmapState::distanceTolerance));
 }
 
 Opacification Opacification::copy() const

@@ -42,6 +42,7 @@ PictureCanvas::PictureCanvas(QWidget* parent) : QWidget(parent)
 void PictureCanvas::setDisplay(DisplayState* display)
 {
     m_display = display;
+    m_measurement.setMode(display->measureMode());
     connect(display, &DisplayState::measureModeChanged, this, [this](MeasureMode mode) {
         m_measurement.setMode(mode);
         m_cursor.reset();
@@ -116,8 +117,10 @@ void PictureCanvas::moveWindow(double centreShare, double widthShare)
         return;
     // What the settings already ask for may not be on the screen yet.
     const DisplaySettings& settings = m_display->settings();
-    const GreyWindow from = settings.window == WindowChoice::Fixed ? settings.fixed : picture->window;
-    m_display->setWindow(moved(from, centreShare, widthShare));
+    const WindowBasis basis = basisOf(picture->about);
+    const bool asked = settings.window == WindowChoice::Fixed && picture->settings != settings;
+    const GreyWindow from = asked ? carriedOver(settings.fixed, settings.fixedOn, basis) : picture->window;
+    m_display->setWindow(moved(from, centreShare, widthShare), basis);
 }
 
 void PictureCanvas::addPoint(QPointF picture)
@@ -145,6 +148,7 @@ void PictureCanvas::mousePressEvent(QMouseEvent* event)
     } else if (left && m_display) {
         m_drag = Drag::Window;
         m_dragWindow = picture->window;
+        m_dragBasis = basisOf(picture->about);
     }
 }
 
@@ -160,7 +164,7 @@ void PictureCanvas::mouseMoveEvent(QMouseEvent* event)
     } else if (m_drag == Drag::Window && m_display) {
         const QPointF all = event->position() - m_dragStart;
         const double edge = std::max(1, std::min(width(), height()));
-        m_display->setWindow(console::moved(m_dragWindow, all.y() / edge, 2 * all.x() / edge));
+        m_display->setWindow(console::moved(m_dragWindow, all.y() / edge, 2 * all.x() / edge), m_dragBasis);
     }
 }
 

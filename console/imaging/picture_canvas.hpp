@@ -91,6 +91,7 @@ private:
     QPointF m_dragStart;
     QPointF m_dragLast;
     GreyWindow m_dragWindow;
+    WindowBasis m_dragBasis;
 };
 
 } // namespace console

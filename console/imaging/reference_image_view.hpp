@@ -23,6 +23,7 @@ public:
     /// Painted over each picture of the role Roadmap, as `vesselLayer()` makes them; null: none.
     void setVessels(const QImage& vessels);
     void setOpacity(double opacity); ///< of the vessels, 0 to 1
+    double opacity() const { return m_opacity; }
 
     /// Of the live picture, which a roadmap shows once more: where that is frozen, this is.
     void setCondition(PictureCondition condition);

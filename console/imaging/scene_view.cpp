@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace console {
 
@@ -111,13 +112,23 @@ void SceneView::showPicture(const DisplayPicture& picture)
     if (std::max(picture.image.width(), picture.image.height()) > largestTexture)
         m_state.picture = picture.image.scaled(largestTexture, largestTexture, Qt::KeepAspectRatio, Qt::FastTransformation);
     m_state.pictureSource = picture.about.source;
-    m_state.pictureGeometry = geometryOf(picture.about);
-    m_detectorSize = m_state.pictureGeometry->detectorSize;
-    if (m_cArm) {
-        m_state.cArm = geometryWith(*m_cArm, m_detectorSize);
-        m_state.pictureGeometry->table = m_state.cArm->table; // a picture does not say where the table was
-    }
+    const PictureId id{picture.about.acquisition, picture.about.frame, picture.about.captureNs};
+    if (std::exchange(m_shown, id) != id) // else it is drawn anew, with another window, where it was taken
+        placePicture(picture.about);
     requestDrawing();
+}
+
+/// A picture does not say where the table was; nor does anybody else while the C-arm is not heard.
+void SceneView::placePicture(const XrayFrame& about)
+{
+    const CArmGeometry geometry = geometryOf(about);
+    m_detectorSize = geometry.detectorSize;
+    m_state.pictureGeometry.reset();
+    if (!m_cArm)
+        return;
+    m_state.cArm = geometryWith(*m_cArm, m_detectorSize);
+    m_state.pictureGeometry = geometry;
+    m_state.pictureGeometry->table = m_state.cArm->table;
 }
 
 void SceneView::showCondition(PictureCondition condition)

@@ -42,6 +42,9 @@ public:
 
     const OrbitCamera& camera() const { return m_camera; }
 
+    /// What the next drawing shows.
+    const SceneState& state() const { return m_state; }
+
     /// The newest drawing, null before the first; why there is none.
     const QImage& drawing() const { return m_drawn.image; }
     const QString& unavailable() const { return m_drawn.error; }
@@ -74,6 +77,13 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    struct PictureId {
+        quint32 acquisition = 0;
+        quint32 frame = 0;
+        quint64 captureNs = 0;
+        bool operator==(const PictureId&) const = default;
+    };
+    void placePicture(const XrayFrame& about);
     void requestDrawing();
     void takeDrawing();
     void look(const OrbitCamera& camera);
@@ -94,6 +104,7 @@ private:
     QVector3D m_focus;
     QSizeF m_detectorSize;
     std::optional<XrayGeometry> m_cArm;
+    std::optional<PictureId> m_shown;
     std::optional<QVector3D> m_tipBefore; ///< in the patient frame
     PictureCondition m_condition = PictureCondition::None;
     SceneImage m_drawn;

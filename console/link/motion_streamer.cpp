@@ -6,7 +6,8 @@ namespace console {
 void MotionStreamer::run()
 {
     const auto order = m_gate.compose(m_snapshot.read(), std::chrono::steady_clock::now());
-    m_blocked.store(m_gate.blocked(), std::memory_order_relaxed);
+    const auto blocked = m_gate.blockedPermit();
+    m_blocked.store(blocked ? quint64{1} << 32 | *blocked : 0, std::memory_order_relaxed);
     if (!order)
         return;
     if (!m_blank) {

@@ -27,7 +27,12 @@ public:
     // Any thread.
     quint64 sent() const { return m_sent.load(std::memory_order_relaxed); }
     quint64 refused() const { return m_refused.load(std::memory_order_relaxed); }
-    bool blocked() const { return m_blocked.load(std::memory_order_relaxed); }
+    /// See MotionGate::blockedPermit().
+    std::optional<quint32> blockedPermit() const
+    {
+        const quint64 blocked = m_blocked.load(std::memory_order_relaxed);
+        return blocked != 0 ? std::optional(static_cast<quint32>(blocked)) : std::nullopt;
+    }
 
 private:
     liena::DistributedSystem& m_system;
@@ -37,7 +42,7 @@ private:
     std::optional<liena::Message> m_blank; ///< network thread; the robot's set may become known only when it opens
     std::atomic<quint64> m_sent{0};
     std::atomic<quint64> m_refused{0};
-    std::atomic<bool> m_blocked{false};
+    std::atomic<quint64> m_blocked{0}; ///< the permit, and a bit above it; 0: none
 };
 
 } // namespace console

@@ -82,6 +82,20 @@ DisplaySettings withinBounds(DisplaySettings settings)
     return settings;
 }
 
+GreyWindow carriedOver(GreyWindow window, const WindowBasis& from, const WindowBasis& to)
+{
+    if (from.bits <= 0 || to.bits <= 0 || from.bits == to.bits)
+        return window;
+    const auto whole = [](const WindowBasis& basis) {
+        const double range = std::ldexp(1.0, basis.bits);
+        return basis.sent.isKnown() ? basis.sent : GreyWindow{range / 2, range};
+    };
+    const GreyWindow was = whole(from);
+    const GreyWindow is = whole(to);
+    const double scale = is.width / was.width;
+    return {is.centre + (window.centre - was.centre) * scale, std::max(window.width * scale, narrowest)};
+}
+
 GreyWindow moved(GreyWindow window, double centreShare, double widthShare)
 {
     if (!window.isKnown() || !std::isfinite(centreShare) || !std::isfinite(widthShare))

@@ -19,6 +19,18 @@ struct GreyWindow {
     bool operator==(const GreyWindow&) const = default;
 };
 
+/// Of what values a window is: those of a picture of so many bits, sent with this window (unknown: none).
+struct WindowBasis {
+    int bits = 0;
+    GreyWindow sent;
+
+    bool operator==(const WindowBasis&) const = default;
+};
+
+/// A window for pictures of another depth, so that the same shows as before: an X-ray system that sends fewer bits brings its sent window
+/// to them, linearly. Unchanged for the same depth, whatever window pictures of it are sent with.
+GreyWindow carriedOver(GreyWindow window, const WindowBasis& from, const WindowBasis& to);
+
 /// VOI LUT Function (0028,1056).
 enum class VoiFunction : std::uint8_t { Linear, LinearExact, Sigmoid };
 
@@ -49,7 +61,8 @@ QString word(EdgeMethod method);
 
 struct DisplaySettings {
     WindowChoice window = WindowChoice::AsSent;
-    GreyWindow fixed; ///< for WindowChoice::Fixed
+    GreyWindow fixed;    ///< for WindowChoice::Fixed
+    WindowBasis fixedOn; ///< of what it was set on
     VoiFunction function = VoiFunction::Linear;
     bool inverted = false;  ///< Presentation LUT Shape INVERSE
     int noiseReduction = 0; ///< 0 … 100 %: strength of the temporal filter

@@ -97,11 +97,12 @@ void DisplayState::stepEdge(int steps)
     set(next);
 }
 
-void DisplayState::setWindow(GreyWindow window)
+void DisplayState::setWindow(GreyWindow window, const WindowBasis& basis)
 {
     DisplaySettings next = m_settings;
     next.window = WindowChoice::Fixed;
     next.fixed = window;
+    next.fixedOn = basis;
     set(next);
 }
 

@@ -26,9 +26,9 @@ public:
     void nextFunction();
     void nextShutter();
     void toggleInverted();
-    void stepNoiseReduction(int steps); ///< of 10 %
-    void stepEdge(int steps);           ///< of 10 %
-    void setWindow(GreyWindow window);
+    void stepNoiseReduction(int steps);                          ///< of 10 %
+    void stepEdge(int steps);                                    ///< of 10 %
+    void setWindow(GreyWindow window, const WindowBasis& basis); ///< of the picture on which it was set
 
     /// Everything as it is without a person's choice.
     void reset();

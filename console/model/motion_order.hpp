@@ -38,8 +38,8 @@ public:
     /// The order to send now, or nothing.
     std::optional<MotionOrder> compose(const MotionSnapshot& snapshot, Instant now);
 
-    /// A permit was refused motion here because the screen stood still.
-    bool blocked() const { return m_blocked; }
+    /// Motion is refused under this permit from now on: the screen stood still, or its picture was too old.
+    std::optional<quint32> blockedPermit() const { return m_blocked ? std::optional(m_permit) : std::nullopt; }
 
 private:
     quint32 m_permit = 0;

@@ -183,6 +183,11 @@ bool endsMotion(Move& move, const PermitEvent& event)
     case Kind::Stalled:
         move.stop(HoldCause::Stalled);
         return true;
+    case Kind::GateClosed:
+        if (event.permit != move.state.permit)
+            return false;
+        move.stop(HoldCause::GateClosed);
+        return true;
     default:
         return false;
     }
@@ -353,6 +358,8 @@ QString word(HoldCause cause)
         return Text::tr("Hold was asked for, or the window lost the hand");
     case HoldCause::Stalled:
         return Text::tr("this console stood still for longer than 100 ms");
+    case HoldCause::GateClosed:
+        return Text::tr("for a moment the picture was too old, or this console stood still");
     case HoldCause::RobotWithdrew:
         return Text::tr("the robot withdrew its permit");
     case HoldCause::ArmTimedOut:

@@ -30,9 +30,10 @@ enum class PermitEventKind : std::uint8_t {
     RobotReported, ///< robot, permit
     PanicHold,     ///< F12, focus lost, the window hidden, the hand gone
     Stalled,       ///< this program did not run for longer than 100 ms
+    GateClosed,    ///< permit: the last check before the wire refuses motion under it from now on
     Tick,
 };
-inline constexpr int permitEventCount = 13;
+inline constexpr int permitEventCount = 14;
 
 struct PermitEvent {
     PermitEventKind kind = PermitEventKind::Tick;
@@ -40,7 +41,7 @@ struct PermitEvent {
     GuardSet kept;                      ///< GuardsChecked: checkKept()
     RobotState robot = RobotState::Off; ///< RobotReported
     bool holdConfirmed = false;         ///< RobotReported
-    quint32 permit = 0;                 ///< RobotReported
+    quint32 permit = 0;                 ///< RobotReported, GateClosed
 };
 
 /// What motion commands leave for the robot.
@@ -51,7 +52,7 @@ enum class MotionStream : std::uint8_t {
 };
 
 /// Why motion ended, for the motion bar and the log.
-enum class HoldCause : std::uint8_t { None, GuardFailed, Interrupted, Panic, Stalled, RobotWithdrew, ArmTimedOut };
+enum class HoldCause : std::uint8_t { None, GuardFailed, Interrupted, Panic, Stalled, GateClosed, RobotWithdrew, ArmTimedOut };
 QString word(HoldCause cause);
 
 /// What the caller must do; several at once are possible.

@@ -131,8 +131,7 @@ Duration PictureState::filterRoom() const
     const auto taken = shownAtEarliest();
     if (!taken || m_expected <= 0)
         return Duration::zero();
-    const Duration period = fromMilliseconds(1000 / m_expected);
-    return std::max(limit() - (m_newest->painted - *taken - m_newest->filterDelay) - period, Duration::zero());
+    return std::max(limit() - (m_newest->painted - *taken - m_newest->filterDelay), Duration::zero());
 }
 
 void PictureState::notePainted(const PictureStamp& stamp)

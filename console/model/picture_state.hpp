@@ -114,8 +114,8 @@ public:
     /// The link to the X-ray system does not carry pictures: what is shown is frozen whatever is expected.
     void setLinkUp(bool up);
 
-    /// What the newest picture leaves of the limit for a temporal filter's delay: limit − NET − PROC without filter − what the clocks may
-    /// err − one period of the pictures, for which it will stand on the screen. Zero while the age is unknown.
+    /// What the newest picture leaves of the limit for a temporal filter's delay and for the time that the picture will stand on the
+    /// screen: limit − NET − PROC without filter − what the clocks may err. Zero while the age is unknown.
     Duration filterRoom() const;
 
     /// From the view's paint; a picture that is painted again is not a new one, and one that is held or reviewed is none.

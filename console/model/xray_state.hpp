@@ -8,6 +8,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 
 namespace console {
@@ -24,6 +25,16 @@ struct XrayGeometry {
     double sourceObjectDistance = 0;   ///< mm; 0 = unknown
     std::array<double, 3> table{};     ///< mm: lateral, longitudinal, height
 };
+
+/// Whether two pictures were taken from one side, angles and distances within these tolerances: a C-arm at rest trembles in the last digits
+/// of what it reports.
+inline bool sameProjection(const XrayGeometry& a, const XrayGeometry& b, double degrees, double millimetres)
+{
+    const auto near = [](double one, double other, double tolerance) { return std::abs(one - other) <= tolerance; };
+    return near(a.primaryAngle, b.primaryAngle, degrees) && near(a.secondaryAngle, b.secondaryAngle, degrees) &&
+           near(a.sourceDetectorDistance, b.sourceDetectorDistance, millimetres) &&
+           near(a.sourceObjectDistance, b.sourceObjectDistance, millimetres);
+}
 
 struct AcquisitionStatus {
     AcquisitionMode mode = AcquisitionMode::Stop;

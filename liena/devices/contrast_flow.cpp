@@ -29,6 +29,13 @@ void ContrastFlow::observe(std::chrono::nanoseconds time, double flow)
         m_steps.pop_front();
 }
 
+void ContrastFlow::observeAfterPause(std::chrono::nanoseconds time, double flow)
+{
+    if (!m_steps.empty())
+        m_steps.back().flow = std::min(m_steps.back().flow, flow);
+    observe(time, flow);
+}
+
 double ContrastFlow::amountAt(double time) const
 {
     const auto after =

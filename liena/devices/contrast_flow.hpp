@@ -13,6 +13,9 @@ public:
     /// The flow out of the catheter from `time` on, in ml/s. Times never run back.
     void observe(std::chrono::nanoseconds time, double flow);
 
+    /// The same after a time in which nobody looked: what flowed meanwhile is not known, and taken for no more than before it and now.
+    void observeAfterPause(std::chrono::nanoseconds time, double flow);
+
     /// The part of contrast in the blood, 0 to 1, `distance` mm behind the catheter's tip at the last observed time.
     double concentration(double distance) const;
 

@@ -106,6 +106,16 @@ double FluoroscopyGenerator::quantaPerPixel(AcquisitionMode mode) const
     return perSquareMillimetre * spacing * spacing;
 }
 
+// Between two runs the beam was off for as long as it pleased: an injection may have ended long before this pulse.
+void FluoroscopyGenerator::observeContrast(const Exposure& exposure)
+{
+    const double flow = exposure.instruments.contrastFlow;
+    if (m_acquisition == exposure.acquisition)
+        m_flow.observe(exposure.time, flow);
+    else
+        m_flow.observeAfterPause(exposure.time, flow);
+}
+
 void FluoroscopyGenerator::addContrast(const InstrumentView& instruments)
 {
     if (!m_flow.present())
@@ -178,7 +188,7 @@ void FluoroscopyGenerator::describePicture(const Exposure& exposure, PictureForm
 Result<void> FluoroscopyGenerator::next(const Exposure& exposure, Picture& picture)
 {
     project(exposure.geometry);
-    m_flow.observe(exposure.time, exposure.instruments.contrastFlow);
+    observeContrast(exposure);
     std::fill(m_lines.begin(), m_lines.end(), 0.0F);
     addInstruments(*m_projection, m_way, exposure.instruments, m_lines);
     addContrast(exposure.instruments);

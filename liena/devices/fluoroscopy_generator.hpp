@@ -30,6 +30,7 @@ private:
     void project(const CArmGeometry& geometry);
     void collimate();
     void control();
+    void observeContrast(const Exposure& exposure);
     void addContrast(const InstrumentView& instruments);
     void expose(double quanta);
     void blurInto(std::vector<std::uint16_t>& pixels, double gain);

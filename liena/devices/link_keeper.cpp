@@ -3,6 +3,12 @@
 
 namespace liena::devices {
 
+namespace {
+
+bool isBrain(DeviceId id) { return id.classNumber() == static_cast<std::uint8_t>(DeviceClass::Brain); }
+
+} // namespace
+
 LinkKeeper::LinkKeeper(DeviceId self, const std::vector<DeviceId>& peers) : m_self(self)
 {
     for (const DeviceId peer : peers)
@@ -15,6 +21,8 @@ void LinkKeeper::handle(const SessionEvent& event, SteadyTime now)
         return handleIncidentEnded(event, now);
     if (const auto found = m_links.find(event.peer); found != m_links.end())
         handleOwn(found->second, event, now);
+    else if (event.kind == SessionEvent::Kind::ReOpened && isBrain(event.peer))
+        followTheCockpit(now);
 }
 
 void LinkKeeper::handleOwn(Link& link, const SessionEvent& event, SteadyTime now)
@@ -44,10 +52,9 @@ void LinkKeeper::handleOwn(Link& link, const SessionEvent& event, SteadyTime now
 
 bool LinkKeeper::personReopened(const SessionEvent& event, DeviceId peer) const
 {
-    const auto isCockpit = [](DeviceId id) { return id.classNumber() == static_cast<std::uint8_t>(DeviceClass::Brain); };
     const auto concerns = [&](DeviceId id) { return id == peer || id == m_self; };
     const Incident& incident = event.incident;
-    return (isCockpit(incident.a) && concerns(incident.b)) || (isCockpit(incident.b) && concerns(incident.a));
+    return (isBrain(incident.a) && concerns(incident.b)) || (isBrain(incident.b) && concerns(incident.a));
 }
 
 void LinkKeeper::handleIncidentEnded(const SessionEvent& event, SteadyTime now)
@@ -60,6 +67,14 @@ void LinkKeeper::handleIncidentEnded(const SessionEvent& event, SteadyTime now)
         else if (!event.dismissed && link.state == State::Lost && personReopened(event, peer))
             link = {State::Following, now, 0};
     }
+}
+
+// No device keeps a cockpit's channel open by itself, so a person stood behind this.
+void LinkKeeper::followTheCockpit(SteadyTime now)
+{
+    for (auto& [peer, link] : m_links)
+        if (link.state == State::Lost)
+            link = {State::Following, now, 0};
 }
 
 void LinkKeeper::closedByPerson(DeviceId peer)

@@ -13,6 +13,7 @@ namespace liena::devices {
 
 /// Opens from Closed again and again, never out of stand-by: a lost link is re-opened only after a person re-opened, elsewhere, a channel
 /// between a cockpit and this device or the lost link's peer, and only a few times then. Pure: time comes from the caller.
+/// A device that was restarted holds no incident that could end: to it, that a cockpit re-opened its own channel here says the same.
 ///
 ///   Wanted ──due──► Trying ──opened──► Up ──closed in order──► Wanted
 ///     ▲               │ failed, after 1 s                    Up ──lost──► Lost ──a person's re-open heard──► Following ──opened──► Up
@@ -52,6 +53,7 @@ private:
 
     void handleOwn(Link& link, const SessionEvent& event, SteadyTime now);
     void handleIncidentEnded(const SessionEvent& event, SteadyTime now);
+    void followTheCockpit(SteadyTime now);
     bool personReopened(const SessionEvent& event, DeviceId peer) const;
 
     DeviceId m_self;

@@ -74,9 +74,11 @@ void XrayDevice::withMachine(Use use)
     const bool before = m_machine.beamOn();
     use(m_machine);
     const bool after = m_machine.beamOn();
+    const bool holds = m_machine.holds();
     const std::string_view reason = m_machine.reason();
     lock.unlock();
     tellBeam(before, after, reason);
+    tellHold(holds);
 }
 
 void XrayDevice::tellBeam(bool before, bool after, std::string_view reason)
@@ -85,6 +87,13 @@ void XrayDevice::tellBeam(bool before, bool after, std::string_view reason)
         return;
     m_wake.notify_one();
     m_log(LogLevel::Info, std::string(after ? "beam on: " : "beam off: ") + std::string(reason));
+}
+
+// Also outside of a stand-by, as the next one begins with it; and taken back within one, where a new press turns the beam on.
+void XrayDevice::tellHold(bool holds)
+{
+    if (std::exchange(m_confirmed, holds) != holds)
+        m_system.confirmHold(holds);
 }
 
 void XrayDevice::onAcquisition(const Message& message)
@@ -174,9 +183,6 @@ void XrayDevice::onEvent(const SessionEvent& event)
             break;
         }
     });
-    // The others want to know that nothing moves or radiates here; the beam is off before this is said.
-    if (event.kind == Kind::StandByBegan)
-        m_system.confirmHold(true);
 }
 
 void XrayDevice::tick()

@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 namespace liena::devices {
@@ -56,10 +57,12 @@ private:
     void tick();
     void publishStatus();
 
-    /// Calls `use` with the machine under the mutex, then wakes the picture thread and logs when the beam has changed.
+    /// Network thread. Calls `use` with the machine under the mutex, then says what has changed: to the picture thread and the log whether
+    /// the beam is on, to the others whether this device holds.
     template <typename Use>
     void withMachine(Use use);
     void tellBeam(bool before, bool after, std::string_view reason);
+    void tellHold(bool holds);
 
     void takePictures();
     void takeOne(std::unique_lock<std::mutex>& lock);
@@ -76,6 +79,7 @@ private:
     std::vector<DeviceId> m_viewers;
     PatientSide m_patientSide;
     std::string_view m_lastRefusal;
+    std::optional<bool> m_confirmed; ///< what the others were told last
 
     std::mutex m_mutex; ///< of everything down to m_stopping
     std::condition_variable m_wake;

@@ -81,6 +81,7 @@ public:
     void pulsed();
 
     bool beamOn() const { return m_owner.has_value(); }
+    bool holds() const { return !m_owner && m_geometry == m_target; } ///< nothing radiates or moves
     AcquisitionMode mode() const { return m_mode; }
     double askedPulseRate() const { return m_pulseRate; }
     double pulseRate() const { return m_pulseRate / m_divisor; } ///< as they are emitted

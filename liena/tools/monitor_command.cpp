@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <map>
@@ -42,18 +43,24 @@ constexpr auto monitorFooter =
     "whose latency is smaller than its uncertainty is as fast as can be told. MISSED counts heartbeats; UDP says whether the datagram "
     "path\n"
     "works both ways (if not, heartbeats and motion commands use TCP alone). docs/OPERATING.md says what each cause means.\n\n"
+    "A device that says nothing for 3 s, as it is frozen or hangs, is named instead of its links; --once does not wait longer.\n\n"
     "Examples:\n"
     "  liena monitor                        all devices of this user on this computer\n"
     "  liena monitor robot 0x40018208       some of them, by name or id\n"
     "  liena monitor --json --once | jq '.links[] | {peer, state}'\n\n"
     "Exit codes: 0 a device was seen, 1 none was there, 2 wrong use of the command line.";
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int linesForOnce = 2;
+constexpr std::chrono::seconds longestSilence{3}; // a device speaks each second
 constexpr std::size_t longestLine = 1024UL * 1024UL;
 
 /// One device that is watched.
 struct Watched {
-    int socket = -1;
+    int socket = -1; ///< -1: its program takes no connection
+    std::string id;
+    Clock::time_point heard = Clock::now();
     std::string received;
     std::string line; ///< the newest whole one
     int lines = 0;
@@ -68,7 +75,8 @@ public:
     ~Monitor()
     {
         for (const auto& [file, one] : m_watched)
-            ::close(one.socket);
+            if (one.socket >= 0)
+                ::close(one.socket);
     }
 
     int run()
@@ -82,6 +90,8 @@ public:
         }
         while (!m_watched.empty() && turn()) {
         }
+        if (m_options.once)
+            tellSilent();
         return m_seen ? 0 : 1;
     }
 
@@ -90,21 +100,39 @@ private:
     {
         std::error_code failure;
         for (const auto& entry : std::filesystem::directory_iterator(m_options.folder, failure))
-            if (entry.path().extension() == ".sock" && !m_watched.contains(entry.path().string()))
-                if (const int socket = connectTo(entry.path().string()); socket >= 0)
-                    m_watched[entry.path().string()].socket = socket;
+            if (entry.path().extension() == ".sock")
+                attachTo(entry.path());
     }
 
-    static int connectTo(const std::string& file)
+    void attachTo(const std::filesystem::path& file)
+    {
+        const auto known = m_watched.find(file.string());
+        if (known != m_watched.end() && known->second.socket >= 0)
+            return;
+        int failure = 0;
+        const int socket = connectTo(file.string(), failure);
+        // A frozen program's waiting list is full: it is there all the same, and has to be named.
+        if (socket < 0 && failure != EAGAIN) {
+            m_watched.erase(file.string());
+            return;
+        }
+        auto& one = m_watched[file.string()];
+        one.socket = socket;
+        one.id = "0x" + file.stem().string();
+    }
+
+    /// -1 with the reason in `failure`; waits for nobody.
+    static int connectTo(const std::string& file, int& failure)
     {
         sockaddr_un address{};
         address.sun_family = AF_UNIX;
         if (file.size() >= sizeof address.sun_path)
             return -1;
         std::copy(file.begin(), file.end(), address.sun_path);
-        const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+        const int socket = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
         if (socket >= 0 && ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
             return socket;
+        failure = errno;
         if (socket >= 0)
             ::close(socket); // what is left of a program that was killed
         return -1;
@@ -116,15 +144,14 @@ private:
         std::vector<pollfd> waits;
         for (const auto& [file, one] : m_watched)
             waits.push_back({one.socket, POLLIN, 0});
-        constexpr int longestWait = 1500;
+        constexpr int longestWait = 500;
         if (::poll(waits.data(), waits.size(), longestWait) < 0 && errno != EINTR)
             return false;
-        bool news = false;
         for (const auto& wait : waits)
             if (wait.revents != 0)
-                news = read(wait.fd) || news;
-        if (news && m_live)
-            draw();
+                read(wait.fd);
+        if (m_live)
+            draw(); // without news, too: a silence is some
         if (m_options.once && allShown())
             return false;
         if (m_live)
@@ -132,66 +159,91 @@ private:
         return true;
     }
 
-    bool read(int socket)
+    void read(int socket)
     {
         const auto at = std::find_if(m_watched.begin(), m_watched.end(), [&](const auto& entry) { return entry.second.socket == socket; });
         auto& one = at->second;
         char bytes[65536];
         const auto count = ::recv(socket, bytes, sizeof bytes, 0);
-        if (count < 0 && errno == EINTR)
-            return false;
+        if (count < 0 && (errno == EINTR || errno == EAGAIN))
+            return;
         if (count <= 0 || one.received.size() > longestLine) {
             ::close(socket);
             m_watched.erase(at);
-            return true;
+            return;
         }
         one.received.append(bytes, static_cast<std::size_t>(count));
-        bool news = false;
         for (auto end = one.received.find('\n'); end != std::string::npos; end = one.received.find('\n')) {
             one.line = one.received.substr(0, end);
             one.received.erase(0, end + 1);
-            news = take(one) || news;
+            take(one);
         }
-        return news;
     }
 
-    bool take(Watched& one)
+    void take(Watched& one)
     {
         auto status = JsonValue::parse(one.line);
         if (!status)
-            return false;
+            return;
         one.status = std::move(*status);
+        one.heard = Clock::now();
         ++one.lines;
         // The first line has no rates yet: who asks once gets the second.
-        if (!isWanted(one.status) || (m_options.once && one.lines != linesForOnce))
-            return false;
+        if (!isWanted(one) || (m_options.once && one.lines != linesForOnce))
+            return;
         m_seen = true;
         if (m_options.json)
             fmt::print("{}\n", one.line);
         else if (!m_live)
             fmt::print("{}\n", monitorPage(one.status));
         std::fflush(stdout);
-        return true;
     }
 
-    bool isWanted(const JsonValue& status) const
+    bool isWanted(const Watched& one) const
     {
         const auto& names = m_options.devices;
-        const auto isNamed = [&](const std::string& name) { return name == status["device"].text() || name == status["id"].text(); };
+        const auto isNamed = [&](const std::string& name) {
+            return name == one.id || name == one.status["device"].text() || name == one.status["id"].text();
+        };
         return names.empty() || std::any_of(names.begin(), names.end(), isNamed);
     }
 
+    static std::chrono::seconds silenceOf(const Watched& one)
+    {
+        return std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - one.heard);
+    }
+    static bool isSilent(const Watched& one) { return silenceOf(one) >= longestSilence; }
+
+    /// Of everyone who speaks; until its first line, a device may be the one that was asked for by name.
     bool allShown() const
     {
-        return std::all_of(m_watched.begin(), m_watched.end(), [](const auto& entry) { return entry.second.lines >= linesForOnce; });
+        return std::all_of(m_watched.begin(), m_watched.end(), [this](const auto& entry) {
+            const Watched& one = entry.second;
+            return one.lines >= linesForOnce || isSilent(one) || (one.lines > 0 && !isWanted(one));
+        });
+    }
+
+    /// Of those asked for; beside JSON it is no line of the output.
+    void tellSilent() const
+    {
+        for (const auto& [file, one] : m_watched)
+            if (one.lines < linesForOnce && isWanted(one))
+                fmt::print(m_options.json ? stderr : stdout, "{}", silentPage(one.status, one.id, silenceOf(one)));
+    }
+
+    static std::string pageOf(const Watched& one)
+    {
+        if (isSilent(one))
+            return silentPage(one.status, one.id, silenceOf(one)) + '\n';
+        return one.status.isNull() ? std::string() : monitorPage(one.status) + '\n';
     }
 
     void draw() const
     {
         std::string page = "\x1b[H\x1b[2J";
         for (const auto& [file, one] : m_watched)
-            if (!one.status.isNull() && isWanted(one.status))
-                page += monitorPage(one.status) + '\n';
+            if (isWanted(one))
+                page += pageOf(one);
         page += "Ctrl-C ends the monitor; the devices do not notice.\n";
         fmt::print("{}", page);
         std::fflush(stdout);

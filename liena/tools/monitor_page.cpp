@@ -119,4 +119,11 @@ std::string monitorPage(const JsonValue& status)
     return page + auditLine(status["audit"]);
 }
 
+std::string silentPage(const JsonValue& status, const std::string& id, std::chrono::seconds silence)
+{
+    const auto name = printable(status["device"].text());
+    return fmt::format("{}  SAYS NOTHING for {} s: its program is stopped or hangs, and its links are not known\n",
+                       name.empty() ? printable(id) : fmt::format("{} ({})", name, printable(id)), silence.count());
+}
+
 } // namespace liena::tools

@@ -3010,6 +3010,10 @@
         <translation>本控制台停顿超过 100 ms</translation>
     </message>
     <message>
+        <source>for a moment the picture was too old, or this console stood still</source>
+        <translation>影像曾一度过旧，或本控制台曾停顿</translation>
+    </message>
+    <message>
         <source>the robot withdrew its permit</source>
         <translation>机器人撤回了许可</translation>
     </message>

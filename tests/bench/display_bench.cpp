@@ -145,6 +145,7 @@ bool measureWhole(const Kind& kind, std::chrono::milliseconds span)
     PictureState state;
     LiveImageView view(state);
     SceneView scene;
+    scene.showCArm(XrayGeometry{0, 0, 1100, 750, {}}); // as the frames are
     CineRing ring;
     FramePipeline pipeline;
     pipeline.recordInto(ring);

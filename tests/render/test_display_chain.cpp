@@ -48,6 +48,9 @@ private Q_SLOTS:
     void showsWindowsAsChosen_data();
     void showsWindowsAsChosen();
     void keepsWindowByHandAmongThePicturesValues();
+    void keepsWindowByHandWhenPicturesHaveFewerBits();
+    void leavesRoomForTheTimeThatAPictureStands();
+    void filtersThoughTheCArmTrembles();
     void invertsBothPhotometries();
     void losesNothingInTheFilters();
     void tellsDelayOfFilter();
@@ -117,6 +120,72 @@ void TestDisplayChain::keepsWindowByHandAmongThePicturesValues()
             }
         QVERIFY(black > 0 && white > 0); // something is still seen
     }
+}
+
+/// As the X-ray system's ladder does: the window that is sent becomes the whole of eight bits.
+void TestDisplayChain::keepsWindowByHandWhenPicturesHaveFewerBits()
+{
+    DisplaySettings settings;
+    settings.window = WindowChoice::Fixed;
+    settings.fixed = {1900, 600};
+    settings.fixedOn = {12, {2048, 2000}};
+    // From the dark to the bright end of what is sent, along each row.
+    const auto ramp = [](quint32 number, int bits, auto stored) {
+        auto frame = samples::frame(number, size, bits, PixelEncoding::Raw);
+        std::vector<std::uint16_t> values;
+        for (int i = 0; i < size.width() * size.height(); ++i)
+            values.push_back(static_cast<std::uint16_t>(std::lround(stored(1048 + 2000.0 * (i % size.width()) / size.width()))));
+        return samples::withBytes(*frame, samples::encode(values, size, bits, PixelEncoding::Raw, 0));
+    };
+    auto before = ramp(1, 12, [](double value) { return value; });
+    before->windowCentre = 2048;
+    before->windowWidth = 2000;
+    auto after = ramp(2, 8, [](double value) { return (value - 1048) / 2000 * 255; });
+    after->windowCentre = 128;
+    after->windowWidth = 256;
+    Run run;
+    const QImage was = run.show(*before, settings).image;
+    const QImage is = run.show(*after, settings).image;
+    for (int column = 0; column < size.width(); ++column) {
+        const int difference = qGray(was.pixel(column, 3)) - qGray(is.pixel(column, 3));
+        QVERIFY2(std::abs(difference) <= 4, qPrintable(QString::number(difference))); // a step of eight bits is 3.3 of the window
+    }
+    QVERIFY(qGray(is.pixel(40, 3)) - qGray(is.pixel(20, 3)) > 200);
+    const WindowBasis twelve{12, {2048, 2000}};
+    const WindowBasis eight{8, {128, 256}};
+    const auto there = carriedOver({1900, 600}, twelve, eight);
+    QVERIFY(std::abs(there.width - 76.8) < 1e-9);
+    const auto back = carriedOver(there, eight, twelve);
+    QVERIFY(std::abs(back.centre - 1900) < 1e-9 && std::abs(back.width - 600) < 1e-9);
+    QCOMPARE(carriedOver({1900, 600}, twelve, {12, {1000, 500}}), (GreyWindow{1900, 600})); // the system's own window moves, ours does not
+}
+
+/// At the lower rate it will stand for twice as long before the next one comes.
+void TestDisplayChain::leavesRoomForTheTimeThatAPictureStands()
+{
+    Run run;
+    const auto first = flatFrame(1, 1000);
+    (void)run.show(*first, filtered(100), 160ms);
+    auto second = flatFrame(2, 1000);
+    second->rate = 7.5;
+    second->captureNs = first->captureNs + 133'333'333;
+    const auto picture = run.show(*second, filtered(100), 160ms);
+    QVERIFY(picture.treatment.filterDelay + 133ms <= 160ms + 1ms);
+}
+
+void TestDisplayChain::filtersThoughTheCArmTrembles()
+{
+    Run run;
+    double k = 1;
+    for (quint32 number = 1; number < 30; ++number) {
+        auto frame = flatFrame(number, 1000);
+        frame->geometry.primaryAngle = number % 2 == 0 ? 30.01 : 29.99;
+        k = run.show(*frame, filtered(100)).treatment.k;
+    }
+    QVERIFY(k < 0.5);
+    auto turned = flatFrame(30, 1000);
+    turned->geometry.primaryAngle = 30.2;
+    QCOMPARE(run.show(*turned, filtered(100)).treatment.k, 1.0);
 }
 
 void TestDisplayChain::invertsBothPhotometries()

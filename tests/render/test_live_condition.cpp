@@ -185,7 +185,7 @@ void TestLiveCondition::tellsDelayOfFilterAsProcessing()
     DisplaySettings settings;
     settings.noiseReduction = 100;
     pane.pipeline.setSettings(settings);
-    pane.pipeline.setFilterRoom(std::chrono::milliseconds(100));
+    pane.pipeline.setFilterRoom(std::chrono::milliseconds(166)); // with the period for which a picture stands
     for (quint32 number = 1; number <= 12; ++number)
         QVERIFY(pane.send(number));
     pane.grab();

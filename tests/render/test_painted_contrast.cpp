@@ -102,6 +102,7 @@ private Q_SLOTS:
         tip.position = {40, 0, 0};
         view.showTipBefore(tip);
         view.showCondition(PictureCondition::Live);
+        view.showCArm(whitePicture(PictureRole::Live).about.geometry);
         view.showPicture(whitePicture(PictureRole::Live));
         QTRY_VERIFY(view.drawings() > 0 && qGray(view.drawing().pixel(10, 10)) > 240); // the picture is behind everything
         // The letters of the sides that are turned away are the secondary grey.

@@ -321,6 +321,15 @@ void TestPictureCanvas::forgetsMeasurementInAnotherProjection()
     frame->frame = 2;
     measurement.follow(*frame);
     QCOMPARE(measurement.pixels(), std::optional(50.0));
+    for (const double tremble : {0.01, -0.01, 0.2}) {
+        frame->geometry.secondaryAngle = tremble;
+        measurement.follow(*frame);
+        QVERIFY(!measurement.points().empty());
+    }
+    frame->geometry.secondaryAngle = 0.6; // from where the points were set, however small each step was
+    measurement.follow(*frame);
+    QVERIFY(measurement.points().empty());
+    measurement.add({0, 0});
     frame->geometry.secondaryAngle = 10;
     measurement.follow(*frame);
     QVERIFY(measurement.points().empty());

@@ -52,6 +52,8 @@ private Q_SLOTS:
     void vesselsLieOverRoadmapsOnly();
     void roadmapIsAsFrozenAsTheLivePicture();
     void holdsLastPictureOfRun();
+    void holdsNothingOfAnXraySystemThatBeganAnew();
+    void saysThatItPlaysForAsLongAsItDoes();
     void reviewsRing();
     void playsToTheEndAndStops();
     void staysWhereItIsWhenTheRingMovesOn();
@@ -235,6 +237,46 @@ void TestReferenceImage::holdsLastPictureOfRun()
     hold.take(pictureWith(PictureRole::Live, 5, 3)); // was still being decoded when the run ended
     QCOMPARE(held.size(), std::size_t(4));
     QCOMPARE(held.back().about.frame, 5U);
+}
+
+/// It counts its runs and pictures from the first again: they are not late ones of the run that is held.
+void TestReferenceImage::holdsNothingOfAnXraySystemThatBeganAnew()
+{
+    ImageHold hold;
+    std::vector<DisplayPicture> held;
+    QObject::connect(&hold, &ImageHold::held, this, [&held](const DisplayPicture& picture) { held.push_back(picture); });
+    for (quint32 number = 1; number <= 3; ++number)
+        hold.take(pictureWith(PictureRole::Live, number, 1));
+    hold.endRun();
+    QCOMPARE(held.size(), std::size_t(1));
+    for (quint32 number = 1; number <= 5; ++number) {
+        auto picture = pictureWith(PictureRole::Live, number, 1);
+        picture.about.captureNs += 60'000'000'000ULL;
+        hold.take(picture);
+    }
+    QCOMPARE(held.size(), std::size_t(1));
+    QCOMPARE(held.back().about.frame, 3U);
+    hold.endRun();
+    QCOMPARE(held.back().about.frame, 5U);
+}
+
+/// Who is told of a place asks whether the film runs: its button must be the one that stops it.
+void TestReferenceImage::saysThatItPlaysForAsLongAsItDoes()
+{
+    CineRing ring;
+    for (quint32 number = 1; number <= 5; ++number)
+        ring.add(*ringFrame(number));
+    CineReview review(ring);
+    QVERIFY(review.open());
+    review.toOldest();
+    std::vector<bool> plays;
+    QObject::connect(&review, &CineReview::placeChanged, this, [&] { plays.push_back(review.isPlaying()); });
+    review.setPlaying(true);
+    QTRY_VERIFY(!review.isPlaying());
+    QVERIFY(plays.size() >= 5);
+    for (std::size_t i = 0; i + 1 < plays.size(); ++i)
+        QVERIFY2(plays[i], qPrintable(QString::number(i)));
+    QVERIFY(!plays.back());
 }
 
 void TestReferenceImage::reviewsRing()

@@ -66,6 +66,7 @@ protected:
 class TestSceneView : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void aPictureThatIsDrawnAnewStaysWhereItWas();
     void showsWhatTheSceneDraws();
     void saysWhatThePictureIs_data();
     void saysWhatThePictureIs();
@@ -110,6 +111,7 @@ void TestSceneView::saysWhatThePictureIs()
     QTRY_VERIFY(view.drawings() > 0);
     QCOMPARE(view.pictureWords(), QStringLiteral("no picture"));
     view.showCondition(static_cast<PictureCondition>(condition));
+    view.showCArm(knownGeometry());
     view.showPicture(pictureFrom(static_cast<PictureSource>(source)));
     QTRY_COMPARE(view.pictureWords(), words);
     QVERIFY(view.accessibleDescription().endsWith(words));
@@ -124,6 +126,7 @@ void TestSceneView::saysItInTheDrawing()
         view.resize(pane);
         view.show();
         view.showCondition(PictureCondition::Live);
+        view.showCArm(knownGeometry());
         view.showPicture(pictureFrom(source));
         QTRY_VERIFY(view.pictureWords() != QStringLiteral("no picture"));
         seen << view.grab().toImage().copy(0, 0, pane.width(), 90);
@@ -199,6 +202,32 @@ void TestSceneView::showsTheWholeCArm()
             QVERIFY2(place && QRectF(QPointF(), QSizeF(size)).contains(*place), qPrintable(QString::number(angle)));
         }
     }
+}
+
+/// Its window changes, and it stays where it was taken.
+void TestSceneView::aPictureThatIsDrawnAnewStaysWhereItWas()
+{
+    SceneView view;
+    view.resize(300, 300);
+    view.show();
+    XrayGeometry geometry = knownGeometry();
+    view.showCArm(geometry);
+    auto picture = pictureFrom(PictureSource::Live);
+    view.showPicture(picture);
+    const auto placed = view.state().pictureGeometry;
+    QVERIFY(placed);
+    geometry.table[1] += 80;
+    view.showCArm(geometry);
+    picture.image.invertPixels();
+    view.showPicture(picture);
+    QCOMPARE(view.state().pictureGeometry, placed);
+    picture.about.frame += 1;
+    view.showPicture(picture);
+    QCOMPARE(view.state().pictureGeometry->table[1], placed->table[1] + 80);
+    view.showCArm(std::nullopt);
+    picture.about.frame += 1;
+    view.showPicture(picture);
+    QVERIFY(!view.state().pictureGeometry); // nobody knows where the table is
 }
 
 void TestSceneView::showsWhatTheSceneDraws()

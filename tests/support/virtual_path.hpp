@@ -75,8 +75,9 @@ public:
     void observe()
     {
         m_closed += receiverLimits ? step : Nanoseconds::zero();
-        rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered), m_deliveryRate,
-                      m_closed, 0},
+        m_shortest = std::min(m_shortest, m_idle);
+        rate.observe({m_smoothed, m_shortest, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered),
+                      m_deliveryRate, m_closed, 0},
                      m_now);
     }
 
@@ -91,6 +92,9 @@ public:
     }
     Nanoseconds waiting() const { return carrying(m_queue); }
     double sent() const { return m_sent; }
+
+    /// Another route from now on; the kernel remembers the shortest.
+    void reroute(Nanoseconds idleRoundTrip) { m_idle = idleRoundTrip; }
 
     /// As a new connection.
     void startSlowly() { m_window = 14'600; }
@@ -127,6 +131,7 @@ private:
     static constexpr double acknowledged = 2896; ///< bytes, at once
 
     Nanoseconds m_idle;
+    Nanoseconds m_shortest = m_idle; ///< as the kernel remembers it
     Nanoseconds m_smoothed;
     tasks::PathRate::Instant m_now{1h};
     double m_queue = 0;

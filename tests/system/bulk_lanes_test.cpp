@@ -5,8 +5,11 @@
 #include <QFile>
 #include <QTest>
 
+#include <fcntl.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <array>
 #include <atomic>
@@ -111,6 +114,28 @@ std::array<std::map<int, int>, 2> marksOfSockets()
     return marks;
 }
 
+/// This process gets no further descriptor until the end of the scope.
+class NoMoreDescriptors {
+public:
+    NoMoreDescriptors()
+    {
+        ::getrlimit(RLIMIT_NOFILE, &m_before);
+        const int lowestFree = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+        ::close(lowestFree);
+        auto limit = m_before;
+        limit.rlim_cur = static_cast<rlim_t>(lowestFree);
+        m_reached = lowestFree > 0 && ::setrlimit(RLIMIT_NOFILE, &limit) == 0;
+    }
+    ~NoMoreDescriptors() { ::setrlimit(RLIMIT_NOFILE, &m_before); }
+    NoMoreDescriptors(const NoMoreDescriptors&) = delete;
+    NoMoreDescriptors& operator=(const NoMoreDescriptors&) = delete;
+    bool reached() const { return m_reached; }
+
+private:
+    rlimit m_before{};
+    bool m_reached = false;
+};
+
 bool isInOrder(const std::vector<Message>& messages)
 {
     for (std::size_t i = 0; i < messages.size(); ++i)
@@ -173,6 +198,21 @@ private Q_SLOTS:
         QVERIFY(pair.send("Mesh", "points", count + 1, 10));
         QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{count + 1});
         QCOMPARE(pair.receiving().messagesAbandoned, std::uint64_t{0});
+    }
+
+    void laneThatFoundNoDescriptorIsConnectedWhenThereIsOne()
+    {
+        Pair pair;
+        QVERIFY((*pair.sender)->openChannel(pair.viewerId));
+        QTRY_VERIFY2(pair.receiver->heard(Kind::Opened), pair.story().c_str());
+        {
+            const NoMoreDescriptors none;
+            QVERIFY(none.reached());
+            QVERIFY(pair.send("Volume", "voxels", 1, 1000));
+            QTRY_VERIFY(pair.sending().bulkQueuedBytes > 0); // where it waits, its lane was to be connected
+        }
+        QTRY_COMPARE(pair.receiver->messages("Volume").size(), std::size_t{1});
+        QVERIFY2(!pair.receiver->heard(Kind::Interrupted) && !pair.receiver->heard(Kind::Lost), pair.story().c_str());
     }
 
     void workersComeWithTheLoadAndGo()

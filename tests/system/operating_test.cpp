@@ -12,7 +12,11 @@
 
 #include <fstream>
 
+#include <fcntl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
 
 using namespace liena;
 using namespace liena::test;
@@ -35,6 +39,80 @@ Outcome liena_(const QStringList& arguments)
         return {};
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
 }
+
+/// A device's status socket that says only what the test says.
+class StatusSocket {
+public:
+    StatusSocket(const std::filesystem::path& file, int waiting) : m_address(addressOf(file)), m_socket(open())
+    {
+        if (::bind(m_socket, reinterpret_cast<const sockaddr*>(&m_address), sizeof m_address) != 0 || ::listen(m_socket, waiting) != 0)
+            throw std::runtime_error("no status socket at " + file.string());
+    }
+    ~StatusSocket() { ::close(m_socket); }
+    Q_DISABLE_COPY_MOVE(StatusSocket)
+
+    /// To the next who connects; it stays connected.
+    void say(const QByteArray& line) const
+    {
+        const int watcher = ::accept(m_socket, nullptr, nullptr);
+        QCOMPARE(::send(watcher, (line + '\n').constData(), std::size_t(line.size()) + 1, 0), line.size() + 1);
+    }
+
+    /// Somebody who connects and waits.
+    class Caller {
+    public:
+        explicit Caller(const StatusSocket& to) : m_socket(open())
+        {
+            if (::connect(m_socket, reinterpret_cast<const sockaddr*>(&to.m_address), sizeof to.m_address) != 0)
+                throw std::runtime_error("not connected");
+        }
+        ~Caller() { ::close(m_socket); }
+        Q_DISABLE_COPY_MOVE(Caller)
+
+    private:
+        int m_socket;
+    };
+
+private:
+    static int open() { return ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0); }
+    static sockaddr_un addressOf(const std::filesystem::path& file)
+    {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        file.string().copy(address.sun_path, sizeof address.sun_path - 1);
+        return address;
+    }
+
+    sockaddr_un m_address;
+    int m_socket;
+};
+
+/// What a program shows on its terminal.
+class Terminal {
+public:
+    Terminal() : m_master(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC))
+    {
+        if (m_master < 0 || ::grantpt(m_master) != 0 || ::unlockpt(m_master) != 0)
+            throw std::runtime_error("no terminal");
+    }
+    ~Terminal() { ::close(m_master); }
+    Q_DISABLE_COPY_MOVE(Terminal)
+
+    QString name() const { return QString::fromLocal8Bit(::ptsname(m_master)); }
+
+    /// What was written since it was cleared last.
+    QByteArray screen()
+    {
+        char bytes[4096];
+        for (auto count = ::read(m_master, bytes, sizeof bytes); count > 0; count = ::read(m_master, bytes, sizeof bytes))
+            m_written.append(bytes, count);
+        return m_written.mid(std::max<qsizetype>(0, m_written.lastIndexOf("\x1b[2J")));
+    }
+
+private:
+    int m_master;
+    QByteArray m_written;
+};
 
 QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
@@ -206,6 +284,49 @@ private Q_SLOTS:
         QVERIFY2(page.output.contains(QStringLiteral("entries, head ")), qPrintable(page.output));
         QVERIFY(!page.output.contains(QStringLiteral("arm           closed")));
         QCOMPARE(words(cockpit.state(system.idOf("robot"))), words(SessionState::Open));
+    }
+
+    /// A program that is frozen: the kernel takes the connection, and nobody speaks.
+    void theMonitorEndsBesideADeviceThatSaysNothing()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto settings = system.settingsOf("robot");
+        TestDevice robot(settings);
+        const StatusSocket frozen(statusSocket(settings.status, DeviceId(0x60008208)), 8);
+        const StatusSocket full(statusSocket(settings.status, DeviceId(0x20010208)), 0);
+        const StatusSocket::Caller waits(full); // as many as the kernel keeps: the next one would wait for ever
+        const QStringList monitor{QStringLiteral("monitor"), QStringLiteral("--once"), QStringLiteral("--folder"), text(settings.status)};
+        const auto all = liena_(monitor);
+        QCOMPARE(all.status, 0);
+        QVERIFY2(all.output.contains(QStringLiteral("robot (0x00008208)")), qPrintable(all.output));
+        QVERIFY2(all.output.contains(QStringLiteral("0x60008208  SAYS NOTHING for ")), qPrintable(all.output));
+        QVERIFY2(all.output.contains(QStringLiteral("0x20010208  SAYS NOTHING for ")), qPrintable(all.output));
+        const auto one = liena_(monitor + QStringList{QStringLiteral("0x00008208"), QStringLiteral("--json")});
+        QCOMPARE(one.status, 0);
+        QCOMPARE(one.errors, QString()); // nobody asked for the others
+        QVERIFY2(!QJsonDocument::fromJson(one.output.toUtf8()).isNull(), qPrintable(one.output));
+        const auto none = liena_(monitor + QStringList{QStringLiteral("0x60008208"), QStringLiteral("--json")});
+        QCOMPARE(none.status, 1);
+        QCOMPARE(none.output, QString());
+        QVERIFY2(none.errors.contains(QStringLiteral("0x60008208  SAYS NOTHING for ")), qPrintable(none.errors));
+    }
+
+    void theLivePageShowsWhoHasFallenSilent()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto folder = system.settingsOf("robot").status;
+        std::filesystem::create_directory(folder);
+        const StatusSocket device(statusSocket(folder, DeviceId(0x00008208)), 8);
+        Terminal terminal;
+        QProcess monitor;
+        monitor.setStandardOutputFile(terminal.name());
+        monitor.start(QStringLiteral(LIENA_PROGRAM_DIR "/liena"), {QStringLiteral("monitor"), QStringLiteral("--folder"), text(folder)});
+        device.say(R"({"device":"robot","id":"0x00008208","links":[{"peer":"cockpit","state":"open"}]})");
+        QTRY_VERIFY2(terminal.screen().contains("cockpit       open"), terminal.screen().constData());
+        QTRY_VERIFY2(terminal.screen().contains("robot (0x00008208)  SAYS NOTHING for "), terminal.screen().constData());
+        QVERIFY2(!terminal.screen().contains("cockpit       open"), terminal.screen().constData());
+        monitor.kill();
+        QVERIFY(monitor.waitForFinished());
     }
 
     void theMonitorsSocketIsForItsUserAlone()

@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <atomic>
+
 using namespace liena;
 using namespace liena::test;
 using Kind = SessionEvent::Kind;
@@ -177,6 +179,78 @@ private Q_SLOTS:
         arm->say(QStringLiteral("reopen robot"));
         QVERIFY2(arm->waitForLine(QStringLiteral("re-opening -> open")), qPrintable(arm->output() + robot->output()));
         QVERIFY2(robot->waitForLine(QStringLiteral("stand-by ended")), qPrintable(robot->output()));
+    }
+
+    /// It holds none of the incidents, and hears only that the cockpit re-opened it.
+    void aRestartedDeviceFollowsTheSurgeonsReopen()
+    {
+        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "cockpit arm", "arm robot"});
+        const DeviceId armId = system.idOf("arm");
+        const auto start = [&] {
+            return std::make_unique<ChildProcess>(QStringLiteral("liena-device"),
+                                                  QStringList{QStringLiteral("arm")} + system.argumentsOf("arm"));
+        };
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        TestDevice robot(system.settingsOf("robot"));
+        auto arm = start(); // it opens its link to the robot by itself
+        QVERIFY2(arm->waitForLine(QStringLiteral("opening -> open")), qPrintable(arm->output()));
+        QVERIFY(cockpit->openChannel(system.idOf("robot")));
+        QVERIFY(cockpit->openChannel(armId));
+        QTRY_COMPARE(words(cockpit.state(system.idOf("robot"))), words(SessionState::Open));
+        QTRY_COMPARE(words(cockpit.state(armId)), words(SessionState::Open));
+        arm->kill();
+        QTRY_COMPARE(cockpit->incidents().size(), std::size_t{2});
+        QTRY_COMPARE(robot->incidents().size(), std::size_t{2});
+
+        arm = start();
+        QVERIFY2(arm->waitForLine(QStringLiteral("opening -> stand-by")), qPrintable(arm->output()));
+        QCOMPARE(words(robot.state(armId)), words(SessionState::StandBy));
+        QVERIFY(cockpit->reopenChannel(armId));
+        QTRY_VERIFY2(robot.heard(Kind::ReOpened, armId), qPrintable(arm->output() + QString::fromStdString(robot.story())));
+        QTRY_VERIFY2(cockpit.heard(Kind::StandByEnded), cockpit.story().c_str());
+        QTRY_VERIFY2(robot.heard(Kind::StandByEnded), robot.story().c_str());
+    }
+
+    /// In stand-by a new press of the pedal turns the beam on: "holds" is not true meanwhile.
+    void theXraySystemTakesItsHoldBackWhileTheBeamIsOn()
+    {
+        TestSystem system({reference::cockpit, reference::robot, reference::xray}, {"cockpit robot", "cockpit xray"});
+        const DeviceId xrayId = system.idOf("xray");
+        const auto start = [&](const char* role, const QStringList& more) {
+            return std::make_unique<ChildProcess>(QStringLiteral("liena-device"),
+                                                  QStringList{QString::fromLatin1(role)} + system.argumentsOf(role) + more);
+        };
+        auto robot = start("robot", {});
+        QVERIFY2(robot->waitForLine(QStringLiteral("listening on")), qPrintable(robot->output()));
+        auto xray = start("xray", {QStringLiteral("--size"), QStringLiteral("256")});
+        QVERIFY2(xray->waitForLine(QStringLiteral("listening on")), qPrintable(xray->output()));
+        std::atomic<bool> pedal = false;
+        TestDevice cockpit(system.settingsOf("cockpit"), [&](DistributedSystem& device) {
+            device.every(std::chrono::milliseconds(50), [&] {
+                auto command = device.command(xrayId, "AcquisitionCommand").value();
+                command.set("mode", "fluoroscopy").set("pulse_rate", 2.0).set("pedal", pedal.load()).set("press", pedal ? 2U : 1U);
+                (void)device.send(xrayId, command);
+            });
+        });
+        const auto newestHold = [&]() -> std::optional<HoldReport> {
+            for (const auto& incident : cockpit->incidents())
+                for (const auto& hold : incident.holds)
+                    if (hold.device == xrayId)
+                        return hold;
+            return std::nullopt;
+        };
+        QVERIFY(cockpit->openChannel(system.idOf("robot")));
+        QVERIFY(cockpit->openChannel(xrayId));
+        QTRY_COMPARE(words(cockpit.state(system.idOf("robot"))), words(SessionState::Open));
+        QTRY_COMPARE(words(cockpit.state(xrayId)), words(SessionState::Open));
+        robot->kill();
+        QTRY_VERIFY2(newestHold() && newestHold()->holding, cockpit.story().c_str());
+        const auto first = newestHold()->confirmed;
+        pedal = true;
+        QTRY_VERIFY2(!newestHold()->holding, cockpit.story().c_str());
+        pedal = false;
+        QTRY_VERIFY2(newestHold()->holding, cockpit.story().c_str());
+        QVERIFY(newestHold()->confirmed > first);
     }
 
     void endsCleanlyOnSigterm()

@@ -73,6 +73,29 @@ private Q_SLOTS:
         }
     }
 
+    void nothingIsMissedOfALinkThatWasClosed()
+    {
+        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "cockpit arm"});
+        TestDevice robot(system.settingsOf("robot"));
+        TestDevice arm(system.settingsOf("arm"));
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        const auto robotId = system.idOf("robot");
+        const auto armId = system.idOf("arm");
+        QVERIFY(cockpit->openChannel(robotId));
+        QVERIFY(cockpit->openChannel(armId));
+        QTRY_VERIFY2(robot.heard(Kind::Opened) && arm.heard(Kind::Opened), cockpit.story().c_str());
+
+        QCOMPARE(robot->publish(robot->report("RobotStatus").value()), std::size_t{1}); // deadline 50 ms
+        QVERIFY(robot->closeChannel(system.idOf("cockpit")));
+        QTRY_COMPARE(words(cockpit.state(robotId)), words(SessionState::Closed));
+        QCOMPARE(cockpit.messages("RobotStatus").size(), std::size_t{1});
+        // What the arm says later has a longer deadline: when that is missed, the robot's would have been.
+        QCOMPARE(arm->publish(arm->report("ArmStatus").value()), std::size_t{1});
+        QTRY_VERIFY2(cockpit.heard(Kind::DeadlineMissed, armId), cockpit.story().c_str());
+        for (const auto& missed : cockpit.events(Kind::DeadlineMissed, robotId)) // on a busy computer one before the closing
+            QVERIFY2(carriesMessages(missed.to), cockpit.story().c_str());
+    }
+
     void aLinkMayHaveATimingOfItsOwn()
     {
         TestSystem system({reference::cockpit, reference::robot, reference::arm}, {R"(cockpit robot|heartbeat="60ms")", "cockpit arm"});

@@ -9,12 +9,26 @@
 
 namespace liena::session {
 
-/// Keeps a sliding window of 64 samples and believes the one of least delay. A sample that contradicts it shows that a clock was stepped:
-/// then all before it are forgotten, and the offset is unknown again for 8 samples.
+/// A heartbeat of ours and the peer's that echoes it. Our times are monotonic: a clock of ours that is set says nothing about the way.
+struct Exchange {
+    Instant sent;      ///< t1, ours left
+    Timestamp heardBy; ///< t2, the peer heard it, on its clock
+    Timestamp answer;  ///< t3, the peer sent its own, on its clock
+    Now heard;         ///< t4, that came
+
+    /// The way there and back, without the peer's holding time; nothing when the peer's clock was stepped while it held.
+    std::optional<Nanoseconds> delay() const;
+
+    /// Peer's clock − ours as it is at t4, if both ways take the same time.
+    Nanoseconds offset() const;
+};
+
+/// Keeps a sliding window of 64 samples and believes the one of least delay. A sample that contradicts it, or the newest, shows that a
+/// clock was stepped: then all before it are forgotten, and the offset is unknown again for 8 samples.
 class ClockOffset {
 public:
-    /// t1 our send, t2 the peer's receipt, t3 the peer's send, t4 our receipt; each on the clock of its side.
-    void add(Timestamp t1, Timestamp t2, Timestamp t3, Timestamp t4);
+    /// False when it shows that a clock was stepped.
+    bool add(const Exchange& exchange);
 
     void reset() { *this = ClockOffset(); }
 
@@ -33,9 +47,11 @@ private:
     struct Sample {
         Nanoseconds offset{};
         Nanoseconds delay{};
+        Instant taken;
     };
     const Sample* best() const;
-    const Sample* leastDelayed() const { return &m_samples[m_best]; } ///< of at least one
+    const Sample* leastDelayed() const { return &m_samples[m_best]; }                  ///< of at least one
+    const Sample& newest() const { return m_samples[(m_next + window - 1) % window]; } ///< of at least one
     bool contradicts(const Sample& sample) const;
 
     static constexpr std::size_t window = 64;

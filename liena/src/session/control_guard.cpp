@@ -63,11 +63,17 @@ void ControlGuard::reset()
 
 void ControlGuard::sentHeartbeat(std::uint32_t sequence, Instant now) { m_sent[sequence % remembered] = {sequence, now}; }
 
+std::optional<Instant> ControlGuard::sentAt(std::uint32_t sequence) const
+{
+    const auto& sent = m_sent[sequence % remembered];
+    return sequence != 0 && sent.sequence == sequence ? std::optional(sent.at) : std::nullopt;
+}
+
 ControlFault ControlGuard::judge(const protocol::DatagramHeader& header, const protocol::SafetyRecord& record,
                                  std::span<const std::byte> fields, Nanoseconds maxAge, Instant now)
 {
     auto& delivered = m_delivered[header.message.number];
-    const auto& echoed = m_sent[record.echo % remembered];
+    const auto echoed = sentAt(record.echo);
     auto fault = ControlFault::None;
     if (record.crc != protocol::safetyCrc(header, record, fields))
         fault = ControlFault::Crc;
@@ -77,9 +83,9 @@ ControlFault ControlGuard::judge(const protocol::DatagramHeader& header, const p
         fault = ControlFault::WrongEpoch;
     else if (record.sequence <= delivered)
         fault = ControlFault::NotNewer;
-    else if (record.echo == 0 || echoed.sequence != record.echo)
+    else if (!echoed)
         fault = ControlFault::UnknownEcho;
-    else if (now - echoed.at > maxAge)
+    else if (now - *echoed > maxAge)
         fault = ControlFault::TooOld;
     if (fault == ControlFault::None)
         delivered = record.sequence;

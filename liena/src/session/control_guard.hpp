@@ -57,6 +57,9 @@ public:
     /// A heartbeat of ours left with that sequence.
     void sentHeartbeat(std::uint32_t sequence, Instant now);
 
+    /// When the heartbeat with that sequence left; nothing when none did, or long ago.
+    std::optional<Instant> sentAt(std::uint32_t sequence) const;
+
     ControlFault judge(const protocol::DatagramHeader& header, const protocol::SafetyRecord& record, std::span<const std::byte> fields,
                        Nanoseconds maxAge, Instant now);
 

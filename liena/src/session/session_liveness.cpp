@@ -44,7 +44,7 @@ void SessionMachine::sendHeartbeat()
     heartbeat.sentNs = m_now.wall.ns;
     heartbeat.echoSequence = m_newest.sequence;
     heartbeat.echoSentNs = m_newest.sentNs;
-    heartbeat.echoReceivedNs = m_newestArrival.ns;
+    heartbeat.echoReceivedNs = m_newestArrival.wall.ns;
     heartbeat.datagramsHeard = m_monitor.packetsHeard(m_now.mono);
     heartbeat.state = m_state;
     heartbeat.incidents = m_incidents;
@@ -60,14 +60,9 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
     if (m_state == SessionState::Closed || m_state == SessionState::StandBy || heartbeat.sequence <= m_newest.sequence)
         return;
     m_monitor.heartbeat(m_now.mono, heartbeat.sequence, heartbeat.state);
-    if (heartbeat.echoSequence != 0 && heartbeat.echoSequence != m_newest.echoSequence)
-        m_clock.add({heartbeat.echoSentNs}, {heartbeat.echoReceivedNs}, {heartbeat.sentNs}, m_now.wall);
-    const auto transit = difference(m_now.wall, {heartbeat.sentNs});
-    if (m_lastTransit)
-        m_jitter += (std::chrono::abs(transit - *m_lastTransit) - m_jitter) / 16;
-    m_lastTransit = transit;
+    measureWay(heartbeat);
     m_newest = heartbeat;
-    m_newestArrival = m_now.wall;
+    m_newestArrival = m_now;
     m_stamper.heardHeartbeat(heartbeat.epoch, heartbeat.sequence);
     // A peer that is still in the dialogue never heard that it is open: what said so was lost with the connection.
     if (m_state == SessionState::Reconnecting && (carriesMessages(heartbeat.state) || heartbeat.state == SessionState::Reconnecting))
@@ -77,6 +72,21 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
         refuse(*m_pending, RejectReason::AlreadyOpen, "this device already has a session here and is healthy in it");
         m_pending.reset();
     }
+}
+
+/// How long it takes and how evenly it comes. One that tells of a stepped clock tells nothing of the way.
+void SessionMachine::measureWay(const protocol::Heartbeat& heartbeat)
+{
+    const auto sent = m_guard.sentAt(heartbeat.echoSequence);
+    if (!sent)
+        return;
+    const Exchange exchange{*sent, {heartbeat.echoReceivedNs}, {heartbeat.sentNs}, m_now};
+    const bool isNew = heartbeat.echoSequence != m_newest.echoSequence;
+    const bool isSound = isNew ? m_clock.add(exchange) : exchange.delay().has_value();
+    if (!isSound || m_newest.sequence == 0)
+        return;
+    const auto later = (m_now.mono - m_newestArrival.mono) - difference({heartbeat.sentNs}, {m_newest.sentNs});
+    m_jitter += (std::chrono::abs(later) - m_jitter) / 16;
 }
 
 /// The peer misses our lane 0, which may look whole from here: it is connected again, once, and the old one serves until then.

@@ -108,7 +108,6 @@ void SessionMachine::resetSession()
     m_monitor = HeartbeatMonitor(m_settings.timing);
     m_clock.reset();
     m_jitter = {};
-    m_lastTransit.reset();
     m_guard.reset();
     m_stamper.reset();
     m_beating = false;

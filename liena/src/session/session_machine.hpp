@@ -270,6 +270,7 @@ private:
     void on(const IncidentGone& input);
     void on(const Tick& input);
     void heardHeartbeat(const protocol::Heartbeat& heartbeat);
+    void measureWay(const protocol::Heartbeat& heartbeat);
     void sendHeartbeat();
     void helpWaitingPeer(SessionState peerState);
     void sendDueHeartbeat();
@@ -330,7 +331,6 @@ private:
     HeartbeatMonitor m_monitor;
     ClockOffset m_clock;
     Nanoseconds m_jitter{};
-    std::optional<Nanoseconds> m_lastTransit;
     ControlGuard m_guard;
     ControlStamper m_stamper;
     bool m_beating = false;
@@ -338,7 +338,7 @@ private:
     std::uint32_t m_sequence = 0;
     Instant m_nextHeartbeat;
     protocol::Heartbeat m_newest; ///< of the peer
-    Timestamp m_newestArrival;
+    Now m_newestArrival;
     std::uint16_t m_incidents = 0;
 
     // Reconnecting

@@ -330,11 +330,7 @@ void DistributedModule::armTimer()
 void DistributedModule::housekeeping()
 {
     const auto now = m_host.now().mono;
-    m_deadlines.check(now, [this](std::uint16_t, const std::string& name) {
-        auto event = this->event(SessionEvent::Kind::DeadlineMissed);
-        event.message = name;
-        m_host.tell(std::move(event));
-    });
+    checkDeadlines(now);
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
         m_nextReport = now + reportPeriod(m_link.timing.heartbeat);
         const auto report = m_books.takeReport(now, backlog());
@@ -350,6 +346,18 @@ void DistributedModule::housekeeping()
     m_measurement.housekeeping();
     m_bulk.retire(now);
     showStatus();
+}
+
+/// A session that is over owes nothing more; one that is interrupted does.
+void DistributedModule::checkDeadlines(session::Instant now)
+{
+    if (!carriesMessages(m_machine.state()) && m_machine.state() != SessionState::Reconnecting)
+        return;
+    m_deadlines.check(now, [this](std::uint16_t, const std::string& name) {
+        auto event = this->event(SessionEvent::Kind::DeadlineMissed);
+        event.message = name;
+        m_host.tell(std::move(event));
+    });
 }
 
 void DistributedModule::showDrops()

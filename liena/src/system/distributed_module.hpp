@@ -151,6 +151,7 @@ private:
     void endFresh(session::ConnectionNumber number);
     void armTimer();
     void showStatus();
+    void checkDeadlines(session::Instant now);
     void showDrops();
     void settle(const tasks::ReceptionTask& ended);
     void bury(std::shared_ptr<void> ended);

@@ -11,9 +11,11 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto shortestWindow = 2ms; // between decisions, however near the peer is
-constexpr auto gentlePause = 20ms;   // between two steps near the ceiling
-constexpr auto longWay = 10ms;       // there and back: from here on round trips vary by milliseconds
+constexpr auto shortestWindow = 2ms;  // between decisions, however near the peer is
+constexpr auto gentlePause = 20ms;    // between two steps near the ceiling
+constexpr auto lately = 3s;           // in which a queue of ours has drained at least once
+constexpr auto longestSilence = 50ms; // until a burst's first acknowledgement; then there is a queue
+constexpr auto longWay = 10ms;        // there and back: from here on round trips vary by milliseconds
 constexpr auto alwaysTolerated = 300us;
 constexpr auto toleratedWhenCalm = 100us;
 constexpr auto mostUnrest = 8ms;             // that is taken for one: what is longer is a queue
@@ -29,7 +31,7 @@ constexpr double leastProof = 0.002;         // seconds at the rate: shorter bur
 constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
 constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
-constexpr auto passed = 2500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
+constexpr auto passed = 2000ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr auto passedWhenCalm = 2000ms;      // and that of a calm path
 constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;            // a step while nothing is known
@@ -80,8 +82,35 @@ void PathRate::pause(Instant now)
 
 void PathRate::observe(const transport::PathFacts& facts, Instant now)
 {
-    if (facts.bytesAcknowledged < provenBytes)
-        return;
+    if (facts.bytesAcknowledged >= provenBytes)
+        decide(asOfLate(facts, now), now);
+}
+
+/// What takes longer than the shortest for as long as this is no queue of ours: it would have drained.
+transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
+{
+    const auto ofLate = m_ofLate.note(facts.roundTrip, now);
+    if (ofLate && *ofLate - facts.leastRoundTrip > tolerated(facts))
+        facts.leastRoundTrip = *ofLate;
+    return facts;
+}
+
+std::optional<PathRate::Nanoseconds> PathRate::RoundTripOfLate::note(Nanoseconds roundTrip, Instant now)
+{
+    if (now - m_begun > 2 * lately) { // nothing was sent: nothing is known
+        m_begun = now;
+        m_shortest = roundTrip;
+        m_before.reset();
+    } else if (now - m_begun > lately) {
+        m_begun = now;
+        m_before = std::exchange(m_shortest, roundTrip);
+    }
+    m_shortest = std::min(m_shortest, roundTrip);
+    return m_before ? std::optional(std::min(*m_before, m_shortest)) : std::nullopt;
+}
+
+void PathRate::decide(const transport::PathFacts& facts, Instant now)
+{
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
@@ -97,7 +126,7 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     if (!m_window) {
         if (m_burst)
             judgeBurst(facts, now);
-        m_burst = Burst{now, std::nullopt, facts.bytesSent};
+        m_burst = Burst{now, std::nullopt, facts.bytesSent, facts.bytesAcknowledged >= facts.bytesSent};
         m_window = Window{now, facts.bytesAcknowledged, facts.windowClosed, true};
         m_course.forget();
         return;
@@ -105,11 +134,13 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now)
     if (m_draining && !hasQueue(facts, now))
         m_draining = false;
     const auto elapsed = now - m_window->begin;
+    if (m_window->first && m_burst->alone && facts.bytesAcknowledged <= m_burst->bytesSent && elapsed < longestSilence)
+        return; // nothing of it is acknowledged yet
     if (elapsed < std::max<Nanoseconds>(shortestWindow, facts.leastRoundTrip))
         return;
     const Window ended = std::exchange(*m_window, Window{now, facts.bytesAcknowledged, facts.windowClosed, false});
     if (ended.first && facts.leastRoundTrip > shortestWindow / 8)
-        return; // little or nothing of it is acknowledged yet
+        return; // little of it is acknowledged yet
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
     m_delivered = m_course.rate(ended, facts.bytesAcknowledged, now, timeToNotice());

@@ -119,14 +119,29 @@ private:
         std::size_t m_count = 0; ///< so many were noted; the last of them are kept
     };
 
+    /// The shortest round trip of late, for a path that has become longer: the kernel remembers its shortest for minutes.
+    class RoundTripOfLate {
+    public:
+        /// Of those noted within the last three to six seconds; nothing until so long was looked at.
+        std::optional<Nanoseconds> note(Nanoseconds roundTrip, Instant now);
+
+    private:
+        Instant m_begun{};
+        Nanoseconds m_shortest = Nanoseconds::max();
+        std::optional<Nanoseconds> m_before; ///< of the span before
+    };
+
     struct Burst {
         Instant begin;
         std::optional<Instant> end;
         std::uint64_t bytesSent = 0; ///< before it
+        bool alone = true;           ///< of those nothing was under way any more
     };
 
     static constexpr double drain = 0.25; ///< of the rate, while a queue drains
 
+    transport::PathFacts asOfLate(transport::PathFacts facts, Instant now);
+    void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool isCalm(const transport::PathFacts& facts) const;
     bool isEffective(const transport::PathFacts& facts) const;
@@ -162,6 +177,7 @@ private:
     std::optional<Window> m_window;
     Course m_course;
     Departures m_departures;
+    RoundTripOfLate m_ofLate;
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
     PathCalm m_calm;

@@ -4,6 +4,8 @@
 #include "transport/close_on_exec.hpp"
 #include "transport/timer.hpp"
 
+#include <boost/asio/post.hpp>
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -31,7 +33,7 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
         boost::system::error_code notNumeric;
         const auto address = asio::ip::make_address(peer.host, notNumeric);
         if (!notNumeric)
-            return connect({tcp::endpoint(address, peer.port)});
+            return startAt(tcp::endpoint(address, peer.port));
         resolver.async_resolve(
             peer.host, std::to_string(peer.port),
             [self = shared_from_this()](const boost::system::error_code& error, const tcp::resolver::results_type& results) {
@@ -41,6 +43,15 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
                     return self->finish(explainConnect(error, self->place));
                 self->connect({results.begin(), results.end()});
             });
+    }
+
+    /// In a turn of its own: a socket that cannot be had fails at once, and the owner does not have the client yet.
+    void startAt(const tcp::endpoint& endpoint)
+    {
+        asio::post(io, [self = shared_from_this(), endpoint] {
+            if (!self->ended)
+                self->connect({endpoint});
+        });
     }
 
     void connect(std::vector<tcp::endpoint> endpoints)

@@ -19,7 +19,7 @@ public:
     using Outcome = std::variant<std::shared_ptr<TcpChannel>, ConnectionFailure>;
     using Handler = std::function<void(Outcome)>;
 
-    /// `identity` is null in mode `none`. `handler` is called once, within `limit`.
+    /// `identity` is null in mode `none`. `handler` is called once, within `limit` and never from here.
     TcpClient(boost::asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
               std::chrono::nanoseconds limit, Handler handler);
     ~TcpClient();

@@ -223,6 +223,28 @@ private Q_SLOTS:
         QVERIFY(!w.priorityOf(C::PaintingBehind));
     }
 
+    /// The library tells a gap once; the alarm is about what has not come yet.
+    void aReportThatIsMissingIsAnAlarmUntilItComes()
+    {
+        Watched w;
+        const auto sixSeconds = [&w] { // in which the robot goes on reporting
+            for (int i = 0; i < 60; ++i) {
+                w.now += 100ms;
+                w.receive(w.robot());
+                w.look();
+            }
+        };
+        w.watch.noteDeadlineMissed(xrayId, QStringLiteral("AcquisitionStatus"), w.now);
+        sixSeconds();
+        QVERIFY(w.priorityOf(C::DeadlineMissed).has_value());
+        w.watch.noteDeadlineMissed(robotId, QStringLiteral("RobotStatus"), w.now);
+        sixSeconds();
+        QVERIFY(w.priorityOf(C::DeadlineMissed).has_value()); // that of the X-ray system
+        w.now += 100ms;
+        w.models().xray.receive(w.models().xray.status().value, w.now);
+        QVERIFY(!w.priorityOf(C::DeadlineMissed).has_value());
+    }
+
     void aConsoleAtTheLimitOfItsSpeedDoesNotFlicker()
     {
         Watched w;

@@ -85,7 +85,7 @@ private Q_SLOTS:
         QVERIFY(order);
         QCOMPARE(order->engaged, engaged);
         QCOMPARE(order->motion.isZero(), !engaged);
-        QCOMPARE(gate.blocked(), !engaged);
+        QCOMPARE(gate.blockedPermit(), engaged ? std::nullopt : std::optional(snapshot.permit));
     }
 
     void permitThatStoodStillOnceNeverMovesAgain()

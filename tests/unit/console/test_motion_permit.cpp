@@ -23,6 +23,7 @@ private Q_SLOTS:
     void rezeroesOnEachEngage();
     void returnsToArmedWhenTheDeadManIsReleased();
     void givesThePermitBackWhenUnused();
+    void holdsWhenTheGateRefusesItsPermit();
     void stopsWhenTheRobotWithdraws_data();
     void stopsWhenTheRobotWithdraws();
 };
@@ -33,20 +34,20 @@ void TestMotionPermit::leavesEveryPhaseAsTheTableSays_data()
     QTest::addColumn<Kind>("kind");
     QTest::addColumn<Phase>("expected");
     // Columns in the order of PermitEventKind: closed, open, interrupted, stand-by, guards all met, ARM down, ARM up, dead-man down, up,
-    // robot ready with the same permit, panic, stalled, tick after the ARM hold's time.
+    // robot ready with the same permit, panic, stalled, gate closed under this permit, tick after the ARM hold's time.
     using Row = std::array<Phase, permitEventCount>;
     constexpr auto O = Phase::Off, S = Phase::Standby, R = Phase::Ready, G = Phase::Arming, A = Phase::Armed, E = Phase::Engaged,
                    H = Phase::Hold, I = Phase::Incident, V = Phase::Verifying;
     const std::array<Row, permitPhaseCount> table{{
-        {O, S, O, I, O, O, O, O, O, O, O, O, O}, // Off
-        {O, S, S, I, R, S, S, S, S, S, S, S, S}, // Standby
-        {O, R, S, I, R, G, R, S, R, R, R, R, R}, // Ready
-        {O, G, H, I, G, G, R, S, G, G, S, S, G}, // Arming
-        {O, A, H, I, A, A, A, E, A, H, H, H, A}, // Armed
-        {O, E, H, I, E, E, E, E, A, H, H, H, E}, // Engaged
-        {O, H, H, I, H, H, H, H, H, H, H, H, H}, // Hold
-        {O, V, I, I, I, I, I, I, I, I, I, I, I}, // Incident
-        {O, V, V, I, V, V, V, V, V, V, V, V, V}, // Verifying
+        {O, S, O, I, O, O, O, O, O, O, O, O, O, O}, // Off
+        {O, S, S, I, R, S, S, S, S, S, S, S, S, S}, // Standby
+        {O, R, S, I, R, G, R, S, R, R, R, R, R, R}, // Ready
+        {O, G, H, I, G, G, R, S, G, G, S, S, G, G}, // Arming
+        {O, A, H, I, A, A, A, E, A, H, H, H, H, A}, // Armed
+        {O, E, H, I, E, E, E, E, A, H, H, H, H, E}, // Engaged
+        {O, H, H, I, H, H, H, H, H, H, H, H, H, H}, // Hold
+        {O, V, I, I, I, I, I, I, I, I, I, I, I, I}, // Incident
+        {O, V, V, I, V, V, V, V, V, V, V, V, V, V}, // Verifying
     }};
     for (int phase = 0; phase < permitPhaseCount; ++phase)
         for (int kind = 0; kind < permitEventCount; ++kind)
@@ -224,6 +225,22 @@ void TestMotionPermit::givesThePermitBackWhenUnused()
     QCOMPARE(actions.permit, permit);
     QCOMPARE(run.state.phase, Phase::Ready);
     QCOMPARE(run.state.spentPermit, std::optional<quint32>(permit));
+}
+
+/// What the gate refuses nobody may go on calling engaged; a permit that is spent tells nothing of the present one.
+void TestMotionPermit::holdsWhenTheGateRefusesItsPermit()
+{
+    for (const auto phase : {Phase::Armed, Phase::Engaged}) {
+        auto run = in(phase);
+        auto closed = told(Kind::GateClosed);
+        closed.permit = run.state.permit + 1;
+        run.feed(closed);
+        QCOMPARE(run.state.phase, phase);
+        closed.permit = run.state.permit;
+        run.feed(closed);
+        QCOMPARE(run.state.phase, Phase::Hold);
+        QCOMPARE(run.state.cause, HoldCause::GateClosed);
+    }
 }
 
 void TestMotionPermit::stopsWhenTheRobotWithdraws_data()

@@ -134,6 +134,43 @@ private slots:
         QVERIFY(meanAround(washed, projection, downstream, 1) > 0.95 * meanAround(mask, projection, downstream, 1));
     }
 
+    // Nobody looks from 2 s to 60 s, and the injection ends meanwhile.
+    void contrastThatStoppedUnseenIsNotInTheNextRun()
+    {
+        const VesselWay way(VesselTree::cerebral());
+        const CArmProjection projection({}, {}, size);
+        const double catheter = 440;
+        auto source = generator();
+        for (int frame = 0; frame <= 30; ++frame)
+            take(source, exposureAt(frame * 66ms, {true, 0, 0, catheter, 2}));
+        Exposure next = exposureAt(60s, {true, 0, 0, catheter, 0}, AcquisitionMode::Acquisition);
+        next.acquisition = 2;
+        const Picture first = take(source, next);
+        QVERIFY(first.format.mask);
+        auto fresh = generator();
+        const Picture clean = take(fresh, next);
+        const Vector downstream = way.at(480).position;
+        QVERIFY(std::abs(meanAround(first, projection, downstream, 1) / meanAround(clean, projection, downstream, 1) - 1) < 0.05);
+    }
+
+    void contrastFlowsOnWhileThePedalIsPressedAnew()
+    {
+        const VesselWay way(VesselTree::cerebral());
+        const CArmProjection projection({}, {}, size);
+        const double catheter = 440;
+        auto source = generator();
+        Exposure exposure = exposureAt(0ms, {true, 0, 0, catheter, 0}, AcquisitionMode::Acquisition);
+        const Picture mask = take(source, exposure);
+        for (int frame = 1; frame <= 20; ++frame)
+            take(source, exposureAt(frame * 66ms, {true, 0, 0, catheter, 4}, AcquisitionMode::Acquisition));
+        exposure = exposureAt(4s, {true, 0, 0, catheter, 4}, AcquisitionMode::Acquisition);
+        exposure.acquisition = 2;
+        const Picture filled = take(source, exposure);
+        QVERIFY(!filled.format.mask);
+        const Vector downstream = way.at(480).position;
+        QVERIFY(meanAround(filled, projection, downstream, 1) < 0.85 * meanAround(mask, projection, downstream, 1));
+    }
+
     void noiseVarianceFollowsTheDose()
     {
         auto source = generator();

@@ -27,6 +27,13 @@ struct Rig {
         event.reason = reason;
         keeper.handle(event, now);
     }
+    void reopened(DeviceId peer)
+    {
+        SessionEvent event;
+        event.kind = SessionEvent::Kind::ReOpened;
+        event.peer = peer;
+        keeper.handle(event, now);
+    }
     void ended(DeviceId a, DeviceId b, bool dismissed = false)
     {
         SessionEvent event;
@@ -128,6 +135,51 @@ private slots:
         QCOMPARE(rig.wishes(30s), QByteArray());
         rig.ended(cockpit, arm);
         QVERIFY(rig.wishes(1s).startsWith("r"));
+    }
+
+    /// A restarted device holds no incident: that a person re-opened it is all that it hears.
+    void aRestartedDeviceFollowsTheCockpitThatReopensIt()
+    {
+        Rig rig;
+        QCOMPARE(rig.wishes(100ms), QByteArray("o"));
+        rig.tell(Kind::OpenFailed, RejectReason::StandBy);
+        QCOMPARE(rig.wishes(30s), QByteArray());
+        rig.reopened(cockpit);
+        QCOMPARE(rig.wishes(30s), QByteArray("rrrrr"));
+    }
+
+    void aRestartedDeviceFollowsNoMachine()
+    {
+        Rig rig;
+        rig.tell(Kind::OpenFailed, RejectReason::StandBy);
+        rig.reopened(xray);
+        QCOMPARE(rig.wishes(30s), QByteArray());
+    }
+
+    void aReopenLeavesWhatIsNotLost()
+    {
+        Rig waiting;
+        waiting.reopened(cockpit);
+        QCOMPARE(waiting.wishes(3s), QByteArray("ooo"));
+        Rig up;
+        up.tell(Kind::Opened);
+        up.reopened(cockpit);
+        QCOMPARE(up.wishes(30s), QByteArray());
+        up.tell(Kind::Lost); // after the person's command, which was not given for this loss
+        QCOMPARE(up.wishes(30s), QByteArray());
+    }
+
+    void aReopenLeavesWhatAPersonClosedOrGaveUp()
+    {
+        Rig closed;
+        closed.keeper.closedByPerson(robot);
+        closed.reopened(cockpit);
+        QCOMPARE(closed.wishes(30s), QByteArray());
+        Rig givenUp;
+        givenUp.tell(Kind::Lost);
+        givenUp.ended(arm, robot, true);
+        givenUp.reopened(cockpit);
+        QCOMPARE(givenUp.wishes(30s), QByteArray());
     }
 
     void opensAgainAfterAnOrderlyClose()

@@ -199,6 +199,28 @@ private slots:
         QCOMPARE(rig.machine.geometry(), target);
     }
 
+    void holdsWhileNothingRadiatesOrMoves()
+    {
+        Rig rig;
+        QVERIFY(rig.machine.holds());
+        QVERIFY(rig.pedal(1));
+        QVERIFY(!rig.machine.holds());
+        rig.machine.setStandBy(true);
+        QVERIFY(rig.machine.holds());
+        QVERIFY(rig.pedal(2));
+        QVERIFY(!rig.machine.holds());
+        rig.machine.interrupt("a test");
+        QVERIFY(rig.machine.holds());
+        rig.machine.setStandBy(false);
+        CArmGeometry target;
+        target.primaryAngle = 0.3;
+        QVERIFY(rig.machine.moveTo(cockpit, target));
+        QVERIFY(!rig.machine.holds());
+        for (int count = 0; count < 10; ++count)
+            rig.wait(10ms);
+        QVERIFY(rig.machine.holds()); // it is there
+    }
+
     void spinTurnsTheArmAndEndsItself()
     {
         Rig rig;

@@ -22,13 +22,16 @@ HeartbeatMonitor monitor()
     return heartbeats;
 }
 
+/// Our monotonic clock when the other shows that: it began with it.
+Instant atOurs(std::uint64_t wall) { return Instant(std::chrono::nanoseconds(static_cast<std::int64_t>(wall))); }
+
 /// One exchange: there and back take `there` and `back`, the peer's clock is ahead by `offset`, and it holds the echo for 5 ms.
 void exchange(ClockOffset& clock, std::uint64_t t1, std::int64_t there, std::int64_t back, std::int64_t offset)
 {
     const auto t2 = static_cast<std::uint64_t>(static_cast<std::int64_t>(t1) + there + offset);
     const auto t3 = t2 + 5'000'000;
     const auto t4 = static_cast<std::uint64_t>(static_cast<std::int64_t>(t3) - offset + back);
-    clock.add({t1}, {t2}, {t3}, {t4});
+    clock.add({atOurs(t1), {t2}, {t3}, {atOurs(t4), {t4}}});
 }
 
 constexpr std::uint64_t base = 1'700'000'000'000'000'000ULL;
@@ -54,6 +57,9 @@ private slots:
     void bearsAnyTimeThatAPeerSays();
     void beginsAnewWhenAClockWasStepped();
     void takesALongDelayForNoStep();
+    void takesDriftForNoStep_data();
+    void takesDriftForNoStep();
+    void findsAStepBetweenSlowSamples();
     void tellsTheNewestDelay();
     void beginsAnewAfterReset();
     void countsPacketsOfEightHeartbeats();
@@ -206,23 +212,25 @@ void LifeSignsTest::leavesOutSamplesOfASteppedClock()
     ClockOffset clock;
     for (int i = 0; i < 8; ++i)
         exchange(clock, base, 1000, 1000, 500);
-    clock.add({base}, {base + 1000}, {base + 2000}, {base - 500}); // our clock stepped back: a negative delay
+    const Now heard{atOurs(base) + 3000ns, {base + 3000}};
+    QVERIFY(!clock.add({atOurs(base), {base + 1000}, {base + 3'600'000'000'000}, heard})); // forward: held for longer than we waited
+    QVERIFY(!clock.add({atOurs(base), {base + 1000}, {base - 3'600'000'000'000}, heard})); // back: held for less than no time
+    QVERIFY(!clock.add({atOurs(base), {base + 1000}, {base + 999}, heard}));
     QCOMPARE(clock.samples(), std::size_t{8});
     QVERIFY(clock.offset() == 500ns);
-    clock.add({base}, {base + 1000}, {base + 2000}, {base + 3'600'000'000'000}); // forward: never the least delay
-    QVERIFY(clock.offset() == 500ns);
+    QVERIFY(clock.lastDelay() == 2000ns);
 }
 
 /// A peer may say any time: the sums stay defined, and its clock and ours are still told apart.
 void LifeSignsTest::bearsAnyTimeThatAPeerSays()
 {
     constexpr std::array<std::uint64_t, 6> times{0, 1, base, std::uint64_t{1} << 63U, (std::uint64_t{1} << 63U) + base, ~std::uint64_t{0}};
-    for (const auto t1 : times)
+    for (const auto ours : times)
         for (const auto t2 : times)
             for (const auto t3 : times) {
                 ClockOffset clock;
                 for (int i = 0; i < 8; ++i)
-                    clock.add({t1}, {t2}, {t3}, {base});
+                    clock.add({start, {t2}, {t3}, {start + 1ms, {ours}}});
                 QVERIFY(clock.uncertainty() >= 0ns);
                 QVERIFY(!clock.offset() || std::chrono::abs(*clock.offset()) <= std::chrono::years(74));
             }
@@ -252,6 +260,42 @@ void LifeSignsTest::takesALongDelayForNoStep()
     exchange(clock, base, 400'000'000, 1000, 500); // one way has become slow: half of it looks like an offset
     QVERIFY(clock.offset() == 500ns);
     QCOMPARE(clock.samples(), std::size_t{9});
+}
+
+void LifeSignsTest::takesDriftForNoStep_data()
+{
+    QTest::addColumn<int>("apart");
+    QTest::addColumn<int>("drift");
+    QTest::newRow("a second apart, free clocks") << 1000 << 50;
+    QTest::newRow("a second apart, clocks that are set right slowly") << 1000 << -500;
+    QTest::newRow("a tenth of a second apart") << 100 << 500;
+    QTest::newRow("a usual heartbeat") << 20 << 500;
+}
+
+void LifeSignsTest::takesDriftForNoStep()
+{
+    QFETCH(int, apart); // milliseconds
+    QFETCH(int, drift); // parts per million
+    ClockOffset clock;
+    for (int i = 0; i < 200; ++i) {
+        exchange(clock, base + static_cast<std::uint64_t>(i * apart) * 1'000'000, 100'000, 100'000, std::int64_t{i} * apart * drift);
+        QVERIFY2(clock.offset().has_value() == (i >= 7), std::to_string(i).c_str());
+    }
+}
+
+void LifeSignsTest::findsAStepBetweenSlowSamples()
+{
+    constexpr std::uint64_t second = 1'000'000'000;
+    ClockOffset clock;
+    exchange(clock, base, 90'000, 90'000, 0); // the least delayed: long ago, when the step comes
+    for (std::uint64_t i = 1; i < 60; ++i)
+        exchange(clock, base + i * second, 100'000, 100'000, 0);
+    for (std::uint64_t i = 60; i < 67; ++i) {
+        exchange(clock, base + i * second, 100'000, 100'000, 10'000'000);
+        QVERIFY(!clock.offset());
+    }
+    exchange(clock, base + 67 * second, 100'000, 100'000, 10'000'000);
+    QVERIFY(clock.offset() == 10ms);
 }
 
 void LifeSignsTest::tellsTheNewestDelay()

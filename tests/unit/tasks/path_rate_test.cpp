@@ -94,6 +94,38 @@ private slots:
         QVERIFY(path.rate.known().value() < gigabit / 10 * 1.1);
     }
 
+    /// The kernel remembers the shortest round trip for five minutes; what a longer route adds is no queue of ours for so long.
+    void usesAPathThatHasBecomeLonger_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("beforeUs");
+        QTest::addColumn<int>("afterUs");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const auto& [before, after] :
+                 {std::pair{200, 1500}, {1000, 6000}, {2000, 8000}, {10000, 14000}, {10000, 30000}, {40000, 60000}})
+                QTest::addRow("%g Mbit/s, %d to %d us", megabits, before, after) << megabits << before << after;
+    }
+
+    void usesAPathThatHasBecomeLonger()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, beforeUs);
+        QFETCH(int, afterUs);
+        const double capacity = megabits * 125'000;
+        Path path(capacity, std::chrono::microseconds(beforeUs));
+        path.run(8s);
+        path.reroute(std::chrono::microseconds(afterUs));
+        path.run(12s);
+        path.forget();
+        path.run(4s);
+        QVERIFY2(path.sent() > 0.85 * capacity * 4, qPrintable(QString::number(path.sent() / capacity / 4)));
+        path.reroute(std::chrono::microseconds(beforeUs)); // and back: a queue is told as early as before
+        path.run(4s);
+        path.forget();
+        path.run(4s);
+        QVERIFY2(path.longestWait < 10ms, qPrintable(QString::number(path.longestWait.count())));
+    }
+
     /// Where a segment takes milliseconds the network's queue must not be longer than one, and half a millisecond: a command waits for
     /// both.
     void onASlowPathTheQueueIsHardlyEverLongerThanASegment()
@@ -105,7 +137,7 @@ private slots:
         path.forget();
         path.tooLong = path.carrying(4096) + 500us;
         path.run(20s);
-        QVERIFY2(path.late < 150ms, millisecondsOf(path.late, "ms of 20 s").constData());
+        QVERIFY2(path.late < 200ms, millisecondsOf(path.late, "ms of 20 s").constData());
         QVERIFY2(path.sent() > 0.8 * path.capacity * 20, qPrintable(QString::number(path.sent() / path.capacity / 20)));
         path.capacity = gigabit / 10;
         path.run(5s);
@@ -154,7 +186,7 @@ private slots:
         for (int i = 0; i < 30; ++i)
             frame();
         path.capacity = 250e3; // 2 Mbit/s
-        for (int i = 0; i < 5; ++i)
+        for (int i = 0; i < 6; ++i)
             frame();
         QVERIFY2(path.rate.rate() < 250e3, qPrintable(QString::number(path.rate.rate())));
         QVERIFY2(path.waiting() < 100ms, millisecondsOf(path.waiting(), "ms").constData());

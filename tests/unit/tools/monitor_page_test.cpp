@@ -100,6 +100,14 @@ private slots:
         }
     }
 
+    void aSilentDeviceIsNamedAndItsLinksAreNotShown()
+    {
+        const auto page = tools::silentPage(tools::JsonValue::parse(lineOf(loaded())).value(), "0x40018208", 7s);
+        QVERIFY2(contains(page, "cockpit (0x40018208)  SAYS NOTHING for 7 s"), page.c_str());
+        QVERIFY2(!contains(page, "open"), page.c_str());
+        QVERIFY(tools::silentPage({}, "0x40018208", 7s).starts_with("0x40018208  SAYS NOTHING"));
+    }
+
     void namesOfPeersMoveNoCursor()
     {
         const auto page = tools::monitorPage(tools::JsonValue::parse("{\"links\":[{\"peer\":\"a\\u001b[2Jb\"}]}").value());
