@@ -12,11 +12,10 @@ namespace console {
 
 namespace {
 
-constexpr int framesPerNoise = 8;       ///< the noise is read anew from every eighth picture
-constexpr double gainStep = 0.1;        ///< share of the brightness by which two pictures of one run do not differ without a new gain
-constexpr double kStep = 0.05;          ///< by which K may fall from one picture to the next; it may rise at once
-constexpr double restingAngle = 0.05;   ///< deg from one picture to the next: a C-arm that does not turn, and trembles in what it reports
-constexpr double restingDistance = 0.5; ///< mm
+constexpr int framesPerNoise = 8; ///< the noise is read anew from every eighth picture
+constexpr double gainStep = 0.1;  ///< share of the brightness by which two pictures of one run do not differ without a new gain
+constexpr double kStep = 0.05;    ///< by which K may fall from one picture to the next; it may rise at once
+constexpr ProjectionTolerance resting{0.05, 0.5}; ///< from one picture to the next: a C-arm that does not turn
 constexpr std::chrono::seconds longestGap{1};
 constexpr int storedBits = 16;
 
@@ -89,7 +88,7 @@ bool DisplayChain::continues(const XrayFrame& frame) const
         return false;
     const XrayFrame& before = m_last->about;
     const double brightness = brightnessOf(m_stored);
-    return before.acquisition == frame.acquisition && sameProjection(before.geometry, frame.geometry, restingAngle, restingDistance) &&
+    return before.acquisition == frame.acquisition && sameProjection(before.geometry, frame.geometry, resting) &&
            before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
            before.bitsStored == frame.bitsStored && before.intensity == frame.intensity && before.photometric == frame.photometric &&
            before.mask == frame.mask && before.source == frame.source && frame.captureNs >= before.captureNs &&

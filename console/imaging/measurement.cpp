@@ -2,7 +2,6 @@
 #include "imaging/measurement.hpp"
 
 #include "imaging/display_picture.hpp"
-#include "model/roadmap_state.hpp"
 
 #include <QCoreApplication>
 #include <QtMath>
@@ -26,7 +25,7 @@ struct Text {
 bool sameView(const XrayFrame& a, const XrayFrame& b)
 {
     return a.rows == b.rows && a.columns == b.columns && a.imagerPixelSpacing == b.imagerPixelSpacing &&
-           sameProjection(a.geometry, b.geometry, RoadmapState::angleTolerance, RoadmapState::distanceTolerance);
+           sameProjection(a.geometry, b.geometry);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 #include "imaging/opacification.hpp"
 
 #include "imaging/pane_colours.hpp"
-#include "model/roadmap_state.hpp"
 
 #include <opencv2/imgproc.hpp>
 
@@ -97,8 +96,7 @@ bool Opacification::endsWith(const XrayFrame& frame) const
     return m_count > 0 &&
            (m_first.acquisition != frame.acquisition || m_first.rows != frame.rows || m_first.columns != frame.columns ||
             m_first.bitsStored != frame.bitsStored || m_first.photometric != frame.photometric || m_first.intensity != frame.intensity ||
-            m_first.imagerPixelSpacing != frame.imagerPixelSpacing ||
-            !sameProjection(m_first.geometry, frame.geometry, RoadmapState::angleTolerance, RoadmapState::distanceTolerance));
+            m_first.imagerPixelSpacing != frame.imagerPixelSpacing || !sameProjection(m_first.geometry, frame.geometry));
 }
 
 Opacification Opacification::copy() const

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace console {
 
@@ -112,8 +111,9 @@ void SceneView::showPicture(const DisplayPicture& picture)
     if (std::max(picture.image.width(), picture.image.height()) > largestTexture)
         m_state.picture = picture.image.scaled(largestTexture, largestTexture, Qt::KeepAspectRatio, Qt::FastTransformation);
     m_state.pictureSource = picture.about.source;
-    const PictureId id{picture.about.acquisition, picture.about.frame, picture.about.captureNs};
-    if (std::exchange(m_shown, id) != id) // else it is drawn anew, with another window, where it was taken
+    const bool again = m_shown && picture.isSameFrameAs(*m_shown); // with another window, where it was taken
+    m_shown.emplace().about = picture.about;
+    if (!again)
         placePicture(picture.about);
     requestDrawing();
 }

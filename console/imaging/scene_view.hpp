@@ -77,12 +77,6 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    struct PictureId {
-        quint32 acquisition = 0;
-        quint32 frame = 0;
-        quint64 captureNs = 0;
-        bool operator==(const PictureId&) const = default;
-    };
     void placePicture(const XrayFrame& about);
     void requestDrawing();
     void takeDrawing();
@@ -104,8 +98,8 @@ private:
     QVector3D m_focus;
     QSizeF m_detectorSize;
     std::optional<XrayGeometry> m_cArm;
-    std::optional<PictureId> m_shown;
-    std::optional<QVector3D> m_tipBefore; ///< in the patient frame
+    std::optional<DisplayPicture> m_shown; ///< without its image
+    std::optional<QVector3D> m_tipBefore;  ///< in the patient frame
     PictureCondition m_condition = PictureCondition::None;
     SceneImage m_drawn;
     quint64 m_drawings = 0;

@@ -25,11 +25,11 @@ struct RoadmapBasis {
 class RoadmapState : public QObject {
     Q_OBJECT
 public:
-    static constexpr double angleTolerance = 0.5;         ///< deg
-    static constexpr double distanceTolerance = 2;        ///< mm, of SID and SOD
-    static constexpr double tableTolerance = 1;           ///< mm, each axis
-    static constexpr double displacementTolerance = 0.01; ///< of the picture's width: the patient's own movement
-    static constexpr int displacementsThatCount = 3;      ///< in a row
+    static constexpr double angleTolerance = ProjectionTolerance{}.angle;       ///< deg
+    static constexpr double distanceTolerance = ProjectionTolerance{}.distance; ///< mm, of SID and SOD
+    static constexpr double tableTolerance = 1;                                 ///< mm, each axis
+    static constexpr double displacementTolerance = 0.01;                       ///< of the picture's width: the patient's own movement
+    static constexpr int displacementsThatCount = 3;                            ///< in a row
     static constexpr std::size_t tablesKept = 64;
 
     explicit RoadmapState(QObject* parent = nullptr);

@@ -26,14 +26,19 @@ struct XrayGeometry {
     std::array<double, 3> table{};     ///< mm: lateral, longitudinal, height
 };
 
-/// Whether two pictures were taken from one side, angles and distances within these tolerances: a C-arm at rest trembles in the last digits
-/// of what it reports.
-inline bool sameProjection(const XrayGeometry& a, const XrayGeometry& b, double degrees, double millimetres)
+/// What a C-arm at rest may tremble in the angles and distances that it reports, and a picture does not show.
+struct ProjectionTolerance {
+    double angle = 0.5;  ///< deg
+    double distance = 2; ///< mm, of SID and SOD
+};
+
+/// Whether two pictures were taken from one side.
+inline bool sameProjection(const XrayGeometry& a, const XrayGeometry& b, const ProjectionTolerance& tolerance = {})
 {
-    const auto near = [](double one, double other, double tolerance) { return std::abs(one - other) <= tolerance; };
-    return near(a.primaryAngle, b.primaryAngle, degrees) && near(a.secondaryAngle, b.secondaryAngle, degrees) &&
-           near(a.sourceDetectorDistance, b.sourceDetectorDistance, millimetres) &&
-           near(a.sourceObjectDistance, b.sourceObjectDistance, millimetres);
+    const auto near = [](double one, double other, double most) { return std::abs(one - other) <= most; };
+    return near(a.primaryAngle, b.primaryAngle, tolerance.angle) && near(a.secondaryAngle, b.secondaryAngle, tolerance.angle) &&
+           near(a.sourceDetectorDistance, b.sourceDetectorDistance, tolerance.distance) &&
+           near(a.sourceObjectDistance, b.sourceObjectDistance, tolerance.distance);
 }
 
 struct AcquisitionStatus {

@@ -131,7 +131,7 @@ private:
         auto* image = m_theatre.window().findChild<LiveImageView*>();
         for (const char* wanted : {"More zoom", "More noise reduction", "More noise reduction"})
             press(wanted);
-        if (!m_theatre.click(QStringLiteral("Measure")))
+        if (image == nullptr || !m_theatre.click(QStringLiteral("Measure")))
             return false;
         const QPoint middle = image->rect().center();
         const int reach = image->height() / 8;

@@ -66,6 +66,7 @@ void PathRate::restart()
     m_burst.reset();
     m_departures = {};
     m_calm = {}; // it may go another way
+    m_ofLate = {};
     m_draining = false;
     m_effective = 0;
 }
