@@ -1,4 +1,5 @@
 // `liena bench` as a biomedical engineer uses it: the three ways, what goes wrong, and that sessions are unharmed.
+#include "liena_program.hpp"
 #include "test_system.hpp"
 
 #include <QDir>
@@ -7,7 +8,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTcpServer>
 #include <QTest>
 
@@ -19,31 +19,6 @@ using namespace liena::test;
 using Kind = SessionEvent::Kind;
 
 namespace {
-
-struct Outcome {
-    int status = -1;
-    QString output;
-    QString errors;
-};
-
-const QString program = QStringLiteral(LIENA_PROGRAM_DIR "/liena");
-constexpr int longest = 60'000;
-
-Outcome outcomeOf(QProcess& process)
-{
-    if (!process.waitForFinished(longest) || process.exitStatus() != QProcess::NormalExit)
-        return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()), QString::fromUtf8(process.readAllStandardError())};
-}
-
-Outcome run(const QStringList& arguments)
-{
-    QProcess process;
-    process.start(program, arguments);
-    return outcomeOf(process);
-}
-
-QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 /// What any line keeps that works at all, under sanitizers and on a busy machine.
 constexpr auto patient = "commands 100 /s\nframes 5 /s\nimage 20 KiB\nround-trip-p99 50000 ms 60000 ms\n"
@@ -95,7 +70,7 @@ bool harmed(const TestDevice& device)
     return device.heard(Kind::Lost) || device.heard(Kind::Interrupted) || device.heard(Kind::StandByBegan);
 }
 
-QString said(const Outcome& outcome) { return QString::number(outcome.status) + QLatin1Char('\n') + outcome.output + outcome.errors; }
+QString said(const ToolOutcome& outcome) { return QString::number(outcome.status) + QLatin1Char('\n') + outcome.output + outcome.errors; }
 
 } // namespace
 
@@ -107,7 +82,7 @@ private Q_SLOTS:
     {
         Stage stage;
         const auto svg = text(stage.system.folder() / "line.svg");
-        const auto found = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), svg}));
+        const auto found = runLiena(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), svg}));
         QVERIFY2(found.status == 0, qPrintable(said(found)));
         QVERIFY2(found.output.startsWith(QStringLiteral("GO: the line from cockpit to robot (both on this computer)")),
                  qPrintable(found.output));
@@ -123,22 +98,22 @@ private Q_SLOTS:
     {
         Stage stage;
         const auto impossible = stage.write("impossible.profile", "commands 50 /s\nround-trip-p99 0 ms 0 ms\n");
-        const auto found = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--json")}, "robot", impossible));
+        const auto found = runLiena(stage.bench({QStringLiteral("--local"), QStringLiteral("--json")}, "robot", impossible));
         QVERIFY2(found.status == 4, qPrintable(said(found)));
         const auto json = QJsonDocument::fromJson(found.output.toUtf8()).object();
         QCOMPARE(json["verdict"].toString(), QStringLiteral("NO-GO"));
         QCOMPARE(json["measurement"].toObject()["phases"].toArray().size(), 5);
         const auto unsure = stage.write("unsure.profile", "commands 50 /s\nround-trip-p99 0 ms 60000 ms\n");
-        QCOMPARE(run(stage.bench({QStringLiteral("--local")}, "robot", unsure)).status, 3);
+        QCOMPARE(runLiena(stage.bench({QStringLiteral("--local")}, "robot", unsure)).status, 3);
     }
 
     void aRateThatNoLineCarriesIsNoGo()
     {
         Stage stage;
         const auto profile = stage.write("much.profile", "commands 50 /s\nimages-carried 99 % 90 %\n");
-        const auto found = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--frames"), QStringLiteral("1000"),
-                                            QStringLiteral("--image"), QStringLiteral("8MiB")}, // 8.4 GB/s
-                                           "robot", profile));
+        const auto found = runLiena(stage.bench({QStringLiteral("--local"), QStringLiteral("--frames"), QStringLiteral("1000"),
+                                                 QStringLiteral("--image"), QStringLiteral("8MiB")}, // 8.4 GB/s
+                                                "robot", profile));
         QVERIFY2(found.status == 4, qPrintable(said(found)));
         QVERIFY2(found.output.startsWith(QStringLiteral("NO-GO: ")) && found.output.contains(QStringLiteral("% is less than 90 %")),
                  qPrintable(found.output));
@@ -152,7 +127,7 @@ private Q_SLOTS:
         QVERIFY(arm->openChannel(stage.robotId));
         QTRY_COMPARE(words(arm.state(stage.robotId)), words(SessionState::Open));
         for (int times = 1; times <= 2; ++times) { // and again, at once
-            const auto found = run(stage.bench({}));
+            const auto found = runLiena(stage.bench({}));
             QVERIFY2(found.status == 0, qPrintable(said(found) + QString::fromStdString(robot.story())));
             QTRY_COMPARE(robot.events(Kind::Closed).size(), static_cast<std::size_t>(times));
         }
@@ -174,12 +149,12 @@ private Q_SLOTS:
                 sent += command && system.send(stage.robotId, std::move(command.value())) ? 1 : 0;
             });
         });
-        const auto early = run(stage.bench({QStringLiteral("--live")}));
+        const auto early = runLiena(stage.bench({QStringLiteral("--live")}));
         QVERIFY2(early.status == 1 && early.errors.contains(QStringLiteral("closed")), qPrintable(said(early)));
         QVERIFY(cockpit->openChannel(stage.robotId));
         QTRY_VERIFY(sent > 2);
-        const auto found = run(stage.bench({QStringLiteral("--live"), QStringLiteral("--commands"), QStringLiteral("1000"),
-                                            QStringLiteral("--command-bytes"), QStringLiteral("200")}));
+        const auto found = runLiena(stage.bench({QStringLiteral("--live"), QStringLiteral("--commands"), QStringLiteral("1000"),
+                                                 QStringLiteral("--command-bytes"), QStringLiteral("200")}));
         QVERIFY2(found.status == 0, qPrintable(said(found)));
         QVERIFY2(found.output.contains(QStringLiteral("budget: 200 probes a second, 0.2 MB/s of images")) ||
                      found.output.contains(QStringLiteral("budget: 200 probes a second, 0.1 MB/s of images")), // 20 KiB five times a second
@@ -201,14 +176,14 @@ private Q_SLOTS:
         QVERIFY(cockpit->openChannel(stage.robotId));
         QTRY_VERIFY(robot.heard(Kind::Opened));
         QProcess process;
-        process.start(program, stage.bench({QStringLiteral("--live"), QStringLiteral("--seconds"), QStringLiteral("30")}));
+        process.start(lienaProgram, stage.bench({QStringLiteral("--live"), QStringLiteral("--seconds"), QStringLiteral("30")}));
         const auto before = robot->links().front().bytesReceived;
         QTRY_VERIFY_WITH_TIMEOUT(robot->links().front().bytesReceived > before + 20'000, 20000); // it measures
         process.terminate();
         const auto stopped = outcomeOf(process);
         QVERIFY2(stopped.status == 1 && stopped.errors.contains(QStringLiteral("stopped")), qPrintable(said(stopped)));
-        const auto again = [&] { return run(stage.bench({QStringLiteral("--live")})).status == 0; };
-        QTRY_VERIFY_WITH_TIMEOUT(again(), longest); // the line is free
+        const auto again = [&] { return runLiena(stage.bench({QStringLiteral("--live")})).status == 0; };
+        QTRY_VERIFY_WITH_TIMEOUT(again(), longestToolRun); // the line is free
         QVERIFY2(!harmed(robot) && !harmed(cockpit), cockpit.story().c_str());
     }
 
@@ -216,12 +191,12 @@ private Q_SLOTS:
     {
         Stage stage;
         TestDevice robot(stage.system.settingsOf("robot"));
-        const auto none = run(stage.bench({QStringLiteral("--live")}));
+        const auto none = runLiena(stage.bench({QStringLiteral("--live")}));
         QVERIFY2(none.status == 1 && none.errors.contains(QStringLiteral("cockpit does not run here")), qPrintable(said(none)));
         TestDevice cockpit(stage.system.settingsOf("cockpit"));
-        const auto closed = run(stage.bench({QStringLiteral("--live")}));
+        const auto closed = runLiena(stage.bench({QStringLiteral("--live")}));
         QVERIFY2(closed.status == 1 && closed.errors.contains(QStringLiteral("--measure-on-request")), qPrintable(said(closed)));
-        const auto taken = run(stage.bench({}));
+        const auto taken = runLiena(stage.bench({}));
         QVERIFY2(taken.status == 1 && taken.errors.contains(QStringLiteral("measure with --live")), qPrintable(said(taken)));
     }
 
@@ -230,7 +205,7 @@ private Q_SLOTS:
         Stage stage;
         TestDevice robot(stage.system.settingsOf("robot"));
         QProcess process;
-        process.start(program, stage.bench({QStringLiteral("--seconds"), QStringLiteral("60")}));
+        process.start(lienaProgram, stage.bench({QStringLiteral("--seconds"), QStringLiteral("60")}));
         QTRY_VERIFY_WITH_TIMEOUT(robot.heard(Kind::Opened), 20000);
         process.terminate();
         const auto stopped = outcomeOf(process);
@@ -242,21 +217,22 @@ private Q_SLOTS:
     void whatCannotBeMeasuredIsSaid()
     {
         Stage stage;
-        const auto unreachable = run(stage.bench({}));
+        const auto unreachable = runLiena(stage.bench({}));
         QVERIFY2(unreachable.status == 1 && unreachable.errors.contains(QStringLiteral("no session with robot")),
                  qPrintable(said(unreachable)));
         QVERIFY(unreachable.errors.contains(QStringLiteral("liena probe robot")));
-        QVERIFY(run(stage.bench({}, "arm")).errors.contains(QStringLiteral("no link between cockpit and arm")));
-        QVERIFY(run(stage.bench({}, "scalpel")).errors.contains(QStringLiteral("scalpel")));
+        QVERIFY(runLiena(stage.bench({}, "arm")).errors.contains(QStringLiteral("no link between cockpit and arm")));
+        QVERIFY(runLiena(stage.bench({}, "scalpel")).errors.contains(QStringLiteral("scalpel")));
         const auto profile = stage.write("wrong.profile", "loss 0.1 %\n");
-        const auto wrong = run(stage.bench({}, "robot", profile));
+        const auto wrong = runLiena(stage.bench({}, "robot", profile));
         QVERIFY2(wrong.status == 1 && wrong.errors.contains(QStringLiteral("wrong.profile:1: write `loss")), qPrintable(said(wrong)));
-        QVERIFY(run(stage.bench({}, "robot", QStringLiteral("brain-surgery"))).errors.contains(QStringLiteral("no profile brain-surgery")));
-        QCOMPARE(run({QStringLiteral("bench")}).status, 2);
-        QCOMPARE(run(stage.bench({QStringLiteral("--live"), QStringLiteral("--local")})).status, 2);
-        QCOMPARE(run(stage.bench({QStringLiteral("--image"), QStringLiteral("9MiB")})).status, 2);
+        QVERIFY(runLiena(stage.bench({}, "robot", QStringLiteral("brain-surgery")))
+                    .errors.contains(QStringLiteral("no profile brain-surgery")));
+        QCOMPARE(runLiena({QStringLiteral("bench")}).status, 2);
+        QCOMPARE(runLiena(stage.bench({QStringLiteral("--live"), QStringLiteral("--local")})).status, 2);
+        QCOMPARE(runLiena(stage.bench({QStringLiteral("--image"), QStringLiteral("9MiB")})).status, 2);
         QFile(text(stage.system.topology())).remove();
-        QCOMPARE(run(stage.bench({})).status, 1);
+        QCOMPARE(runLiena(stage.bench({})).status, 1);
     }
 
     void aHostThatSaysNothingIsNamed()
@@ -264,7 +240,7 @@ private Q_SLOTS:
         Stage stage;
         QTcpServer mute;
         QVERIFY(mute.listen(QHostAddress::LocalHost, stage.system.portOf("robot")));
-        const auto found = run(stage.bench({}));
+        const auto found = runLiena(stage.bench({}));
         QVERIFY2(found.status == 1 && found.errors.contains(QStringLiteral("no session with robot")), qPrintable(said(found)));
         QVERIFY2(found.errors.contains(QStringLiteral("liena probe robot")), qPrintable(said(found)));
     }
@@ -274,7 +250,7 @@ private Q_SLOTS:
         Stage stage;
         TestDevice robot(stage.system.settingsOf("robot"));
         QProcess process;
-        process.start(program, stage.bench({QStringLiteral("--seconds"), QStringLiteral("60")}));
+        process.start(lienaProgram, stage.bench({QStringLiteral("--seconds"), QStringLiteral("60")}));
         QTRY_VERIFY_WITH_TIMEOUT(robot.heard(Kind::Opened), 20000);
         const auto before = robot->links().front().bytesReceived;
         QTRY_VERIFY_WITH_TIMEOUT(robot->links().front().bytesReceived > before + 20'000, 20000); // it measures
@@ -292,7 +268,7 @@ private Q_SLOTS:
         auto settings = stage.system.settingsOf("robot");
         settings.measuring.allowed = false;
         TestDevice robot(settings);
-        const auto refused = run(stage.bench({}));
+        const auto refused = runLiena(stage.bench({}));
         QVERIFY2(refused.status == 1 && refused.errors.contains(QStringLiteral("robot refuses to be measured")), qPrintable(said(refused)));
         QTRY_VERIFY(robot.heard(Kind::Closed));
         QVERIFY(!harmed(robot));
@@ -303,14 +279,14 @@ private Q_SLOTS:
         Stage stage;
         QProcess process;
         process.setStandardOutputFile(QStringLiteral("/dev/full"));
-        process.start(program, stage.bench({QStringLiteral("--local"), QStringLiteral("--json")}));
+        process.start(lienaProgram, stage.bench({QStringLiteral("--local"), QStringLiteral("--json")}));
         const auto full = outcomeOf(process);
         QVERIFY2(full.status == 1 && full.errors.contains(QStringLiteral("make room on the disk")), qPrintable(said(full)));
-        const auto plot = run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/dev/full")}));
+        const auto plot = runLiena(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/dev/full")}));
         QVERIFY2(plot.status == 1 && plot.errors.contains(QStringLiteral("/dev/full was not written")), qPrintable(said(plot)));
         QVERIFY(plot.output.startsWith(QStringLiteral("GO: "))); // the figures are not lost with it
         const auto nowhere =
-            run(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/no/such/place/line.svg")}));
+            runLiena(stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), QStringLiteral("/no/such/place/line.svg")}));
         QVERIFY2(nowhere.status == 1 && nowhere.errors.contains(QStringLiteral("/no/such/place/line.svg was not written")),
                  qPrintable(said(nowhere)));
         QVERIFY(nowhere.output.isEmpty()); // it was not measured first

@@ -42,6 +42,27 @@ std::uint64_t heartbeatsFrom(TestDevice& device, DeviceId peer)
     return 0;
 }
 
+/// A cockpit with links to a robot and to an arm.
+struct Trio {
+    explicit Trio(const char* robotLink) : system({reference::cockpit, reference::robot, reference::arm}, {robotLink, "cockpit arm"}) {}
+
+    bool opens()
+    {
+        const auto asked = cockpit->openChannel(robotId) && cockpit->openChannel(armId);
+        return asked && QTest::qWaitFor([this] {
+                   return cockpit.heard(Kind::Opened, robotId) && cockpit.heard(Kind::Opened, armId) && robot.heard(Kind::Opened) &&
+                          arm.heard(Kind::Opened);
+               });
+    }
+
+    TestSystem system;
+    DeviceId robotId = system.idOf("robot");
+    DeviceId armId = system.idOf("arm");
+    TestDevice robot{system.settingsOf("robot")};
+    TestDevice arm{system.settingsOf("arm")};
+    TestDevice cockpit{system.settingsOf("cockpit")};
+};
+
 } // namespace
 
 class TimingTest : public QObject {
@@ -75,16 +96,9 @@ private Q_SLOTS:
 
     void nothingIsMissedOfALinkThatWasClosed()
     {
-        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "cockpit arm"});
-        TestDevice robot(system.settingsOf("robot"));
-        TestDevice arm(system.settingsOf("arm"));
-        TestDevice cockpit(system.settingsOf("cockpit"));
-        const auto robotId = system.idOf("robot");
-        const auto armId = system.idOf("arm");
-        QVERIFY(cockpit->openChannel(robotId));
-        QVERIFY(cockpit->openChannel(armId));
-        QTRY_VERIFY2(robot.heard(Kind::Opened) && arm.heard(Kind::Opened), cockpit.story().c_str());
-
+        Trio trio("cockpit robot");
+        auto& [system, robotId, armId, robot, arm, cockpit] = trio;
+        QVERIFY2(trio.opens(), cockpit.story().c_str());
         QCOMPARE(robot->publish(robot->report("RobotStatus").value()), std::size_t{1}); // deadline 50 ms
         QVERIFY(robot->closeChannel(system.idOf("cockpit")));
         QTRY_COMPARE(words(cockpit.state(robotId)), words(SessionState::Closed));
@@ -98,15 +112,9 @@ private Q_SLOTS:
 
     void aLinkMayHaveATimingOfItsOwn()
     {
-        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {R"(cockpit robot|heartbeat="60ms")", "cockpit arm"});
-        TestDevice robot(system.settingsOf("robot"));
-        TestDevice arm(system.settingsOf("arm"));
-        TestDevice cockpit(system.settingsOf("cockpit"));
-        const auto robotId = system.idOf("robot");
-        const auto armId = system.idOf("arm");
-        QVERIFY(cockpit->openChannel(robotId));
-        QVERIFY(cockpit->openChannel(armId));
-        QTRY_VERIFY2(cockpit.heard(Kind::Opened, robotId) && cockpit.heard(Kind::Opened, armId), cockpit.story().c_str());
+        Trio trio(R"(cockpit robot|heartbeat="60ms")");
+        auto& [system, robotId, armId, robot, arm, cockpit] = trio;
+        QVERIFY2(trio.opens(), cockpit.story().c_str());
         const auto before = std::pair(heartbeatsFrom(cockpit, robotId), heartbeatsFrom(cockpit, armId));
         QTRY_VERIFY(heartbeatsFrom(cockpit, armId) >= before.second + 20);
         const auto ofRobot = heartbeatsFrom(cockpit, robotId) - before.first;
