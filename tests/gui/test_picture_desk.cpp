@@ -5,10 +5,12 @@
 #include "imaging/scene_view.hpp"
 #include "sample_frames.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/review_controls.hpp"
 #include "widgets/small_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -206,6 +208,17 @@ private Q_SLOTS:
         QCOMPARE(desk.reference->told(), QStringLiteral("there is no picture to save yet"));
         QVERIFY(desk.live->told().isEmpty());
         QTRY_VERIFY_WITH_TIMEOUT(desk.reference->told().isEmpty(), 8000); // it does not stay
+    }
+
+    void aCopyOnAnotherScreenBeginsAsThePaneIs()
+    {
+        Desk desk;
+        desk.desk.display().nextMeasureMode();
+        auto* strength = desk.window.findChild<ReviewControls*>()->findChild<QSlider*>();
+        strength->setValue(15);
+        const std::unique_ptr<ReferenceImageView> copy(desk.desk.makeReferenceCopy());
+        QCOMPARE(copy->opacity(), 0.15);
+        QCOMPARE(copy->measurement().mode(), MeasureMode::Distance);
     }
 
     void sceneLeavesTheHandItsOwn()

@@ -77,6 +77,7 @@ class TestPictureCanvas : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void dragMovesWindow();
+    void aKeyMovesWhatIsShown();
     void keysChangeEverySetting();
     void settingsRedrawTheSamePicture();
     void leavesHandsKeysAlone_data();
@@ -110,6 +111,24 @@ void TestPictureCanvas::dragMovesWindow()
     QTest::mouseRelease(pane.view, Qt::LeftButton, {}, pane.middle() + QPoint(0, 60));
     QVERIFY(pane.display.settings().fixed.centre > 2048);
     QCOMPARE(pane.display.settings().fixed.width, narrower.fixed.width);
+}
+
+/// The centre stays among the picture's values: what was pressed beyond them need not be pressed back.
+void TestPictureCanvas::aKeyMovesWhatIsShown()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    for (int press = 0; press < 60; ++press) {
+        QTest::keyClick(pane.view, Qt::Key_X);
+        QVERIFY(pane.settled());
+    }
+    const double farthest = pane.view->picture()->window.centre;
+    QTest::keyClick(pane.view, Qt::Key_X);
+    QVERIFY(pane.settled());
+    QCOMPARE(pane.view->picture()->window.centre, farthest);
+    QTest::keyClick(pane.view, Qt::Key_S);
+    QVERIFY(pane.settled());
+    QVERIFY(pane.view->picture()->window.centre < farthest);
 }
 
 void TestPictureCanvas::keysChangeEverySetting()

@@ -297,6 +297,31 @@ private Q_SLOTS:
         QVERIFY(logTells(theatre, QStringLiteral("picture as asked for again")));
     }
 
+    // Rule 6.
+
+    /// Another console or a pedal beside the patient has the beam: that its state cannot be told any more does not end the run.
+    void aPictureThatBreaksOffStaysFrozenWhoeverHasThePedal()
+    {
+        Stage& stage = *m_stage;
+        auto& theatre = stage.theatre;
+        theatre.releaseAll();
+        stage.xray.setBeam(true);
+        QTRY_COMPARE_WITH_TIMEOUT(conditionOf(stage), PictureCondition::Live, patience);
+        QVERIFY(!theatre.models().xray.pedalDown());
+        stage.xray.standStill(std::chrono::milliseconds(4000)); // it is lost after 800 ms, and not waited for after two seconds more
+        QTRY_COMPARE_WITH_TIMEOUT(theatre.link("xray"), LinkState::StandBy, patience);
+        QVERIFY(!theatre.models().xray.fresh(std::chrono::steady_clock::now()));
+        QCOMPARE(conditionOf(stage), PictureCondition::Frozen);
+        const auto reopens = [&] { // as often as it takes until the device is awake
+            theatre.click(QStringLiteral("Re-open channel"), theatre.window().findChild<DiagnosisSheet*>());
+            return QTest::qWaitFor([&] { return theatre.link("xray") == LinkState::Open; }, 2000);
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(reopens(), qPrintable(theatre.story()), patience);
+        QTRY_COMPARE_WITH_TIMEOUT(conditionOf(stage), PictureCondition::Live, patience);
+        stage.xray.setBeam(false);
+        QTRY_COMPARE_WITH_TIMEOUT(conditionOf(stage), PictureCondition::Held, patience);
+    }
+
     // Rule 4.
 
     void nobodyArmsOnAnotherDevicesPicture()
