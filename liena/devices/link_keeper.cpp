@@ -22,7 +22,8 @@ void LinkKeeper::handle(const SessionEvent& event, SteadyTime now)
     if (const auto found = m_links.find(event.peer); found != m_links.end())
         handleOwn(found->second, event, now);
     else if (event.kind == SessionEvent::Kind::ReOpened && isBrain(event.peer))
-        followTheCockpit(now);
+        for (auto& [peer, link] : m_links) // no device keeps a cockpit's channel open by itself, so a person stood behind this
+            follow(link, now);
 }
 
 void LinkKeeper::handleOwn(Link& link, const SessionEvent& event, SteadyTime now)
@@ -30,19 +31,20 @@ void LinkKeeper::handleOwn(Link& link, const SessionEvent& event, SteadyTime now
     switch (event.kind) {
     case SessionEvent::Kind::Opened:
     case SessionEvent::Kind::ReOpened:
-        link = {State::Up, now, 0};
+        link = {State::Up, now};
         break;
     case SessionEvent::Kind::Closed:
         if (link.state != State::Left)
-            link = {State::Wanted, now + pause, 0};
+            link = {State::Wanted, now + pause};
         break;
     case SessionEvent::Kind::Lost:
-        link = {State::Lost, now, 0};
+        link = {State::Lost, now};
         break;
     case SessionEvent::Kind::OpenFailed:
         // The peer holds an incident of this pair that we do not know, because we were started anew: that is a lost link too.
+        // It is older than we are, and so older than what a person re-opened here since.
         if (link.state == State::Wanted && event.reason == RejectReason::StandBy)
-            link.state = State::Lost;
+            link.state = link.personReopened ? State::Following : State::Lost;
         link.next = now + pause;
         break;
     default:
@@ -64,17 +66,17 @@ void LinkKeeper::handleIncidentEnded(const SessionEvent& event, SteadyTime now)
             (event.incident.a == m_self && event.incident.b == peer) || (event.incident.b == m_self && event.incident.a == peer);
         if (ours && event.dismissed)
             link.state = State::Left;
-        else if (!event.dismissed && link.state == State::Lost && personReopened(event, peer))
-            link = {State::Following, now, 0};
+        else if (!event.dismissed && personReopened(event, peer))
+            follow(link, now);
     }
 }
 
-// No device keeps a cockpit's channel open by itself, so a person stood behind this.
-void LinkKeeper::followTheCockpit(SteadyTime now)
+void LinkKeeper::follow(Link& link, SteadyTime now)
 {
-    for (auto& [peer, link] : m_links)
-        if (link.state == State::Lost)
-            link = {State::Following, now, 0};
+    if (link.state == State::Lost)
+        link = {State::Following, now};
+    else if (link.state == State::Wanted)
+        link.personReopened = true;
 }
 
 void LinkKeeper::closedByPerson(DeviceId peer)
@@ -87,7 +89,7 @@ void LinkKeeper::openedByPerson(DeviceId peer, SteadyTime now)
 {
     const auto found = m_links.find(peer);
     if (found != m_links.end() && found->second.state == State::Left)
-        found->second = {State::Wanted, now + pause, 0}; // the person's own try is on its way
+        found->second = {State::Wanted, now + pause}; // the person's own try is on its way
 }
 
 std::vector<LinkKeeper::Wish> LinkKeeper::due(SteadyTime now)

@@ -13,12 +13,12 @@ namespace liena::devices {
 
 /// Opens from Closed again and again, never out of stand-by: a lost link is re-opened only after a person re-opened, elsewhere, a channel
 /// between a cockpit and this device or the lost link's peer, and only a few times then. Pure: time comes from the caller.
-/// A device that was restarted holds no incident that could end: to it, that a cockpit re-opened its own channel here says the same.
+/// A device that was restarted holds no incident that could end: to it, that a cockpit re-opened its own channel here says the same, also
+/// before it hears from the peer that there is an incident.
 ///
 ///   Wanted ──due──► Trying ──opened──► Up ──closed in order──► Wanted
-///     ▲               │ failed, after 1 s                    Up ──lost──► Lost ──a person's re-open heard──► Following ──opened──► Up
+///     ▲               │ failed, again after 1 s              Up ──lost──► Lost ──a person's re-open heard──► Following ──opened──► Up
 ///     └───────────────┘                                       ▲                                                │ five failures, or lost
-///     again
 ///                                                             └───────────────────────────────────── Lost ◄────┘
 ///   Left: a person closed it here or gave its incident up; only a person's `open` leads back to Wanted.
 class LinkKeeper {
@@ -49,11 +49,12 @@ private:
         State state = State::Wanted;
         SteadyTime next; ///< of the next try
         int tries = 0;
+        bool personReopened = false; ///< while it was Wanted
     };
 
     void handleOwn(Link& link, const SessionEvent& event, SteadyTime now);
     void handleIncidentEnded(const SessionEvent& event, SteadyTime now);
-    void followTheCockpit(SteadyTime now);
+    static void follow(Link& link, SteadyTime now);
     bool personReopened(const SessionEvent& event, DeviceId peer) const;
 
     DeviceId m_self;

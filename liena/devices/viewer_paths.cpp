@@ -18,11 +18,11 @@ std::vector<PathReading> ViewerPaths::read(const std::vector<LinkStatus>& links,
         const auto last = m_superseded.find(link.peer);
         if (last == m_superseded.end())
             continue;
-        const std::uint64_t before = std::exchange(last->second, link.messagesSuperseded);
+        const std::uint64_t before = std::exchange(last->second, link.bulkSuperseded);
         if (!carriesMessages(link.state))
             continue;
         const auto gone = lost.find(link.peer);
-        const std::uint64_t replaced = link.messagesSuperseded > before ? link.messagesSuperseded - before : 0;
+        const std::uint64_t replaced = link.bulkSuperseded > before ? link.bulkSuperseded - before : 0;
         readings.push_back({link.bulkRateOf(m_pictures), replaced + (gone != lost.end() ? gone->second : 0)});
     }
     return readings;

@@ -68,12 +68,23 @@ std::optional<double> jitterOf(const Measurement& measurement, std::string& why)
     return milliseconds(phase->packets.roundTrip.quantile(0.999) - phase->packets.roundTrip.least());
 }
 
+/// A line may carry another rate by now.
+std::string tooLongAgo(std::chrono::nanoseconds age)
+{
+    using namespace std::chrono_literals;
+    if (age <= 1min)
+        return {};
+    return fmt::format("images showed it {} min ago: let them flow again, or measure while the devices are at rest", age / 1min);
+}
+
 std::optional<double> imageRateOf(const Measurement& measurement, std::string& why)
 {
     const auto* phase = phaseOf(measurement, phases::images);
     const auto* most = phase != nullptr ? &phase->images : nullptr;
-    if (most == nullptr && measurement.bulkRate)
+    if (most == nullptr && measurement.bulkRate) {
+        why = tooLongAgo(measurement.bulkRateAge);
         return *measurement.bulkRate / 1e6;
+    }
     if (most == nullptr || most->limited) {
         why = most == nullptr ? "was not measured, since that fills the line, and no images have shown it yet"
                               : "the budget for measuring is less than the line may carry";

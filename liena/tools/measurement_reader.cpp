@@ -14,6 +14,13 @@ T countOf(const JsonValue& value)
     return number > 0 && number < most ? static_cast<T>(number) : T{0};
 }
 
+std::chrono::nanoseconds timeOf(const JsonValue& seconds)
+{
+    constexpr double most = 1e9;
+    const double number = seconds.numberOr(0);
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(number > 0 && number < most ? number : 0));
+}
+
 ProbeFigures figuresFrom(const JsonValue& json)
 {
     ProbeFigures figures;
@@ -26,7 +33,7 @@ ProbeFigures figuresFrom(const JsonValue& json)
     figures.withheld = countOf<std::uint64_t>(json["withheld"]);
     figures.heard = countOf<std::uint64_t>(json["heard"]);
     figures.echoed = countOf<std::uint64_t>(json["echoed"]);
-    figures.spent = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(json["spent_s"].numberOr(0)));
+    figures.spent = timeOf(json["spent_s"]);
     for (const auto& bucket : json["buckets_ns"].items())
         if (const auto pair = bucket.items(); pair.size() == 2)
             figures.roundTrip.record(countOf<std::int64_t>(pair[0]), countOf<std::uint64_t>(pair[1]));
@@ -44,8 +51,10 @@ std::optional<Measurement> measurementFrom(const JsonValue& json)
     measurement.inUse = json["in_use"].truth();
     measurement.limits.probesPerSecond = countOf<std::uint32_t>(json["limits"]["probes_per_second"]);
     measurement.limits.bulkBytesPerSecond = countOf<std::uint64_t>(json["limits"]["bulk_bytes_per_second"]);
-    if (const double rate = json["bulk_bytes_per_second"].numberOr(0); rate > 0)
+    if (const double rate = json["bulk_bytes_per_second"].numberOr(0); rate > 0) {
         measurement.bulkRate = rate;
+        measurement.bulkRateAge = timeOf(json["bulk_age_s"]);
+    }
     for (const auto& phase : json["phases"].items())
         measurement.phases.push_back(
             {phase["name"].text(), figuresFrom(phase["prompt"]), figuresFrom(phase["packets"]), figuresFrom(phase["images"])});

@@ -53,18 +53,29 @@ std::string row(const std::vector<std::string>& cells)
     return line + '\n';
 }
 
+/// Empty where it is not known; what was seen long ago need not be so any more.
+std::string pathRateOf(const JsonValue& link)
+{
+    constexpr double longAgo = 60;
+    const auto rate = link["bulk_rate"].number();
+    if (!rate)
+        return {};
+    const auto age = link["bulk_rate_age_s"].numberOr(0);
+    if (age <= longAgo)
+        return fmt::format("the path carries {}, ", bytesPerSecond(*rate));
+    return fmt::format("the path carried {} {:.0f} min ago, ", bytesPerSecond(*rate), age / 60);
+}
+
 /// Empty while there is no lane for it and nothing is known of the path.
 std::string bulkLine(const JsonValue& link)
 {
     const auto out = link["bulk_lanes"].numberOr(0);
     const auto in = link["bulk_lanes_in"].numberOr(0);
-    const auto rate = link["bulk_rate"].number();
-    if (out + in == 0 && !rate)
+    if (out + in == 0 && link["bulk_rate"].isNull())
         return {};
     return fmt::format(
         "    bulk: {:.0f} lanes out, {:.0f} in, {:.0f} worker threads, {}{:.1f} MB wait, {:.0f} messages gave way to newer ones\n", out, in,
-        link["bulk_workers"].numberOr(0), rate ? fmt::format("the path carries {}, ", bytesPerSecond(*rate)) : std::string(),
-        link["bulk_queued_bytes"].numberOr(0) / 1e6, link["superseded"].numberOr(0));
+        link["bulk_workers"].numberOr(0), pathRateOf(link), link["bulk_queued_bytes"].numberOr(0) / 1e6, link["superseded"].numberOr(0));
 }
 
 std::string linkLines(const JsonValue& link)

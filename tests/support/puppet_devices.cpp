@@ -355,6 +355,7 @@ void PuppetXray::sendStatus(DistributedSystem& system)
     Message status = system.report("AcquisitionStatus").value();
     {
         const std::lock_guard lock(m_mutex);
+        ++m_turns;
         const bool on = beamOn();
         status.set("mode", std::string_view(on ? "fluoroscopy" : "stop")).set("beam_on", on).set("pulse_rate", on ? 15.0 : 0.0);
         if (m_alterStatus)
@@ -404,6 +405,12 @@ int PuppetXray::pedalsHeard() const
 {
     const std::lock_guard lock(m_mutex);
     return m_pedalsHeard;
+}
+
+std::uint64_t PuppetXray::turns() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_turns;
 }
 
 void PuppetXray::standStill(std::chrono::milliseconds time)

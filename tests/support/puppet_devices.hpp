@@ -136,7 +136,8 @@ public:
 
     void setBeam(bool always); ///< on, whoever has its pedal
 
-    int pedalsHeard() const; ///< commands so far whose pedal is down
+    int pedalsHeard() const;     ///< commands so far whose pedal is down
+    std::uint64_t turns() const; ///< reports that were due so far: its clock, 50 ms each
 
     /// Its network thread does nothing for so long: no picture, no heartbeat.
     void standStill(std::chrono::milliseconds time);
@@ -155,6 +156,7 @@ private:
     bool m_always = false;
     bool m_pedal = false;
     int m_pedalsHeard = 0;
+    std::uint64_t m_turns = 0;
     std::chrono::steady_clock::time_point m_commandedAt;
     std::uint32_t m_press = 0;
     std::uint32_t m_frame = 0;

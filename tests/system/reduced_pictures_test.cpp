@@ -100,7 +100,7 @@ private:
             auto links = system.links();
             const double rate = m_rate;
             for (LinkStatus& link : links) {
-                link.messagesSuperseded = 0; // a busy computer is another matter
+                link.bulkSuperseded = 0; // a busy computer is another matter
                 link.bulkRate = rate >= 0 ? std::optional(rate) : std::nullopt;
                 link.bulkStreams.clear(); // whose way on this computer is not known
             }

@@ -73,8 +73,9 @@ struct Measurement {
     std::string failure; ///< empty when every phase was measured; else why not
     bool inUse = false;  ///< one of the devices was in use, so the limits were those for that
     MeasuringLimits limits;
-    std::optional<double> bulkRate;   ///< bytes per second that the path to the peer carries, as its images found; nothing: not known
-    std::vector<PhaseFigures> phases; ///< those that ended
+    std::optional<double> bulkRate;         ///< bytes per second that the path to the peer carries, as its images found; nothing: not known
+    std::chrono::nanoseconds bulkRateAge{}; ///< since they last filled the path
+    std::vector<PhaseFigures> phases;       ///< those that ended
 };
 
 /// One JSON object on one line; docs/OPERATING.md says what its fields are.

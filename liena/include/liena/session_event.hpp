@@ -113,6 +113,7 @@ struct LinkStatus {
     std::uint64_t messagesReceived = 0;
     std::uint64_t messagesDropped = 0;    ///< for every cause, here
     std::uint64_t messagesSuperseded = 0; ///< by newer ones of their kind, before they could leave
+    std::uint64_t bulkSuperseded = 0;     ///< those of them that are bulk
     std::uint64_t messagesAbandoned = 0;  ///< begun by the peer and not sent to their end
     std::uint64_t bytesSent = 0;
     std::uint64_t bytesReceived = 0;
@@ -123,10 +124,11 @@ struct LinkStatus {
     /// Bytes per second that all bulk to this peer together can count on; nothing until the path has been filled or measured. It rises
     /// again after a path has healed, also while less than this is sent. A source steps up and down by its own: see bulkRateOf().
     std::optional<double> bulkRate;
-    std::vector<BulkStream> bulkStreams; ///< that were used within the last 2 s
-    std::uint64_t bulkQueuedBytes = 0;   ///< of bulk that waits here or is under way to the peer's kernel
-    std::uint32_t epoch = 0;             ///< ours, of what we receive
-    std::uint32_t peerEpoch = 0;         ///< the peer's, as last heard; 0 before the first heartbeat
+    std::chrono::nanoseconds bulkRateAge{}; ///< since bulk last filled the path and so showed what it carries
+    std::vector<BulkStream> bulkStreams;    ///< that were used within the last 2 s
+    std::uint64_t bulkQueuedBytes = 0;      ///< of bulk that waits here or is under way to the peer's kernel
+    std::uint32_t epoch = 0;                ///< ours, of what we receive
+    std::uint32_t peerEpoch = 0;            ///< the peer's, as last heard; 0 before the first heartbeat
     std::uint32_t interruptions = 0;
     std::uint8_t packetsHeard = 0;       ///< by UDP in the last 8 heartbeat periods, at most 255
     std::uint8_t packetsHeardByPeer = 0; ///< the same as the peer last said it; 0: the datagram path to it does not work

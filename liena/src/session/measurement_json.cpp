@@ -54,7 +54,8 @@ std::string toJson(const Measurement& measurement)
     JsonLine json;
     json.add("failure", measurement.failure).add("in_use", measurement.inUse).put("limits", limits.text());
     if (measurement.bulkRate)
-        json.add("bulk_bytes_per_second", *measurement.bulkRate);
+        json.add("bulk_bytes_per_second", *measurement.bulkRate)
+            .add("bulk_age_s", std::chrono::duration<double>(measurement.bulkRateAge).count());
     return json.put("phases", "[" + phases + "]").text();
 }
 

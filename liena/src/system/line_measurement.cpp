@@ -173,7 +173,9 @@ void LineMeasurement::begin(const protocol::MeasureAnswer& answer)
 std::uint64_t LineMeasurement::bulkLimit() const
 {
     const auto agreed = m_asked->agreed.bulkBytesPerSecond;
-    return m_asked->inUse ? session::shareOfPath(agreed, m_host.measuring(), m_ways.bulkRate()) : agreed;
+    const auto known = m_ways.bulkRate();
+    const auto rate = known ? std::optional(known->bytesPerSecond) : std::nullopt;
+    return m_asked->inUse ? session::shareOfPath(agreed, m_host.measuring(), rate) : agreed;
 }
 
 /// Sends what is due, and comes again when more is.
@@ -271,7 +273,10 @@ void LineMeasurement::finish(const std::string& failure)
     measurement.failure = failure;
     measurement.inUse = asked.inUse;
     measurement.limits = asked.limits;
-    measurement.bulkRate = m_ways.bulkRate();
+    if (const auto known = m_ways.bulkRate()) {
+        measurement.bulkRate = known->bytesPerSecond;
+        measurement.bulkRateAge = m_host.now().mono - known->shown;
+    }
     if (asked.probing)
         measurement.phases = asked.probing->figures();
     asked.done(measurement);

@@ -8,6 +8,7 @@
 #include "session/line_probing.hpp"
 #include "session/measured_run.hpp"
 #include "system/module_host.hpp"
+#include "tasks/path_rate.hpp"
 #include "transport/timer.hpp"
 
 #include <cstdint>
@@ -28,7 +29,7 @@ public:
         std::function<void(const protocol::SessionMessage&, std::uint32_t history)> prompt;
         std::function<bool(const protocol::SessionMessage&)> packet; ///< false where there is no way by UDP
         std::function<void(const protocol::ProbeHead&, LentBytes padding, session::Instant expires)> image;
-        std::function<std::optional<double>()> bulkRate; ///< that the path to the peer is known to carry
+        std::function<std::optional<tasks::KnownRate>()> bulkRate; ///< that the path to the peer carries
     };
 
     LineMeasurement(ModuleHost& host, std::string peer, Ways ways);

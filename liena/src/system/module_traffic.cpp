@@ -78,7 +78,7 @@ void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::O
     if (entry.name.empty())
         return;
     if (fate == tasks::OutputQueue::Fate::Superseded)
-        return m_books.superseded();
+        return m_books.superseded(entry.rank == tasks::Rank::Bulk);
     auto event = this->event(SessionEvent::Kind::SendFailed);
     event.message = entry.name;
     event.count = 1;
@@ -118,6 +118,7 @@ LinkStatus DistributedModule::status() const
     status.bytesSent = m_laneZero.bytesSent() + m_bulk.bytesSent() + m_datagrams.bytesSent();
     status.bytesReceived = m_bytesReceived + m_datagrams.bytesReceived() + (m_incoming ? m_incoming->bytesReceived() : 0);
     status.messagesSuperseded = m_books.messagesSuperseded();
+    status.bulkSuperseded = m_books.bulkSuperseded();
     status.messagesAbandoned = m_abandoned + (m_incoming ? m_incoming->abandoned() : 0);
     for (const auto& [lane, task] : m_incomingBulk) {
         status.bytesReceived += task->bytesReceived();
@@ -125,15 +126,19 @@ LinkStatus DistributedModule::status() const
     }
     status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queuedMessages());
     status.bulkQueuedBytes = m_bulk.queuedBytes();
-    status.bulkRate = m_bulk.knownRate();
-    status.bulkStreams = m_bulk.streamRates(m_host.now().mono);
+    const auto now = m_host.now().mono;
+    if (const auto known = m_bulk.knownRate()) {
+        status.bulkRate = known->bytesPerSecond;
+        status.bulkRateAge = now - known->shown;
+    }
+    status.bulkStreams = m_bulk.streamRates(now);
     status.bulkLanes = static_cast<std::uint8_t>(m_bulk.connected());
     status.bulkLanesIn = static_cast<std::uint8_t>(m_incomingBulk.size());
     status.bulkWorkers = static_cast<std::uint8_t>(m_host.workers().count());
     status.epoch = m_machine.guard().epoch();
     status.peerEpoch = m_machine.stamper().targetEpoch();
     status.interruptions = m_interruptions;
-    status.packetsHeard = monitor.packetsHeard(m_host.now().mono);
+    status.packetsHeard = monitor.packetsHeard(now);
     status.packetsHeardByPeer = m_machine.datagramsHeardByPeer();
     status.toPeerConnected = m_machine.isOutgoingUp();
     status.fromPeerConnected = m_machine.isIncomingUp();

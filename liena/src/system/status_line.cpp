@@ -102,6 +102,7 @@ std::string StatusLine::linkOf(const LinkStatus& link, Instant now)
     json.add("datagrams", link.packetsHeard > 0 && link.packetsHeardByPeer > 0).add("bulk_lanes", static_cast<unsigned>(link.bulkLanes));
     json.add("bulk_lanes_in", static_cast<unsigned>(link.bulkLanesIn)).add("bulk_workers", static_cast<unsigned>(link.bulkWorkers));
     json.put("bulk_rate", link.bulkRate ? fmt::format("{:.0f}", *link.bulkRate) : "null").add("bulk_queued_bytes", link.bulkQueuedBytes);
+    json.put("bulk_rate_age_s", link.bulkRate ? fmt::format("{:.1f}", std::chrono::duration<double>(link.bulkRateAge).count()) : "null");
     json.add("superseded", link.messagesSuperseded);
     json.put("incident", link.incident != 0 ? fmt::format("\"{:016x}\"", link.incident) : "null");
     json.put("drops", dropsOf(link.peer));

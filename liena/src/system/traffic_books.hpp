@@ -46,7 +46,11 @@ public:
     }
     void late() { ++m_window.lateMessages; }
     void sent() { ++m_sent; }
-    void superseded() { ++m_superseded; }
+    void superseded(bool isBulk)
+    {
+        ++m_superseded;
+        m_bulkSuperseded += isBulk ? 1 : 0;
+    }
 
     /// By UDP, so many bytes of information part.
     void sentInPacket(std::size_t bytes)
@@ -72,6 +76,7 @@ public:
     std::uint64_t messagesDropped() const { return m_dropped; }
     std::uint64_t messagesSent() const { return m_sent; }
     std::uint64_t messagesSuperseded() const { return m_superseded; }
+    std::uint64_t bulkSuperseded() const { return m_bulkSuperseded; }
     std::uint64_t bytesSentInPackets() const { return m_sentInPackets; }
 
 private:
@@ -80,6 +85,7 @@ private:
     std::uint64_t m_dropped = 0;
     std::uint64_t m_sent = 0;
     std::uint64_t m_superseded = 0;
+    std::uint64_t m_bulkSuperseded = 0;
     std::uint64_t m_sentInPackets = 0;
     protocol::LinkReport m_window;
     std::vector<std::chrono::nanoseconds> m_latencies;

@@ -150,12 +150,12 @@ std::size_t BulkLanes::queuedBytes() const
                            [](std::size_t sum, const auto& lane) { return sum + lane->queue().bytes(); });
 }
 
-std::optional<double> BulkLanes::knownRate() const
+std::optional<KnownRate> BulkLanes::knownRate() const
 {
-    std::optional<double> sum;
+    std::optional<KnownRate> sum;
     for (const auto& lane : m_lanes)
         if (const auto rate = lane->knownRate())
-            sum = sum.value_or(0) + *rate;
+            sum = sum ? KnownRate{sum->bytesPerSecond + rate->bytesPerSecond, std::min(sum->shown, rate->shown)} : *rate;
     return sum;
 }
 
@@ -166,8 +166,10 @@ std::vector<BulkStream> BulkLanes::streamRates(Instant now) const
         if (now - stream.lastUsed < pauseLimit)
             inUse.push_back({number, stream.place});
     std::vector<std::optional<double>> rates;
-    for (const auto& lane : m_lanes)
-        rates.push_back(lane->knownRate());
+    for (const auto& lane : m_lanes) {
+        const auto known = lane->knownRate();
+        rates.push_back(known ? std::optional(known->bytesPerSecond) : std::nullopt);
+    }
     return ratesOf(inUse, rates);
 }
 

@@ -56,8 +56,8 @@ public:
     std::uint64_t bytesSent() const;
     std::size_t queuedBytes() const;
 
-    /// Bytes per second that the lanes together are known to carry.
-    std::optional<double> knownRate() const;
+    /// That the lanes together carry, as the one that was filled longest ago showed it.
+    std::optional<KnownRate> knownRate() const;
 
     /// The streams that were used lately, each with what it can count on, as far as that is known.
     std::vector<BulkStream> streamRates(std::chrono::steady_clock::time_point now) const;

@@ -76,6 +76,12 @@ void OutputLane::lost(const std::string& detail, bool identity)
     m_handlers.lost(detail, identity);
 }
 
+std::optional<KnownRate> OutputLane::knownRate() const
+{
+    const auto known = m_task && m_paced ? m_rate.known() : std::nullopt;
+    return known ? std::optional(KnownRate{*known, m_rate.shown()}) : std::nullopt;
+}
+
 bool OutputLane::push(OutputQueue::Entry&& entry)
 {
     if (!m_queue->push(std::move(entry)))

@@ -52,8 +52,9 @@ public:
 
     OutputQueue& queue() { return *m_queue; }
     const OutputQueue& queue() const { return *m_queue; }
-    /// Bytes per second that the path is known to carry; nothing on a lane that is not paced, or before it was filled once.
-    std::optional<double> knownRate() const { return m_task && m_paced ? m_rate.known() : std::nullopt; }
+
+    /// That the path carries; nothing on a lane that is not paced, or before it was filled once.
+    std::optional<KnownRate> knownRate() const;
 
     /// Of a lane that is paced: what the path seems to carry, and not more than this of it.
     double steadyRate() const { return m_task && m_paced ? m_rate.steady() : 0; }

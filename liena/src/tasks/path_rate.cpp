@@ -13,7 +13,6 @@ namespace {
 
 constexpr auto shortestWindow = 2ms;  // between decisions, however near the peer is
 constexpr auto gentlePause = 20ms;    // between two steps near the ceiling
-constexpr auto lately = 3s;           // in which a queue of ours has drained at least once
 constexpr auto longestSilence = 50ms; // until a burst's first acknowledgement; then there is a queue
 constexpr auto longWay = 10ms;        // there and back: from here on round trips vary by milliseconds
 constexpr auto alwaysTolerated = 300us;
@@ -96,20 +95,6 @@ transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
     return facts;
 }
 
-std::optional<PathRate::Nanoseconds> PathRate::RoundTripOfLate::note(Nanoseconds roundTrip, Instant now)
-{
-    if (now - m_begun > 2 * lately) { // nothing was sent: nothing is known
-        m_begun = now;
-        m_shortest = roundTrip;
-        m_before.reset();
-    } else if (now - m_begun > lately) {
-        m_begun = now;
-        m_before = std::exchange(m_shortest, roundTrip);
-    }
-    m_shortest = std::min(m_shortest, roundTrip);
-    return m_before ? std::optional(std::min(*m_before, m_shortest)) : std::nullopt;
-}
-
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
 {
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
@@ -121,49 +106,40 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         m_proven *= provenLeft;
         m_provenFaded = now;
     }
-    m_departures.note(facts.bytesSent, now, facts.leastRoundTrip);
+    m_departures.note({now, facts.bytesSent}, facts.leastRoundTrip);
     if (m_share)
         m_share->enter(*this);
     if (!m_window) {
         if (m_burst)
             judgeBurst(facts, now);
         m_burst = Burst{now, std::nullopt, facts.bytesSent, facts.bytesAcknowledged >= facts.bytesSent};
-        m_window = Window{now, facts.bytesAcknowledged, facts.windowClosed, true};
+        m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, true};
         m_course.forget();
         return;
     }
     if (m_draining && !hasQueue(facts, now))
         m_draining = false;
-    const auto elapsed = now - m_window->begin;
+    const auto elapsed = now - m_window->begin.at;
     if (m_window->first && m_burst->alone && facts.bytesAcknowledged <= m_burst->bytesSent && elapsed < longestSilence)
         return; // nothing of it is acknowledged yet
     if (elapsed < std::max<Nanoseconds>(shortestWindow, facts.leastRoundTrip))
         return;
-    const Window ended = std::exchange(*m_window, Window{now, facts.bytesAcknowledged, facts.windowClosed, false});
+    const Window ended = std::exchange(*m_window, Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false});
     if (ended.first && facts.leastRoundTrip > shortestWindow / 8)
         return; // little of it is acknowledged yet
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
-    m_delivered = m_course.rate(ended, facts.bytesAcknowledged, now, timeToNotice());
+    m_delivered = m_course.rate(ended.begin, {now, facts.bytesAcknowledged}, timeToNotice());
+    if (m_delivered > rate() * used) // also at a limit, below what it would grow from
+        m_shown = now;
     if (hasQueue(facts, now)) {
-        const bool heard = facts.bytesAcknowledged > ended.acknowledged; // else the round trip is an old one
+        const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
         if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
             meetQueue(facts, allCame ? std::max(m_delivered, m_rate * mostThatIsSent) : m_delivered, allCame, now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
         grow(facts, m_delivered, now);
     }
-}
-
-double PathRate::Course::rate(const Window& ended, std::uint64_t acknowledged, Instant now, Nanoseconds span)
-{
-    m_beginnings[m_count++ % m_beginnings.size()] = {ended.begin, ended.acknowledged};
-    const auto known = std::min(m_count, m_beginnings.size());
-    auto since = m_beginnings[(m_count - 1) % m_beginnings.size()];
-    for (std::size_t back = 2; back <= known && now - since.at < span; ++back)
-        since = m_beginnings[(m_count - back) % m_beginnings.size()];
-    m_since = since.at;
-    return static_cast<double>(acknowledged - since.acknowledged) / secondsOf(now - since.at);
 }
 
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
@@ -210,21 +186,6 @@ double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) c
     return before ? std::max(carried, static_cast<double>(facts.bytesSent) - static_cast<double>(*before)) : carried;
 }
 
-void PathRate::Departures::note(std::uint64_t bytesSent, Instant now, Nanoseconds roundTrip)
-{
-    const auto quarter = static_cast<Nanoseconds::rep>(m_noted.size() / 4);
-    if (m_count == 0 || now - m_noted[(m_count - 1) % m_noted.size()].at >= roundTrip / quarter)
-        m_noted[m_count++ % m_noted.size()] = {now, bytesSent};
-}
-
-std::optional<std::uint64_t> PathRate::Departures::until(Instant then) const
-{
-    for (std::size_t back = 1; back <= std::min(m_count, m_noted.size()); ++back)
-        if (const auto& noted = m_noted[(m_count - back) % m_noted.size()]; noted.at <= then)
-            return noted.bytesSent;
-    return std::nullopt;
-}
-
 /// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
@@ -269,6 +230,7 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
+    m_shown = now;
     if (allCame)
         delivered = std::max(delivered, m_rate * doubtful);
     m_carried = std::clamp(delivered, least, most);
@@ -318,6 +280,7 @@ void PathRate::shift(double bytesPerSecond)
 
 void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant now)
 {
+    m_shown = now;
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
     if (m_calm.listens() && !listen(facts, delivered, now))
         return;

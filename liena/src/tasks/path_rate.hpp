@@ -4,10 +4,10 @@
 #include "liena/device_id.hpp"
 #include "tasks/fair_share.hpp"
 #include "tasks/path_calm.hpp"
+#include "tasks/path_memory.hpp"
 #include "transport/path_facts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +15,12 @@
 #include <optional>
 
 namespace liena::tasks {
+
+/// What the bulk of a lane, or of several, is known to be carried at.
+struct KnownRate {
+    double bytesPerSecond = 0;
+    std::chrono::steady_clock::time_point shown; ///< last, by what was sent
+};
 
 /// Pure. The rate grows while a round trip takes what it takes on the idle path, and falls below what was delivered as soon as it takes
 /// longer: the difference is a queue that control would wait behind. Growth is quick up to the rate at which a queue was met last, gentle
@@ -71,64 +77,18 @@ public:
     /// Bytes per second that the path is known to carry; nothing until it was filled once.
     std::optional<double> known() const;
 
+    /// When what was sent last showed what the path carries.
+    Instant shown() const { return m_shown; }
+
     /// The largest segment in bytes that a control message should wait for: half a millisecond of the path, within bounds.
     std::size_t segment() const;
 
 private:
     /// From one decision to the next.
     struct Window {
-        Instant begin;
-        std::uint64_t acknowledged = 0;
+        PathPoint begin;
         Nanoseconds windowClosed{};
         bool first = true; ///< after a pause: the acknowledgements of what was sent in it are still to come
-    };
-
-    /// How the acknowledgements came in the last windows. On a slow path a window is a packet or two: a rate needs more of them.
-    class Course {
-    public:
-        void forget() { m_count = 0; }
-
-        /// Of what came since the newest beginning of a window that is at least `span` ago, or else since the oldest that is known.
-        double rate(const Window& ended, std::uint64_t acknowledged, Instant now, Nanoseconds span);
-        Instant since() const { return m_since; } ///< of what was counted for it
-
-    private:
-        struct Beginning {
-            Instant at;
-            std::uint64_t acknowledged = 0;
-        };
-        std::array<Beginning, 32> m_beginnings;
-        std::size_t m_count = 0; ///< so many were noted; the last of them are kept
-        Instant m_since{};
-    };
-
-    /// What had been sent when, over the last four round trips.
-    class Departures {
-    public:
-        void note(std::uint64_t bytesSent, Instant now, Nanoseconds roundTrip);
-
-        /// No more than what had been sent by then; nothing when that is not known.
-        std::optional<std::uint64_t> until(Instant then) const;
-
-    private:
-        struct Departure {
-            Instant at;
-            std::uint64_t bytesSent = 0;
-        };
-        std::array<Departure, 128> m_noted;
-        std::size_t m_count = 0; ///< so many were noted; the last of them are kept
-    };
-
-    /// The shortest round trip of late, for a path that has become longer: the kernel remembers its shortest for minutes.
-    class RoundTripOfLate {
-    public:
-        /// Of those noted within the last three to six seconds; nothing until so long was looked at.
-        std::optional<Nanoseconds> note(Nanoseconds roundTrip, Instant now);
-
-    private:
-        Instant m_begun{};
-        Nanoseconds m_shortest = Nanoseconds::max();
-        std::optional<Nanoseconds> m_before; ///< of the span before
     };
 
     struct Burst {
@@ -169,14 +129,15 @@ private:
     std::optional<double> m_ceiling; ///< delivered when a queue was met last
     bool m_doubted = false;          ///< the rate fell so deep at once that the ceiling is to be met again, soon
     double m_delivered = 0;          ///< bytes per second, of late
+    Instant m_shown{};
     bool m_draining = false;
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};
     std::optional<Instant> m_confirmed; ///< a slow or calm path's ceiling, met twice: tried again from then on, and gently
     std::optional<Window> m_window;
-    Course m_course;
-    Departures m_departures;
+    PathCourse m_course; ///< in the last windows: on a slow path one of them is a packet or two
+    PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};

@@ -148,6 +148,39 @@ private slots:
         QCOMPARE(rig.wishes(30s), QByteArray("rrrrr"));
     }
 
+    /// Before the peer was there to say that it holds an incident.
+    void aReopenIsKeptUntilThePeerTellsOfItsIncident_data()
+    {
+        QTest::addColumn<bool>("byAnEnd");
+        QTest::newRow("a channel of our own") << false;
+        QTest::newRow("an incident that ended") << true;
+    }
+
+    void aReopenIsKeptUntilThePeerTellsOfItsIncident()
+    {
+        QFETCH(bool, byAnEnd);
+        Rig rig;
+        QCOMPARE(rig.wishes(100ms), QByteArray("o"));
+        rig.tell(Kind::OpenFailed, RejectReason::Timeout);
+        if (byAnEnd)
+            rig.ended(cockpit, arm);
+        else
+            rig.reopened(cockpit);
+        QCOMPARE(rig.wishes(1100ms), QByteArray("o")); // there may be none: it is opened as before
+        rig.tell(Kind::OpenFailed, RejectReason::StandBy);
+        QCOMPARE(rig.wishes(30s), QByteArray("rrrrr"));
+    }
+
+    void aReopenIsNoneForALaterLoss()
+    {
+        Rig rig;
+        rig.reopened(cockpit);
+        rig.tell(Kind::Opened);
+        rig.tell(Kind::Closed);
+        rig.tell(Kind::OpenFailed, RejectReason::StandBy);
+        QCOMPARE(rig.wishes(30s), QByteArray());
+    }
+
     void aRestartedDeviceFollowsNoMachine()
     {
         Rig rig;

@@ -19,7 +19,7 @@ LinkStatus link(DeviceId peer, std::uint64_t superseded, SessionState state = Se
     LinkStatus status;
     status.peer = peer;
     status.state = state;
-    status.messagesSuperseded = superseded;
+    status.bulkSuperseded = superseded;
     return status;
 }
 
@@ -36,6 +36,14 @@ private slots:
         QCOMPARE(paths.read({link(cockpit, 3)}, {}).at(0).withheld, std::uint64_t(0));
         QCOMPARE(paths.read({link(cockpit, 5)}, {}).at(0).withheld, std::uint64_t(2));
         QCOMPARE(paths.read({link(cockpit, 0)}, {}).at(0).withheld, std::uint64_t(0)); // a counter that begins anew
+    }
+
+    void aReportThatGaveWayIsNoPicture()
+    {
+        ViewerPaths paths({cockpit}, frames);
+        LinkStatus status = link(cockpit, 2);
+        status.messagesSuperseded = 7;
+        QCOMPARE(paths.read({status}, {}).at(0).withheld, std::uint64_t(2));
     }
 
     void addsWhatWasAcceptedAndLost()

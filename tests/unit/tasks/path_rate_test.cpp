@@ -277,6 +277,33 @@ private slots:
         QVERIFY(!rate.known());
     }
 
+    /// What a path carried long ago is not what it carries.
+    void tellsWhenThePathWasFilledLast()
+    {
+        Path path(gigabit / 10, 200us);
+        path.run(4s);
+        path.run(10s, false);
+        const auto filled = path.rate.shown();
+        path.run(60s, false);
+        QVERIFY(path.rate.known());
+        QVERIFY(path.rate.shown() == filled);
+        path.run(1s);
+        QVERIFY(path.rate.shown() - filled >= 70s);
+    }
+
+    /// Held below what it would send, it fills nothing of its own, and yet the limit is what the path carries.
+    void whatFillsALimitShowsIt()
+    {
+        Path path(gigabit / 10, 200us);
+        path.run(4s);
+        path.rate.limit(gigabit / 40);
+        path.run(20s);
+        const auto filled = path.rate.shown();
+        path.run(5s);
+        QVERIFY(path.rate.known() == gigabit / 40);
+        QVERIFY(path.rate.shown() - filled >= 4s);
+    }
+
     void makesSegmentsSmallerOnSlowerPaths()
     {
         Path fast(gigabit, 200us);

@@ -70,6 +70,7 @@ private Q_SLOTS:
         measurement.phases[3].images.limited = true;
         measurement.phases[3].images.withheld = 3;
         measurement.bulkRate = 12.5e6;
+        measurement.bulkRateAge = std::chrono::milliseconds(1500);
         const auto text = benchJson(subject, strictProfile(), judge(measurement, strictProfile()), measurement);
         QVERIFY(text.find('\n') == std::string::npos);
         const auto json = JsonValue::parse(text);
@@ -89,7 +90,7 @@ private Q_SLOTS:
             QCOMPARE(prompt.roundTrip.quantile(fraction), measurement.phases[0].prompt.roundTrip.quantile(fraction));
         QVERIFY(again->phases[3].images.limited && again->phases[3].images.withheld == 3);
         QVERIFY(!again->phases[1].images.asked.isUsed());
-        QVERIFY(again->bulkRate == measurement.bulkRate);
+        QVERIFY(again->bulkRate == measurement.bulkRate && again->bulkRateAge == measurement.bulkRateAge);
         QCOMPARE(textOf(*again), textOf(measurement));
     }
 

@@ -117,6 +117,20 @@ private Q_SLOTS:
         }
     }
 
+    void whatImagesShowedLongAgoIsNotGo()
+    {
+        auto measurement = goodLine();
+        measurement.phases.pop_back();
+        measurement.bulkRate = 25e6;
+        measurement.bulkRateAge = std::chrono::seconds(59);
+        QVERIFY(judge(measurement, strictProfile()).verdict == Verdict::Go);
+        measurement.bulkRateAge = std::chrono::hours(3);
+        const auto verdict = judge(measurement, strictProfile());
+        QVERIFY(verdict.verdict == Verdict::Caution);
+        const auto& reason = verdict.figures.at(static_cast<std::size_t>(Figure::ImageRate)).reason;
+        QVERIFY2(reason.starts_with("images showed it 180 min ago"), reason.c_str());
+    }
+
     void anEmptyMeasurementIsNeverGo() { QVERIFY(judge(Measurement(), strictProfile()).verdict == Verdict::Caution); }
 };
 

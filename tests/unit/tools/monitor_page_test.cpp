@@ -32,6 +32,7 @@ LinkStatus loaded()
     link.bulkLanesIn = 2;
     link.bulkWorkers = 1;
     link.bulkRate = 12.5e6;
+    link.bulkRateAge = std::chrono::milliseconds(300);
     link.bulkQueuedBytes = 4'200'000;
     link.messagesSuperseded = 7;
     return link;
@@ -63,6 +64,7 @@ private slots:
                                              {"bulk_lanes_in", 2.0},
                                              {"bulk_workers", 1.0},
                                              {"bulk_rate", 12.5e6},
+                                             {"bulk_rate_age_s", 0.3},
                                              {"bulk_queued_bytes", 4.2e6},
                                              {"superseded", 7.0}})
             QVERIFY2(links[0][name].number() == expected, name);
@@ -70,6 +72,14 @@ private slots:
         QVERIFY2(contains(page, "bulk: 3 lanes out, 2 in, 1 worker threads, the path carries 12.5 MB/s, 4.2 MB wait, "
                                 "7 messages gave way to newer ones\n"),
                  page.c_str());
+    }
+
+    void whatAPathCarriedLongAgoIsSaidAsThat()
+    {
+        auto link = loaded();
+        link.bulkRateAge = std::chrono::minutes(190);
+        const auto page = pageOf(link);
+        QVERIFY2(contains(page, "1 worker threads, the path carried 12.5 MB/s 190 min ago, 4.2 MB wait"), page.c_str());
     }
 
     void aPathThatIsNotKnownIsNotGuessed()

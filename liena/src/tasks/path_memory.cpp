@@ -1,0 +1,55 @@
+// What a path did of late: implementation.
+#include "tasks/path_memory.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace liena::tasks {
+
+namespace {
+
+constexpr std::chrono::seconds lately{3}; // in which a queue of ours has drained at least once
+constexpr int roundTripsKept = 4;
+
+} // namespace
+
+double PathCourse::rate(PathPoint beginning, PathPoint now, std::chrono::nanoseconds span)
+{
+    m_beginnings.note(beginning);
+    auto since = m_beginnings.back(1);
+    for (std::size_t steps = 2; steps <= m_beginnings.count() && now.at - since.at < span; ++steps)
+        since = m_beginnings.back(steps);
+    m_since = since.at;
+    return static_cast<double>(now.bytes - since.bytes) / std::chrono::duration<double>(now.at - since.at).count();
+}
+
+void PathDepartures::note(PathPoint sent, std::chrono::nanoseconds roundTrip)
+{
+    constexpr auto ofEach = decltype(m_noted)::most / roundTripsKept;
+    if (m_noted.count() == 0 || sent.at - m_noted.back(1).at >= roundTrip / static_cast<int>(ofEach))
+        m_noted.note(sent);
+}
+
+std::optional<std::uint64_t> PathDepartures::until(Instant then) const
+{
+    for (std::size_t steps = 1; steps <= m_noted.count(); ++steps)
+        if (m_noted.back(steps).at <= then)
+            return m_noted.back(steps).bytes;
+    return std::nullopt;
+}
+
+std::optional<RoundTripOfLate::Nanoseconds> RoundTripOfLate::note(Nanoseconds roundTrip, Instant now)
+{
+    if (now - m_begun > 2 * lately) { // nothing was sent: nothing is known
+        m_begun = now;
+        m_shortest = roundTrip;
+        m_before.reset();
+    } else if (now - m_begun > lately) {
+        m_begun = now;
+        m_before = std::exchange(m_shortest, roundTrip);
+    }
+    m_shortest = std::min(m_shortest, roundTrip);
+    return m_before ? std::optional(std::min(*m_before, m_shortest)) : std::nullopt;
+}
+
+} // namespace liena::tasks

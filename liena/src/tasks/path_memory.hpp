@@ -1,0 +1,81 @@
+// What a path did of late, as PathRate looks back on it.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+namespace liena::tasks {
+
+struct PathPoint {
+    std::chrono::steady_clock::time_point at;
+    std::uint64_t bytes = 0; ///< until then
+};
+
+/// Pure. The last points that were noted.
+template <std::size_t Most>
+class PathPoints {
+public:
+    static constexpr std::size_t most = Most;
+
+    void forget() { m_count = 0; }
+    void note(PathPoint point) { m_noted[m_count++ % Most] = point; }
+    std::size_t count() const { return m_count < Most ? m_count : Most; }
+
+    /// 1: the newest; at most count().
+    const PathPoint& back(std::size_t steps) const { return m_noted[(m_count - steps) % Most]; }
+
+private:
+    std::array<PathPoint, Most> m_noted;
+    std::size_t m_count = 0; ///< so many were noted
+};
+
+/// Pure. How acknowledgements came.
+class PathCourse {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+
+    void forget() { m_beginnings.forget(); }
+
+    /// Bytes per second of what came until `now`, since the newest beginning that is at least `span` ago, or else since the oldest that is
+    /// known. `beginning`: a new one, before now.
+    double rate(PathPoint beginning, PathPoint now, std::chrono::nanoseconds span);
+    Instant since() const { return m_since; } ///< of what was counted for it
+
+private:
+    PathPoints<32> m_beginnings;
+    Instant m_since{};
+};
+
+/// Pure. What had been sent when, over the last four round trips.
+class PathDepartures {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+
+    void note(PathPoint sent, std::chrono::nanoseconds roundTrip);
+
+    /// No more than what had been sent by then; nothing when that is not known.
+    std::optional<std::uint64_t> until(Instant then) const;
+
+private:
+    PathPoints<128> m_noted;
+};
+
+/// Pure. The shortest round trip of late, for a path that has become longer: the kernel remembers its shortest for minutes.
+class RoundTripOfLate {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    /// Of those noted within the last three to six seconds; nothing until so long was looked at.
+    std::optional<Nanoseconds> note(Nanoseconds roundTrip, Instant now);
+
+private:
+    Instant m_begun{};
+    Nanoseconds m_shortest = Nanoseconds::max();
+    std::optional<Nanoseconds> m_before; ///< of the span before
+};
+
+} // namespace liena::tasks
