@@ -4,6 +4,7 @@
 #include "bench_run.hpp"
 #include "latency_plot.hpp"
 #include "refusal.hpp"
+#include "register_folder.hpp"
 #include "report_file.hpp"
 
 #include <liena/log.hpp>
@@ -200,7 +201,10 @@ void addIdentityOptions(CLI::App& command, BenchOptions& options)
     command.add_option("--key", settings.key, "The certificate's key, PEM");
     command.add_option("--authority", settings.authority, "The site's authority, PEM");
     command.add_option("--revocations", settings.revocations, "The revocation list, PEM; default: beside the authority's file");
-    command.add_option("--registry", settings.registry, "Folder with the message sets; may be repeated")->capture_default_str();
+    command
+        .add_option("--registry", settings.registry,
+                    "Folder with the message sets; may be repeated. Not named: resources/devices, or what is installed")
+        ->capture_default_str();
     command.add_option("--store", settings.store, "Folder for message sets learnt from peers; default ~/.local/state/liena/sets");
     command.add_flag("--allow-insecure-network", settings.allowInsecureNetwork,
                      "With security mode none: listen on other than loopback addresses, without any protection");
@@ -211,7 +215,7 @@ void addIdentityOptions(CLI::App& command, BenchOptions& options)
 void addBenchCommand(CLI::App& app, int& exitCode)
 {
     const auto options = std::make_shared<BenchOptions>();
-    options->settings.registry = {"resources/devices"};
+    options->settings.registry = {registerFolder()};
     auto* command = app.add_subcommand("bench", "Measure the line between two devices, and say whether it is good enough");
     command->footer(benchFooter);
     command->add_option("--topology", options->settings.topology, "The topology file")->required();

@@ -25,7 +25,7 @@ int run(int argc, char** argv)
     app.set_version_flag("--version", std::string("liena ") + liena::versionText);
     app.require_subcommand(1);
     app.footer("`liena COMMAND --help` explains a command, with examples.\n"
-               "Exit codes: 0 done, 1 the command found errors or failed, 2 wrong use of the command line.");
+               "Exit codes: 0 done, 1 the command found errors or failed, 2 wrong use of the command line. `liena bench` has more.");
     liena::tools::addCheckCommand(app, exitCode);
     liena::tools::addPkiCommand(app, exitCode);
     liena::tools::addProbeCommand(app, exitCode);

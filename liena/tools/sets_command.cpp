@@ -2,6 +2,7 @@
 #include "sets_command.hpp"
 
 #include "refusal.hpp"
+#include "register_folder.hpp"
 
 #include "liena/known_sets.hpp"
 #include "liena/log.hpp"
@@ -20,7 +21,7 @@ namespace liena::tools {
 namespace {
 
 struct Places {
-    std::vector<std::filesystem::path> registry{"resources/devices"};
+    std::vector<std::filesystem::path> registry{registerFolder()};
     std::filesystem::path store = defaultSetStore();
 };
 
@@ -109,7 +110,10 @@ int accept(const Places& places, const std::string& file, bool sure)
 
 void addPlaces(CLI::App& command, const std::shared_ptr<Places>& places)
 {
-    command.add_option("--registry", places->registry, "Folder of the register; may be repeated")->capture_default_str();
+    command
+        .add_option("--registry", places->registry,
+                    "Folder of the register; may be repeated. Not named: resources/devices, or what is installed")
+        ->capture_default_str();
     command.add_option("--store", places->store, "Folder with learnt sets and pins, as the device has it")->capture_default_str();
 }
 
