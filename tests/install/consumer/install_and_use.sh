@@ -25,4 +25,16 @@ grep -qxF "liena $version: 4 devices of cerebrovascular" "$scratch/output"
 "$prefix/bin/liena" pki show "$scratch/pki/ca.crt" "$scratch/pki/robot.crt" | tee "$scratch/shown"
 grep -q '0x00008208' "$scratch/shown"
 "$prefix/bin/liena" check "$topology" "$prefix"/share/liena/devices/*.xml
+
+# Wherever the tool is started, it finds the register that was installed with it.
+(cd "$scratch" && "$prefix/bin/liena" sets list --store "$scratch/no-store") | tee "$scratch/sets"
+grep -q 'register .* vascular-robot ' "$scratch/sets"
+
+# An installed page has beside it what it links to. (The library alone has no pages.)
+find "$prefix/share/doc" -name '*.md' > "$scratch/pages" 2> /dev/null || true
+while read -r page; do
+    while read -r target; do
+        [ -e "$(dirname "$page")/$target" ] || { echo "FAIL: $page links to $target, which is not installed"; exit 1; }
+    done < <(grep -o '](\([^)#:]*\)[#)]' "$page" | sed -e 's/^](//' -e 's/[#)]$//' | grep .)
+done < "$scratch/pages"
 echo "the installed package works"
