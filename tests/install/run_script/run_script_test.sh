@@ -22,6 +22,7 @@ TEXT
 cat > "$programs/liena-device" <<'TEXT'
 #!/usr/bin/env bash
 echo "$$ $*" >> "$STARTED"
+echo "${XDG_RUNTIME_DIR:-none}" >> "$STARTED.runtime"
 [ "$1" != "${BROKEN:-}" ] || { echo "the port is taken" >&2; exit 3; }
 [ "$1" != "${DEAF:-}" ] || trap '' TERM
 echo "listening on 127.0.0.1:1" >&2
@@ -30,6 +31,7 @@ TEXT
 cat > "$programs/liena-console" <<'TEXT'
 #!/usr/bin/env bash
 echo "$$ console $*" >> "$STARTED"
+echo "${XDG_RUNTIME_DIR:-none}" >> "$STARTED.runtime"
 [ -z "${STAY:-}" ] || while :; do sleep 0.1; done
 exit "${CONSOLE_STATUS:-0}"
 TEXT
@@ -85,6 +87,14 @@ BROKEN=arm run_it 1
 expect "$scratch/output" 'the port is taken' "broken device"
 nothing_left "broken device"
 ! grep -q console "$STARTED" || fail "the console was started beside a broken device"
+
+: > "$STARTED.runtime"
+runtime=$XDG_RUNTIME_DIR
+unset XDG_RUNTIME_DIR
+run_it 0
+export XDG_RUNTIME_DIR=$runtime
+[ "$(sort -u "$STARTED.runtime" | wc -l)" -eq 1 ] && ! grep -q none "$STARTED.runtime" || fail "not all programs have the same run-time folder"
+expect "$scratch/output" "liena monitor --folder $(head -n 1 "$STARTED.runtime")/liena" "no run-time folder"
 
 DEAF=robot run_it 0
 expect "$scratch/output" 'is killed' "deaf device"
