@@ -79,12 +79,16 @@ struct Declared {
     QCommandLineOption vessels{QStringLiteral("vessels"), QStringLiteral("Vessel tree for the 3-D scene, SWC."), QStringLiteral("FILE")};
     QCommandLineOption alarmLog{
         QStringLiteral("alarm-log"),
-        QStringLiteral("Folder of the alarm log: the last 2000 entries at least, kept over a loss of power. Default: %1.")
+        QStringLiteral(
+            "Folder of the alarm log: the last 2000 entries at least (fewer where they are very long), kept over a loss of power. "
+            "Default: %1.")
             .arg(defaultAlarmLog()),
         QStringLiteral("FOLDER")};
-    QCommandLineOption pictures{QStringLiteral("pictures"),
-                                QStringLiteral("Folder for saved pictures. Default: liena in the person's folder of pictures."),
-                                QStringLiteral("FOLDER")};
+    QCommandLineOption pictures{
+        QStringLiteral("pictures"),
+        QStringLiteral("Folder for saved pictures. Default: that of the preferences (F6), else liena in the person's folder of "
+                       "pictures."),
+        QStringLiteral("FOLDER")};
     QCommandLineOption preferences{
         QStringLiteral("preferences"),
         QStringLiteral("File of the person's preferences (F6); other options win over it. Default: %1; an unattended run has none.")
@@ -122,7 +126,9 @@ struct Declared {
                                   QStringLiteral("N")};
     QCommandLineOption language{
         QStringLiteral("language"),
-        QStringLiteral("Language of the screen: %1. Default: the system's where it is one of them, else en; en with --unattended.")
+        QStringLiteral(
+            "Language of the screen: %1. Default: the person's preference (F6), else the system's where it is one of them, else en; "
+            "en with --unattended.")
             .arg(languages().join(QStringLiteral(" or "))),
         QStringLiteral("NAME")};
     QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Window size instead of the whole screen, for example 2560x1440."),

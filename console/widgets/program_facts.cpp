@@ -86,7 +86,6 @@ std::vector<Fact> licenceFacts()
             part("SDL 2", "zlib/libpng"),
             part("libspnav", "BSD-3-clause"),
             part("DCMTK", "OFFIS, Apache-2.0 and BSD-3-clause"),
-            part("CharLS", "BSD-3-clause"),
             part("libjpeg-turbo", "BSD-BY-LC-NE, BSD-3-clause and Zlib"),
             part("fmt", "Expat with embedded exception"),
             part("Inter", "OFL-1.1")};

@@ -64,7 +64,7 @@ const std::vector<Library>& libraries()
         {"OpenCV", "opencv", {"console/imaging/"}},
         {"OpenGL", "(GL|EGL|KHR)/", {"console/imaging/"}},
         {"DCMTK", "dcmtk/", {"console/imaging/", "liena/devices/"}},
-        {"CharLS", "charls/", {"console/imaging/", "liena/devices/"}},
+        {"CharLS", "charls/", {"liena/devices/"}},
         {"libjpeg-turbo", "(turbojpeg|jpeglib)", {"console/imaging/", "liena/devices/"}},
         {"CLI11", "CLI/", {"liena/tools/", "liena/devices/", "console/app/"}},
     };

@@ -84,6 +84,7 @@ void LayersTest::findsPlantedInclude_data()
     row("console/widgets/a.cpp", "#include \"link/session_link.hpp\"", "widgets may know");
     row("console/widgets/a.cpp", "#include <vtkNew.h>", "VTK is for");
     row("console/widgets/a.cpp", "#include <opencv2/core.hpp>", "OpenCV is for");
+    row("console/imaging/a.cpp", "#include <charls/charls.h>", "CharLS is for liena/devices/");
     row("console/widgets/a.cpp", "#include <QAudioSink>", "Qt Multimedia is for console/sound/");
     row("console/app/a.cpp", "#include <SDL.h>", "SDL is for console/input/");
     row("console/widgets/a.cpp", "#include <spnav.h>", "libspnav is for console/input/");
