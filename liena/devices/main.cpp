@@ -246,7 +246,7 @@ int main(int argc, char** argv)
         addSystemOptions(*role, options);
     addVesselOption(*robot, options);
     addVesselOption(*xray, options);
-    robot->add_option("--start", options.start, "Where the guidewire's tip is at the start, in mm along its way; default two thirds of it")
+    robot->add_option("--start", options.start, "Where the guidewire's tip is at the start, in mm along its way; default 65 % of it")
         ->check(CLI::Range(0.0, 1500.0));
     robot->add_flag(
         "--two-person", options.twoPersons,
