@@ -14,8 +14,8 @@ namespace liena {
 
 /// What can be noticed: a line that was changed, removed, inserted or moved, and a file that was cut in the middle of a line. Entries cut
 /// off at the end are noticed by the file `.head` beside it, which keeps the number of entries and the newest hash. Whoever can write both
-/// can write a whole new history: that is noticed only by a hash kept elsewhere. Devices log theirs at start and stop; give it as
-/// `expected`.
+/// can write a whole new history: that is noticed only by a hash kept elsewhere. Devices log theirs when they stop, and
+/// `liena monitor` shows it; give it as `expected`.
 struct AuditVerdict {
     std::uint64_t entries = 0;           ///< sound ones, from the beginning
     Sha256 head;                         ///< of the newest of them

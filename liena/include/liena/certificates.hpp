@@ -14,6 +14,9 @@
 
 namespace liena {
 
+// What reads or writes files here blocks on them, and may be called from any thread. Errors name the file: FileUnreadable (a key that
+// others may read, too), FileUnwritable (what is there already, too), CertificateInvalid.
+
 /// No session begins, and none is re-opened, with a certificate of either end that has not more than this left: a certificate does not end
 /// in the middle of a procedure.
 inline constexpr std::chrono::hours leastRemaining{24};
@@ -52,17 +55,20 @@ struct RevocationListInfo {
 /// A folder with `ca.crt`, `ca.key` (mode 0600), per device `<name>.crt`, `<name>.key`, and once something was revoked `ca.crl`.
 class CertificateAuthority {
 public:
-    /// Makes a new authority (ECDSA P-256) in `folder`, which must not hold one yet.
+    /// Makes a new authority (ECDSA P-256) in `folder`, which must not hold one yet. InvalidArgument for a
+    /// site that is not 1 to 64 printable bytes, and for a validity that is not an hour to 36 500 days.
     static Result<CertificateAuthority> create(const std::filesystem::path& folder, const std::string& site, std::chrono::hours validity);
 
     static Result<CertificateAuthority> open(const std::filesystem::path& folder);
 
     /// Issues a key and a certificate for one device: SAN `urn:liena:device:<id>`, usage client and server. Files are written whole or not
-    /// at all; existing ones are refused unless `replace`.
+    /// at all; existing ones are refused unless `replace`. InvalidArgument for an id that no device may have, a name that is none of a file
+    /// or is `ca`, and a validity as above or beyond the authority's own end.
     Result<void> issue(DeviceId device, const std::string& name, std::chrono::hours validity, bool replace = false) const;
 
     /// Adds serial numbers to the list `ca.crl` and signs it anew; none only renews it. A damaged list is an error: one that was begun anew
-    /// would forget who was revoked. Devices learn of it when the file is copied to them.
+    /// would forget who was revoked. Devices learn of it when the file is copied to them. Of two calls at once for one folder one may be
+    /// lost. InvalidArgument for what is no serial number, and for a validity that is not a day to 36 500 days.
     Result<RevocationListInfo> revoke(const std::vector<std::string>& serials, RevocationReason reason, std::chrono::hours validity) const;
 
     /// The serial number of a device's certificate that this authority issued; an error for any other certificate.

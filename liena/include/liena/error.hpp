@@ -15,27 +15,27 @@ namespace liena {
 
 /// The kinds of failure a caller may want to tell apart. The sentence for a person is in Error.
 enum class Errc : std::uint8_t {
-    InvalidArgument = 1,
-    FileUnreadable,
-    FileUnwritable,
-    XmlInvalid,
-    MessageSetInvalid,
-    TopologyInvalid,
-    CertificateInvalid,
-    AddressUnavailable,
-    NetworkFailure,
-    UnknownDevice,
-    UnknownMessage,
-    NoLink,
-    NotOpen,
-    NotYet,
-    StandBy,
-    NoIncident,
-    Busy,
-    Forbidden,
-    ValueRefused,
-    QueueFull,
-    Stopped,
+    InvalidArgument = 1, ///< a setting, name or number that cannot be
+    FileUnreadable,      ///< also: a key that others may read
+    FileUnwritable,      ///< also: it is there already, and stays
+    XmlInvalid,          ///< no well-formed XML, or beyond the limits for such files
+    MessageSetInvalid,   ///< well-formed, and against the rules of message sets; or none for a device
+    TopologyInvalid,     ///< the same of topologies
+    CertificateInvalid,  ///< certificate, key, authority or revocation list: damaged, over, or of another device
+    AddressUnavailable,  ///< host or port of this device
+    NetworkFailure,      ///< another program did not answer, or broke off
+    UnknownDevice,       ///< not in the topology
+    UnknownMessage,      ///< not in the message set
+    NoLink,              ///< in the topology, and not linked to this device
+    NotOpen,             ///< the session does not carry this now
+    NotYet,              ///< what is needed becomes known with the first session, or its first heartbeat
+    StandBy,             ///< a person has to re-open a channel first
+    NoIncident,          ///< nothing to re-open or to dismiss
+    Busy,                ///< it is done already, or one at a time
+    Forbidden,           ///< by the topology, by a budget, or by the operating system
+    ValueRefused,        ///< a value outside the bounds of its definition
+    QueueFull,           ///< too much waits; later ones may pass
+    Stopped,             ///< after stop()
 };
 
 std::string_view toString(Errc code);

@@ -16,6 +16,8 @@ struct Sha256 {
 
     static Sha256 of(std::span<const std::byte> data);
     static Sha256 of(std::string_view text);
+
+    /// Reads 64 lower-case hex digits; nothing else is a hash.
     static std::optional<Sha256> fromHex(std::string_view text);
 
     /// 64 lower-case hex digits.

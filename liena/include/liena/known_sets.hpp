@@ -29,7 +29,8 @@ struct KnownSet {
     Sha256 hash;
 };
 
-/// For each device type the one set that its devices may show here. `store` need not exist.
+/// For each device type the one set that its devices may show here. `store` need not exist. Blocks on files; any thread.
+/// MessageSetInvalid or FileUnreadable when a file of either is not what it should be.
 Result<std::vector<KnownSet>> knownSets(const std::vector<std::filesystem::path>& registry, const std::filesystem::path& store);
 
 /// What differs, one line each in a person's words: messages that came, went or changed, with every attribute and field. Empty only for
@@ -37,7 +38,7 @@ Result<std::vector<KnownSet>> knownSets(const std::vector<std::filesystem::path>
 std::vector<std::string> describeChanges(const MessageSet& before, const MessageSet& now);
 
 /// From now on the devices of this set's type may show this set and no other. For a person who has read the changes; running sessions go
-/// on with the set they opened with.
+/// on with the set they opened with. Makes the folder. Blocks on files; any thread. FileUnwritable when the store does not take it.
 Result<void> acceptSet(const std::filesystem::path& store, const MessageSet& set);
 
 } // namespace liena

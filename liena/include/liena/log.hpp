@@ -26,7 +26,7 @@ struct LogLine {
 };
 
 /// Called from the network thread and from the thread that calls the facade; must not block and must not call back. It is made from any
-/// function of (LogLevel, std::string_view) or of (const LogLine&).
+/// function of (LogLevel, std::string_view) or of (const LogLine&); to call one that was not throws std::bad_function_call.
 class LogSink {
 public:
     LogSink() = default;

@@ -65,7 +65,9 @@ public:
     std::optional<std::chrono::nanoseconds> latency() const { return m_latency; }
 
     /// T: bool, an integer, a floating-point type, std::string_view (String fields, and the name of an enum's value),
-    /// std::span<const std::byte> (Bytes fields; valid while the message lives unchanged), std::vector<double> (arrays and sequences).
+    /// std::span<const std::byte> (Bytes fields), std::vector<double> (arrays and sequences). Texts and spans are valid while the message
+    /// lives unchanged. An integer is converted unchecked: one that is too narrow for the field cuts, one of the other sign wraps. An
+    /// integer of a floating-point field is a mistake; a floating-point T reads every number.
     template <typename T>
     T get(std::string_view field) const
     {

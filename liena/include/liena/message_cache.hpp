@@ -13,8 +13,9 @@ namespace liena {
 
 /// Holds what arrived for the application and no subscription took. All functions may be called from any thread.
 ///
-/// A message with a `history` keeps that many undelivered ones of its kind and origin, the newest; all queues together are bounded, and
-/// what had to go is counted, and told at the next drain by a SessionEvent (MessagesDropped).
+/// A message with a `history` keeps that many undelivered ones of its kind and origin, the newest; all together are at most 4 096
+/// messages and 256 MiB, and 4 096 events. The oldest goes, and what had to go is counted, and told at the next drain by a SessionEvent
+/// (MessagesDropped).
 class MessageCache {
 public:
     MessageCache();

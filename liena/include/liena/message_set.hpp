@@ -43,6 +43,7 @@ struct EnumDefinition {
     FieldType base = FieldType::UInt8;
     std::vector<EnumValue> values;
 
+    // Null when there is none; valid as long as the definition.
     const EnumValue* find(std::int64_t number) const;
     const EnumValue* find(std::string_view name) const;
 };
@@ -110,12 +111,12 @@ struct MessageDefinition {
     Role role = Role::Report;
     Priority priority = Priority::Status;
     bool allowedInStandBy = true;
-    std::optional<std::chrono::nanoseconds> period;
-    std::optional<std::chrono::nanoseconds> deadline;
-    std::optional<std::chrono::nanoseconds> lifespan;
-    std::optional<std::chrono::nanoseconds> maxAge; ///< control only; absent: the link's `lost`
-    std::uint32_t history = 0;                      ///< undelivered messages a queue keeps; 0: up to the queue's bound
-    Path path = Path::Stream;
+    std::optional<std::chrono::nanoseconds> period;   ///< expected from one to the next; for planning
+    std::optional<std::chrono::nanoseconds> deadline; ///< a longer gap is told to the receiver's application (DeadlineMissed)
+    std::optional<std::chrono::nanoseconds> lifespan; ///< an older one is neither sent nor, once the clock offset is known, delivered
+    std::optional<std::chrono::nanoseconds> maxAge;   ///< control only; absent: the link's `lost`
+    std::uint32_t history = 0;                        ///< undelivered messages a queue keeps; 0: up to the queue's bound
+    Path path = Path::Stream;                         ///< Datagram: by UDP while packets pass, else on lane 0
     std::vector<FieldDefinition> fields;
     CompiledLayout layout;
 
@@ -133,7 +134,8 @@ struct MessageDefinition {
 class MessageSet {
 public:
     /// Reads and checks a whole file; every error and warning is added to `findings` with its place in `file`.
-    /// The result is an error (MessageSetInvalid or XmlInvalid) when there is at least one finding of severity Error.
+    /// The result is an error (MessageSetInvalid or XmlInvalid) when there is at least one finding of severity Error;
+    /// FileUnreadable from load() when there is nothing to read.
     static Result<std::shared_ptr<const MessageSet>> parse(std::string_view xml, const std::string& file, Findings* findings = nullptr);
     static Result<std::shared_ptr<const MessageSet>> load(const std::filesystem::path& file, Findings* findings = nullptr);
 
@@ -157,6 +159,7 @@ public:
     /// In ascending order of their numbers.
     const std::vector<MessageDefinition>& messages() const { return m_messages; }
 
+    // Null when there is none; valid as long as the set.
     const MessageDefinition* find(std::uint16_t number) const;
     const MessageDefinition* find(std::string_view name) const;
 

@@ -16,6 +16,7 @@
 
 namespace liena {
 
+/// Protocol section 8 says what each does.
 struct LinkTiming {
     std::chrono::nanoseconds heartbeat = std::chrono::milliseconds(20);
     std::chrono::nanoseconds suspect = std::chrono::milliseconds(70);
@@ -55,7 +56,8 @@ struct TopologyLink {
 
 class SystemTopology {
 public:
-    /// Reads and checks a whole file; every error and warning is added to `findings` with its place in `file`.
+    /// Reads and checks a whole file; every error and warning is added to `findings` with its place in `file`. TopologyInvalid or
+    /// XmlInvalid when there is an error among them; FileUnreadable from load() when there is nothing to read.
     static Result<SystemTopology> parse(std::string_view xml, const std::string& file, Findings* findings = nullptr);
     static Result<SystemTopology> load(const std::filesystem::path& file, Findings* findings = nullptr);
 
@@ -67,13 +69,14 @@ public:
     const std::vector<TopologyDevice>& devices() const { return m_devices; }
     const std::vector<TopologyLink>& links() const { return m_links; }
 
+    // Null when there is none. These pointers, and those of linksOf(), live as long as the topology.
     const TopologyDevice* find(DeviceId id) const;
     const TopologyDevice* find(std::string_view name) const;
 
-    /// The device that a person named, by its name or by its id as `0x40018208`.
+    /// The device that a person named, by its name or by its id as `0x40018208`; else UnknownDevice.
     Result<TopologyDevice> device(std::string_view nameOrId) const;
 
-    const TopologyLink* link(DeviceId x, DeviceId y) const;
+    const TopologyLink* link(DeviceId x, DeviceId y) const; ///< null when there is none
     std::vector<const TopologyLink*> linksOf(DeviceId id) const;
 
 private:
