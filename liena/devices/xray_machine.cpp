@@ -48,6 +48,12 @@ bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
             beamOff("the pedal was released");
         return true;
     }
+    if (m_standBy && request.mode == AcquisitionMode::Spin) {
+        m_presses[request.origin] = request.press; // spent: the end of the stand-by must not turn the C-arm by itself
+        if (m_owner == request.origin)
+            beamOff("the system stands by");
+        return refuse("the system stands by: the C-arm does not turn");
+    }
     if (!(request.pulseRate >= 1 && request.pulseRate <= 30))
         return refuse("the pulse rate is outside 1 to 30 per second");
     if (m_owner && *m_owner != request.origin)

@@ -58,7 +58,7 @@ struct Dose {
 ///      pedal up, mode stop, 250 ms of silence, session lost, stand-by, stall
 ///
 /// However the beam ended, its press is spent: only a new press turns it on again, also in stand-by. The stand-by spends every press seen
-/// so far. Pure: time comes from the caller.
+/// so far. A spin moves the C-arm: in stand-by its press is refused, and spent. Pure: time comes from the caller.
 class XrayMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};

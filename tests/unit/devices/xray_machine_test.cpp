@@ -235,6 +235,39 @@ private slots:
         QCOMPARE(rig.machine.geometry().primaryAngle, 100.0);
     }
 
+    void doesNotSpinInStandBy()
+    {
+        Rig rig;
+        rig.machine.tick(rig.now);
+        rig.machine.setStandBy(true);
+        rig.mode = AcquisitionMode::Spin;
+        QVERIFY(!rig.pedal(2));
+        rig.wait(100ms);
+        QVERIFY(!rig.machine.beamOn());
+        QCOMPARE(rig.machine.geometry(), CArmGeometry());
+        rig.machine.setStandBy(false);
+        QVERIFY(!rig.pedal(2)); // the pedal is still down: not by itself
+        rig.machine.setStandBy(true);
+        rig.mode = AcquisitionMode::Fluoroscopy;
+        QVERIFY(rig.pedal(3));
+        QVERIFY(rig.machine.beamOn());
+    }
+
+    void fluoroscopyInStandByDoesNotBecomeASpin()
+    {
+        Rig rig;
+        rig.machine.tick(rig.now);
+        rig.machine.setStandBy(true);
+        QVERIFY(rig.pedal(1));
+        rig.mode = AcquisitionMode::Spin;
+        QVERIFY(!rig.pedal(1));
+        QVERIFY(!rig.machine.beamOn());
+        rig.machine.setStandBy(false);
+        QVERIFY(!rig.pedal(1));
+        rig.wait(100ms);
+        QCOMPARE(rig.machine.geometry(), CArmGeometry());
+    }
+
     void recordedRunFixesThePulseRate()
     {
         Rig rig;
