@@ -128,7 +128,8 @@ LedgerActions StandByLedger::confirmHold(bool holding, Now now)
     if (holding == m_holding)
         return actions;
     m_holding = holding;
-    m_holdingSince = now.wall;
+    // The others take the newer word by this time, also after our wall clock was set back.
+    m_holdingSince = Timestamp{std::max(now.wall.ns, m_holdingSince.ns + 1)};
     for (auto& [id, incident] : m_incidents) {
         std::erase_if(incident.holds, [this](const HoldReport& hold) { return hold.device == m_self; });
         incident.holds.push_back({m_self, holding, m_holdingSince});

@@ -90,6 +90,7 @@ private slots:
     void dismissingWhatIsNotHeldDoesNothing();
     void heardDismissalIsHandedOn();
     void holdIsToldForEveryIncident();
+    void newestHoldCountsAlsoAfterTheClockWasSetBack();
     void holdIsToldForLaterIncidentsToo();
     void onlyNewestHoldReportCounts();
     void holdOfUnknownIncidentIsPassedOver();
@@ -405,6 +406,23 @@ void StandByLedgerTest::holdIsToldForEveryIncident()
     QVERIFY(ledger.find(7)->holds.size() == 1 && ledger.find(7)->holds[0].holding);
     QCOMPARE(broadcasts<protocol::StandByReport>(ledger.confirmHold(false, now)).size(), std::size_t{2});
     QVERIFY(ledger.find(7)->holds.size() == 1 && !ledger.find(7)->holds[0].holding);
+}
+
+void StandByLedgerTest::newestHoldCountsAlsoAfterTheClockWasSetBack()
+{
+    constexpr auto at = [](std::chrono::seconds wall) {
+        return Now{now.mono, Timestamp{std::uint64_t(std::chrono::nanoseconds(wall).count())}};
+    };
+    StandByLedger ours(xray);
+    StandByLedger theirs(robot);
+    ours.heard(cockpit, standBy(6, robot, cockpit), now);
+    theirs.heard(cockpit, standBy(6, robot, cockpit), now);
+    for (const auto& [holding, wall] : {std::pair(true, 100s), std::pair(false, 95s), std::pair(true, 95s), std::pair(false, 96s)}) {
+        const auto reports = broadcasts<protocol::StandByReport>(ours.confirmHold(holding, at(wall)));
+        QCOMPARE(reports.size(), std::size_t{1});
+        theirs.heard(xray, reports[0].first, now);
+        QCOMPARE(theirs.find(6)->holds[0].holding, holding);
+    }
 }
 
 void StandByLedgerTest::holdIsToldForLaterIncidentsToo()
