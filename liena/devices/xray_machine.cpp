@@ -63,6 +63,9 @@ bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
     m_presses[request.origin] = request.press;
     if (!known)
         startRun(request);
+    // Beyond its reach, where a command of the geometry can bring it, the C-arm turns inward.
+    if (request.mode == AcquisitionMode::Spin && m_mode != AcquisitionMode::Spin && std::abs(m_geometry.primaryAngle) >= spinReach)
+        m_spinDirection = m_geometry.primaryAngle > 0 ? -1 : 1;
     m_mode = request.mode;
     m_pulseRate = m_fixedRate > 0 ? std::min(m_fixedRate, 30.0) : request.pulseRate;
     m_leaseEnd = now + lease + margin;
@@ -138,9 +141,9 @@ void XrayMachine::moveGantry(double seconds)
     if (!m_owner || m_mode != AcquisitionMode::Spin)
         return;
     m_geometry.primaryAngle += m_spinDirection * spinSpeed * seconds;
-    if (std::abs(m_geometry.primaryAngle) >= spinReach) {
-        m_geometry.primaryAngle = std::copysign(spinReach, m_geometry.primaryAngle);
-        m_spinDirection = m_geometry.primaryAngle > 0 ? -1 : 1;
+    if (m_geometry.primaryAngle * m_spinDirection >= spinReach) {
+        m_geometry.primaryAngle = m_spinDirection * spinReach;
+        m_spinDirection = -m_spinDirection;
         beamOff("the rotation is complete");
     }
     m_target.primaryAngle = m_geometry.primaryAngle;

@@ -235,6 +235,38 @@ private slots:
         QCOMPARE(rig.machine.geometry().primaryAngle, 100.0);
     }
 
+    void spinFromBeyondItsReachTurnsInward_data()
+    {
+        QTest::addColumn<double>("from");
+        QTest::newRow("left") << 150.0;
+        QTest::newRow("right") << -150.0;
+        QTest::newRow("at its reach") << 100.0;
+    }
+
+    void spinFromBeyondItsReachTurnsInward()
+    {
+        QFETCH(double, from);
+        Rig rig;
+        CArmGeometry target;
+        target.primaryAngle = from;
+        QVERIFY(rig.machine.moveTo(cockpit, target));
+        rig.machine.tick(rig.now);
+        for (int count = 0; count < 100; ++count)
+            rig.wait(100ms);
+        QCOMPARE(rig.machine.geometry().primaryAngle, from);
+        rig.mode = AcquisitionMode::Spin;
+        QVERIFY(rig.pedal(1));
+        for (int count = 0; count < 10; ++count)
+            rig.wait(10ms);
+        QVERIFY(rig.machine.beamOn());
+        QVERIFY(std::abs(std::abs(from) - std::abs(rig.machine.geometry().primaryAngle) - 2) < 0.01);
+        for (int count = 0; count < 300 && rig.machine.beamOn(); ++count) {
+            rig.wait(50ms);
+            rig.pedal(1);
+        }
+        QCOMPARE(rig.machine.geometry().primaryAngle, std::copysign(100.0, -from));
+    }
+
     void doesNotSpinInStandBy()
     {
         Rig rig;
