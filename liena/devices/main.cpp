@@ -179,12 +179,12 @@ RobotOptions robotOptions(const Options& options)
 
 // Runs the device from here to SIGTERM or SIGINT.
 template <typename Device>
-void run(DistributedSystem& system, Device& device, const sigset_t& ends)
+void run(DistributedSystem& system, Device& device, const LogSink& log, const sigset_t& ends)
 {
     system.start();
     const TopologyDevice& self = system.self();
     std::cout << "listening on " << self.host << ':' << self.port << std::endl;
-    LineReader reader([&](std::string_view line) { device.obey(line); });
+    LineReader reader([&](std::string_view line) { device.obey(line); }, log);
     int signal = 0;
     sigwait(&ends, &signal);
     reader.stop();
@@ -204,15 +204,15 @@ void runRole(const std::string& role, Options& options, const sigset_t& ends)
         XrayOptions pictures = xrayOptions(options); // a defective file is told before anything is opened
         const auto system = orDie(DistributedSystem::create(options.settings));
         const auto device = orDie(XrayDevice::create(*system, std::move(pictures), log));
-        run(*system, *device, ends);
+        run(*system, *device, log, ends);
         return;
     }
     const VesselTree vessels = vesselsOf(options);
     const auto system = orDie(DistributedSystem::create(options.settings));
     if (role == "robot")
-        run(*system, *orDie(RobotDevice::create(*system, vessels, robotOptions(options), log)), ends);
+        run(*system, *orDie(RobotDevice::create(*system, vessels, robotOptions(options), log)), log, ends);
     else
-        run(*system, *orDie(ArmDevice::create(*system, log)), ends);
+        run(*system, *orDie(ArmDevice::create(*system, log)), log, ends);
 }
 
 sigset_t blockSignals()
