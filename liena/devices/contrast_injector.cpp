@@ -8,6 +8,7 @@ namespace liena::devices {
 namespace {
 
 constexpr std::size_t mostRecords = 4096;
+constexpr std::size_t mostRefusals = 256; // of one origin
 
 std::string whyNot(const InjectionRequest& request, bool running, double remaining)
 {
@@ -24,16 +25,23 @@ std::string whyNot(const InjectionRequest& request, bool running, double remaini
 
 std::optional<InjectionAnswer> ContrastInjector::known(DeviceId origin, std::uint32_t number) const
 {
-    const auto found = m_records.find({origin, number});
-    return found == m_records.end() ? std::nullopt : std::optional(found->second.answer);
+    if (const auto begun = m_records.find({origin, number}); begun != m_records.end())
+        return begun->second.answer;
+    const auto refusals = m_refusals.find(origin);
+    if (refusals == m_refusals.end())
+        return std::nullopt;
+    const auto& answers = refusals->second;
+    const auto found = std::find_if(answers.begin(), answers.end(), [&](const InjectionAnswer& answer) { return answer.number == number; });
+    return found == answers.end() ? std::nullopt : std::optional(*found);
 }
 
 InjectionAnswer ContrastInjector::refuse(const InjectionRequest& request, std::string reason)
 {
-    const InjectionAnswer answer{request.number, 0, InjectionState::Refused, std::move(reason)};
-    if (m_records.size() < mostRecords)
-        m_records.try_emplace({request.origin, request.number}, Record{request, answer});
-    return answer;
+    auto& answers = m_refusals[request.origin];
+    if (answers.size() >= mostRefusals)
+        answers.pop_front(); // nothing of it was injected
+    answers.push_back({request.number, 0, InjectionState::Refused, std::move(reason)});
+    return answers.back();
 }
 
 InjectionAnswer ContrastInjector::request(const InjectionRequest& request, SteadyTime now)

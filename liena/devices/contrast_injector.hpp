@@ -6,6 +6,7 @@
 #include "liena/device_id.hpp"
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -41,7 +42,7 @@ public:
     /// What is known of a number; nothing for a new one.
     std::optional<InjectionAnswer> known(DeviceId origin, std::uint32_t number) const;
 
-    /// Notes a refusal that others decided, so that a late repeat is refused as well.
+    /// Notes a refusal that others decided, so that a late repeat is refused as well: one among the last 256 refusals of its origin.
     InjectionAnswer refuse(const InjectionRequest& request, std::string reason);
 
     /// Ends the flow at once; the answer to report, if there was any flow.
@@ -61,7 +62,8 @@ private:
         InjectionAnswer answer;
     };
 
-    std::map<Key, Record> m_records; ///< bounded: a full memory refuses
+    std::map<Key, Record> m_records;                            ///< what was begun; bounded: a full memory refuses
+    std::map<DeviceId, std::deque<InjectionAnswer>> m_refusals; ///< the newest of each origin: nobody's fill the memory of another
     std::optional<Key> m_running;
     SteadyTime m_last;
     double m_remaining;

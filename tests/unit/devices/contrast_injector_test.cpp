@@ -10,6 +10,7 @@ using namespace std::chrono_literals;
 namespace {
 
 const DeviceId cockpit(0x40018208);
+const DeviceId arm(0x60008208);
 const SteadyTime start{1h};
 
 } // namespace
@@ -79,6 +80,27 @@ private slots:
         QVERIFY(!injector.running());
         // A late repeat of a refused one is refused as well.
         QCOMPARE(injector.request({cockpit, 9, 5, 2}, start).state, InjectionState::Refused);
+    }
+
+    void refusalsOfOneKeepNobodyFromInjecting_data()
+    {
+        QTest::addColumn<quint32>("refused");
+        QTest::newRow("another's") << arm.value();
+        QTest::newRow("its own") << cockpit.value();
+    }
+
+    void refusalsOfOneKeepNobodyFromInjecting()
+    {
+        QFETCH(quint32, refused);
+        ContrastInjector injector(50);
+        injector.request({cockpit, 1, 6, 2}, start);
+        injector.advance(start + 4s);
+        constexpr std::uint32_t last = 5001;
+        for (std::uint32_t number = 2; number <= last; ++number)
+            QCOMPARE(injector.refuse({DeviceId(refused), number, 5, 2}, "not armed").state, InjectionState::Refused);
+        QCOMPARE(injector.request({DeviceId(refused), last, 5, 2}, start + 4s).state, InjectionState::Refused); // a late repeat
+        QCOMPARE(injector.request({cockpit, 1, 6, 2}, start + 4s).state, InjectionState::Done); // what was given stays known
+        QCOMPARE(injector.request({cockpit, last + 1, 5, 2}, start + 4s).state, InjectionState::Accepted);
     }
 
     void onlyOneAtATime()
