@@ -90,6 +90,7 @@ public:
         }
         while (!m_watched.empty() && turn()) {
         }
+        tellUnknown();
         if (m_options.once)
             tellSilent();
         return m_seen ? 0 : 1;
@@ -152,6 +153,8 @@ private:
                 read(wait.fd);
         if (m_live)
             draw(); // without news, too: a silence is some
+        else
+            tellUnknown();
         if (m_options.once && allShown())
             return false;
         if (m_live)
@@ -202,10 +205,11 @@ private:
     bool isWanted(const Watched& one) const
     {
         const auto& names = m_options.devices;
-        const auto isNamed = [&](const std::string& name) {
-            return name == one.id || name == one.status["device"].text() || name == one.status["id"].text();
-        };
-        return names.empty() || std::any_of(names.begin(), names.end(), isNamed);
+        return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string& name) { return isCalled(one, name); });
+    }
+    static bool isCalled(const Watched& one, const std::string& name)
+    {
+        return name == one.id || name == one.status["device"].text() || name == one.status["id"].text();
     }
 
     static std::chrono::seconds silenceOf(const Watched& one)
@@ -231,6 +235,35 @@ private:
                 fmt::print(m_options.json ? stderr : stdout, "{}", silentPage(one.status, one.id, silenceOf(one)));
     }
 
+    /// A line for each name that was given and nobody has; nothing before all have told theirs, or are silent.
+    std::string unknownText() const
+    {
+        std::vector<std::string> there;
+        for (const auto& [file, one] : m_watched) {
+            if (one.lines == 0 && !isSilent(one))
+                return {};
+            const auto name = printable(one.status["device"].text());
+            there.push_back(name.empty() ? one.id : name);
+        }
+        const auto others =
+            there.empty() ? std::string() : fmt::format("; there {} {}", there.size() == 1 ? "is" : "are", fmt::join(there, ", "));
+        std::string text;
+        for (const auto& name : m_options.devices)
+            if (std::none_of(m_watched.begin(), m_watched.end(), [&](const auto& entry) { return isCalled(entry.second, name); }))
+                text += fmt::format("no device '{}' offers its status in {}{}\n", printable(name), m_options.folder, others);
+        return text;
+    }
+
+    /// Once: where nothing is drawn, no device is attached later.
+    void tellUnknown()
+    {
+        if (m_live || m_unknownTold)
+            return;
+        const auto text = unknownText();
+        m_unknownTold = !text.empty();
+        fmt::print(stderr, "{}", text);
+    }
+
     static std::string pageOf(const Watched& one)
     {
         if (isSilent(one))
@@ -244,6 +277,7 @@ private:
         for (const auto& [file, one] : m_watched)
             if (isWanted(one))
                 page += pageOf(one);
+        page += unknownText();
         page += "Ctrl-C ends the monitor; the devices do not notice.\n";
         fmt::print("{}", page);
         std::fflush(stdout);
@@ -252,6 +286,7 @@ private:
     MonitorOptions m_options;
     bool m_live;
     bool m_seen = false;
+    bool m_unknownTold = false;
     std::map<std::string, Watched> m_watched;
 };
 

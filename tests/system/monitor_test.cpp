@@ -179,6 +179,42 @@ private Q_SLOTS:
         QVERIFY(monitor.waitForFinished());
     }
 
+    void theMonitorSaysThatNobodyHasAName()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto settings = system.settingsOf("robot");
+        TestDevice robot(settings);
+        TestDevice cockpit(system.settingsOf("cockpit"));
+        const QStringList monitor{QStringLiteral("monitor"), QStringLiteral("--once"), QStringLiteral("--folder"), text(settings.status)};
+        const auto said = QStringLiteral("no device 'robto' offers its status in ") + text(settings.status) +
+                          QStringLiteral("; there are robot, cockpit\n"); // in the order of their ids
+        const auto nobody = runLiena(monitor + QStringList{QStringLiteral("robto")});
+        QCOMPARE(nobody.status, 1);
+        QCOMPARE(nobody.output, QString());
+        QCOMPARE(nobody.errors, said);
+        const auto one = runLiena(monitor + QStringList{QStringLiteral("robot"), QStringLiteral("robto")});
+        QCOMPARE(one.status, 0);
+        QVERIFY2(one.output.contains(QStringLiteral("robot (0x00008208)")), qPrintable(one.output));
+        QCOMPARE(one.errors, said);
+    }
+
+    void theLivePageSaysThatNobodyHasAName()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto folder = system.settingsOf("robot").status;
+        std::filesystem::create_directory(folder);
+        const StatusSocket device(statusSocket(folder, DeviceId(0x00008208)), 8);
+        Terminal terminal;
+        QProcess monitor;
+        monitor.setStandardOutputFile(terminal.name());
+        monitor.start(lienaProgram, {QStringLiteral("monitor"), QStringLiteral("--folder"), text(folder), QStringLiteral("robto")});
+        device.say(R"({"device":"robot","id":"0x00008208","links":[]})");
+        QTRY_VERIFY2(terminal.screen().contains("no device 'robto' offers its status in "), terminal.screen().constData());
+        QVERIFY2(terminal.screen().contains("; there is robot"), terminal.screen().constData());
+        monitor.kill();
+        QVERIFY(monitor.waitForFinished());
+    }
+
     void theMonitorsSocketIsForItsUserAlone()
     {
         TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
