@@ -8,7 +8,8 @@
 namespace liena::session {
 
 /// Told of every turn of the network thread, before the turn acts on anything it reads. While it watches, a turn comes at least each
-/// heartbeat, so a longer gap means that the process was stopped or starved.
+/// heartbeat, so a longer gap means that the process was stopped or starved, or the computer suspended: the clock must be one that goes on
+/// meanwhile.
 class StallWatch {
 public:
     /// Nothing is expected to turn until resume().

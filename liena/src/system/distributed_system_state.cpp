@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ctime>
 
 namespace liena {
 
@@ -24,6 +25,14 @@ namespace {
 
 constexpr auto housekeepingPeriod = 20ms;
 constexpr auto closingLimit = 1s;
+
+/// The monotonic clock stands still while the computer is suspended; this one goes on, and costs as little.
+session::Instant bootNow()
+{
+    timespec time{};
+    ::clock_gettime(CLOCK_BOOTTIME, &time);
+    return session::Instant(std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec));
+}
 
 } // namespace
 
@@ -196,7 +205,7 @@ bool DistributedSystem::State::isTokenUsed(DeviceId asking, std::uint64_t token)
 
 void DistributedSystem::State::turned()
 {
-    const auto gap = stallWatch.turn(std::chrono::steady_clock::now());
+    const auto gap = stallWatch.turn(bootNow());
     if (handlingStall || gap < shortestSuspect)
         return;
     const bool concerned = std::any_of(modules.begin(), modules.end(), [&](const auto& entry) {
