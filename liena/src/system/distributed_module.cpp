@@ -233,7 +233,9 @@ void DistributedModule::entered(const session::Entered& change)
         return;
     // Each in a turn of its own: what a lane brings may end the session, and with it the lanes.
     for (const auto& entry : m_incomingBulk)
-        boost::asio::post(m_host.io(), [this, lane = entry.first, task = entry.second.get()] {
+        boost::asio::post(m_host.io(), [this, alive = std::weak_ptr(m_alive), lane = entry.first, task = entry.second.get()] {
+            if (alive.expired())
+                return;
             const auto found = m_incomingBulk.find(lane);
             if (found != m_incomingBulk.end() && found->second.get() == task)
                 task->start();

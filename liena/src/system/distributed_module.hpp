@@ -203,6 +203,8 @@ private:
     bool m_lifeTold = false;           ///< what one read brings is one sign of life
     std::uint64_t m_bytesReceived = 0; ///< of lanes that ended
     std::uint64_t m_abandoned = 0;     ///< of lanes that ended
+
+    std::shared_ptr<const bool> m_alive = std::make_shared<const bool>(true); ///< gone with us: what we posted may come later
 };
 
 } // namespace liena::system

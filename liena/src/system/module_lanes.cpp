@@ -77,8 +77,8 @@ void DistributedModule::adopt(session::ConnectionNumber number)
     m_datagrams.incomingUp(m_machine.token(), m_incoming->channel().datagramKey(m_machine.token()), m_host.now().mono);
     bury(std::move(fresh->second));
     m_fresh.erase(fresh);
-    boost::asio::post(m_host.io(), [this, task = m_incoming.get()] {
-        if (m_incoming.get() == task)
+    boost::asio::post(m_host.io(), [this, alive = std::weak_ptr(m_alive), task = m_incoming.get()] {
+        if (!alive.expired() && m_incoming.get() == task)
             task->start();
     });
 }
