@@ -122,7 +122,7 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
     reading.images = kindOf(link.peer) == DeviceKind::Eye;
     reading.systemDiffers = link.systemDiffers;
     if (link.peer == m_robot)
-        reading.commandRoundTrip = link.figures.roundTrip;
+        reading.commandRoundTrip = link.usualRoundTrip(); // one late heartbeat is not the line
     reading.deadlineMissed = overdueOf(link.peer, now);
     return reading;
 }

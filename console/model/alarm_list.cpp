@@ -14,7 +14,57 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::AlarmList)
 };
 
+/// Whether something has been so for that long without a gap; `since` remembers from when on.
+bool lasts(bool isSo, std::optional<Instant>& since, Duration time, Instant now)
+{
+    if (!isSo) {
+        since.reset();
+        return false;
+    }
+    if (!since)
+        since = now;
+    return now - *since >= time;
+}
+
 } // namespace
+
+Duration endDelay(AlarmCondition condition)
+{
+    switch (condition) {
+    case AlarmCondition::LinkLost: // events: a device, a person or this program ends it
+    case AlarmCondition::HoldNotConfirmed:
+    case AlarmCondition::ImageLost:
+    case AlarmCondition::EmergencyStop:
+    case AlarmCondition::StopUnheard:
+    case AlarmCondition::RoadmapRemoved:
+    case AlarmCondition::AirKerma:
+    case AlarmCondition::FluoroscopyTime:
+    case AlarmCondition::SystemDiffers:
+    case AlarmCondition::SoundFailed:
+    case AlarmCondition::WatchdogGone:
+    case AlarmCondition::PictureSlow: // these wait for some seconds of a good line already
+    case AlarmCondition::LinkUnsteady:
+    case AlarmCondition::PacketsLost:
+        return Duration::zero();
+    case AlarmCondition::PictureStale:
+    case AlarmCondition::PictureReduced:
+    case AlarmCondition::ForceStop:
+    case AlarmCondition::ForceWarn:
+    case AlarmCondition::DriveFault:
+    case AlarmCondition::DeadlineMissed:
+    case AlarmCondition::ClockUncertain:
+    case AlarmCondition::SoftLimit:
+    case AlarmCondition::HardLimit:
+    case AlarmCondition::CommandRoundTrip:
+    case AlarmCondition::TrackerStale:
+    case AlarmCondition::ContrastLow:
+    case AlarmCondition::ContrastEmpty:
+    case AlarmCondition::PaintingBehind:
+    case AlarmCondition::RecorderStopped:
+        break;
+    }
+    return AlarmList::longestEndDelay;
+}
 
 AlarmList::AlarmList(QObject* parent) : QObject(parent) {}
 
@@ -41,10 +91,10 @@ void AlarmList::update(const std::vector<AlarmReport>& present, Instant now, qin
     const auto before = m_alarms.size();
     bool different = false;
     for (auto& alarm : m_alarms) {
-        const bool still = std::any_of(present.begin(), present.end(), [&alarm](const AlarmReport& report) {
+        const bool missing = std::none_of(present.begin(), present.end(), [&alarm](const AlarmReport& report) {
             return report.condition == alarm.condition && report.subject == alarm.subject;
         });
-        if (alarm.present && !still) {
+        if (lasts(missing, alarm.missingSince, endDelay(alarm.condition), now) && alarm.present) {
             alarm.present = false;
             different = true;
             write(wallMs, alarm.priority, Text::tr("ended: %1").arg(alarm.text));
@@ -67,20 +117,41 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
     const bool stands = known != m_alarms.end() && known->present && report.priority <= known->priority && report.step <= known->step &&
                         (report.causes & ~known->causes) == 0;
     if (stands) {
-        const auto lessUrgent = known->acknowledged && report.priority < known->priority; // if it rises again, it is raised anew
-        const bool differs = lessUrgent || known->text != report.text;
-        if (lessUrgent)
-            known->priority = report.priority;
+        const bool lessUrgent = known->acknowledged && report.priority < known->priority;
+        const bool lesser = lessUrgent || report.causes != known->causes;
+        const bool differs = known->text != report.text;
         known->text = report.text;
         known->remedy = report.remedy;
+        if (!lasts(lesser, known->lesserSince, endDelay(report.condition), now))
+            return differs;
+        // What it falls back to now it can rise from, and is raised anew then.
         known->causes = report.causes;
-        return differs;
+        if (lessUrgent)
+            known->priority = report.priority;
+        known->lesserSince.reset();
+        return differs || lessUrgent;
     }
-    // One that ended latched, or that rose, demands attention anew.
-    if (known != m_alarms.end())
+    // One that ended latched, or that rose, demands attention anew. Causes that were there a moment ago are no news when they come back.
+    quint64 causes = report.causes;
+    if (known != m_alarms.end()) {
+        causes |= known->present ? known->causes : 0;
         m_alarms.erase(known);
-    m_alarms.push_back({m_nextId++, report.condition, report.subject, report.priority, report.text, report.remedy, now, wallMs, true,
-                        report.latching, false, report.step, report.causes});
+    }
+    m_alarms.push_back({m_nextId++,
+                        report.condition,
+                        report.subject,
+                        report.priority,
+                        report.text,
+                        report.remedy,
+                        now,
+                        wallMs,
+                        true,
+                        report.latching,
+                        false,
+                        report.step,
+                        causes,
+                        {},
+                        {}});
     ++m_raised;
     if (report.priority == AlarmPriority::High)
         m_audioPausedUntil.reset();

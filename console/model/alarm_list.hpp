@@ -59,11 +59,13 @@ struct Alarm {
     QString remedy; ///< what to do now, one sentence
     Instant raised;
     qint64 raisedWallMs = 0; ///< Unix time, milliseconds
-    bool present = true;     ///< false: it ended, and stays until acknowledged
+    bool present = true;     ///< false: it ended (endDelay() is over), and stays until acknowledged
     bool latching = false;
     bool acknowledged = false;
     int step = 0;
     quint64 causes = 0;
+    std::optional<Instant> missingSince; ///< not reported any more, and not ended yet
+    std::optional<Instant> lesserSince;  ///< reported with fewer causes or, once acknowledged, with a lower priority
 
     /// It flashes.
     bool demandsAttention() const { return !acknowledged; }
@@ -77,6 +79,11 @@ struct AlarmLogEntry {
     AlarmPriority priority = AlarmPriority::Low;
     QString text; ///< `raised: …`, `ended: …`, `acknowledged by …: …`
 };
+
+/// For how long a condition must be gone before it has ended. It is raised at once, and one that trembles at its limit stays one alarm,
+/// which sounds in its rhythm and stays acknowledged. None where the end is an event, after which the next one is another alarm, and where
+/// the rule waits for the end itself.
+Duration endDelay(AlarmCondition condition);
 
 /// What a rule says about one condition now.
 struct AlarmReport {
@@ -95,6 +102,7 @@ class AlarmList : public QObject {
     Q_OBJECT
 public:
     static constexpr std::size_t logLimit = 2000;
+    static constexpr std::chrono::seconds longestEndDelay{2};
     static constexpr std::chrono::seconds audioPause{60};
     static constexpr std::chrono::seconds leastAudioPause{30};
     static constexpr std::chrono::seconds mostAudioPause{120}; ///< the site's limit
@@ -105,12 +113,15 @@ public:
     const std::vector<Alarm>& alarms() const { return m_alarms; }
     const Alarm* highest() const { return m_alarms.empty() ? nullptr : &m_alarms.front(); }
     int count(AlarmPriority priority) const;
+
+    /// It is shown, so nobody arms beside it: also one that ended and latched, and one whose endDelay() runs.
     bool unacknowledgedHigh() const;
 
-    /// The condition is there now, of whatever device, acknowledged or not.
+    /// The condition is there, or has not been gone for its endDelay() yet; of whatever device, acknowledged or not.
     bool stands(AlarmCondition condition) const;
 
-    /// Replaces the set of present conditions: new ones are raised, missing ones end; a condition whose priority rises is raised anew.
+    /// Replaces the set of present conditions: new ones are raised at once, missing ones end after their endDelay(); a condition whose
+    /// priority rises is raised anew. To be called ten times a second: an end is found at a call.
     void update(const std::vector<AlarmReport>& present, Instant now, qint64 wallMs);
 
     /// `who` is for the log; empty when nobody said who it is.

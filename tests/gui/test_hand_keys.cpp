@@ -138,6 +138,7 @@ private Q_SLOTS:
         stage.refresh();
         stage.named<QPushButton>(acknowledgeName)->setFocus(Qt::TabFocusReason);
         stage.cockpit.models.alarms.update({}, stage.cockpit.now, 0);
+        stage.cockpit.models.alarms.update({}, stage.cockpit.now + AlarmList::longestEndDelay, 0);
         QVERIFY(stage.handHasThem());
     }
 

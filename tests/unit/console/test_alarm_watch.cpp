@@ -1,6 +1,5 @@
 // Every alarm condition by its cause: the models change as the link room changes them, and the watch raises the alarm.
-#include "app/alarm_watch.hpp"
-#include "invented_cockpit.hpp"
+#include "watched_cockpit.hpp"
 
 #include <QTest>
 
@@ -12,53 +11,6 @@ using namespace std::chrono_literals;
 using C = AlarmCondition;
 
 namespace {
-
-/// A cockpit with everything open, watched ten times a second.
-struct Watched {
-    InventedCockpit cockpit;
-    AlarmWatch watch{cockpit.models, robotId};
-    Instant now = cockpit.now;
-    quint64 delivered = cockpit.models.picture.paintedCount();
-
-    Watched()
-    {
-        cockpit.openAll();
-        look();
-    }
-
-    ConsoleModels& models() { return cockpit.models; }
-    void look() { watch.update(now, delivered); }
-
-    std::optional<AlarmPriority> priorityOf(AlarmCondition condition)
-    {
-        look();
-        for (const auto& alarm : models().alarms.alarms())
-            if (alarm.condition == condition && alarm.present)
-                return alarm.priority;
-        return std::nullopt;
-    }
-
-    /// Of the alarm that is present; 0 when there is none.
-    quint64 idOf(AlarmCondition condition)
-    {
-        look();
-        for (const auto& alarm : models().alarms.alarms())
-            if (alarm.condition == condition && alarm.present)
-                return alarm.id;
-        return 0;
-    }
-
-    RobotStatus robot() const { return cockpit.models.instrument.robot().value; }
-    void receive(const RobotStatus& status) { models().instrument.receiveRobot(status, now); }
-
-    template <typename Change>
-    void figuresOf(quint32 peer, Change change)
-    {
-        auto figures = models().sessions.linkTo(peer)->figures;
-        change(figures);
-        models().sessions.setLinkFigures(peer, figures, now);
-    }
-};
 
 struct Case {
     const char* name;
@@ -99,7 +51,12 @@ const std::vector<Case>& linkCases()
          },
          C::PictureStale},
         {"4 picture link lost", [](Watched& w) { w.models().sessions.setLinkState(xrayId, LinkState::StandBy, w.now); }, C::ImageLost},
-        {"8 round trip", [](Watched& w) { w.figuresOf(robotId, [](auto& f) { f.roundTrip = 260ms; }); }, C::CommandRoundTrip},
+        {"8 round trip",
+         [](Watched& w) {
+             for (const auto measured : {260ms, 261ms})
+                 w.figuresOf(robotId, [measured](auto& f) { f.roundTrip = measured; });
+         },
+         C::CommandRoundTrip},
         {"9 unsteady",
          [](Watched& w) {
              for (int i = 0; i < 3; ++i) {
@@ -242,7 +199,7 @@ private Q_SLOTS:
         QVERIFY(w.priorityOf(C::DeadlineMissed).has_value()); // that of the X-ray system
         w.now += 100ms;
         w.models().xray.receive(w.models().xray.status().value, w.now);
-        QVERIFY(!w.priorityOf(C::DeadlineMissed).has_value());
+        QVERIFY(w.ends(C::DeadlineMissed));
     }
 
     void aConsoleAtTheLimitOfItsSpeedDoesNotFlicker()
@@ -256,7 +213,7 @@ private Q_SLOTS:
         passTime(w, 3s, 20, 17);
         QVERIFY(w.priorityOf(C::PaintingBehind).has_value());
         QCOMPARE(w.models().alarms.raisedInAll(), raised);
-        passTime(w, 3s, 20, 19);
+        passTime(w, 5s, 20, 19); // two of them until enough were painted, two more until it has ended
         QVERIFY(!w.priorityOf(C::PaintingBehind));
     }
 
@@ -377,7 +334,7 @@ private Q_SLOTS:
         w.receive(held);
         QCOMPARE(w.priorityOf(C::DriveFault), AlarmPriority::High);
         w.models().instrument.receiveDrives(w.models().instrument.drives().value, w.now);
-        QVERIFY(!w.priorityOf(C::DriveFault));
+        QVERIFY(w.ends(C::DriveFault));
     }
 
     void aDriveThatIsOffWhileArmedIsUrgent()
@@ -448,7 +405,7 @@ private Q_SLOTS:
         w.now += 1s;
         QVERIFY(w.priorityOf(C::TrackerStale));
         w.models().sessions.setLinkState(robotId, LinkState::Closed, w.now);
-        QVERIFY(!w.priorityOf(C::TrackerStale));
+        QVERIFY(w.ends(C::TrackerStale));
     }
 
     void aPictureLinkIsNotAlsoALostLink()

@@ -24,7 +24,7 @@ QMap<QString, QStringList> documentedAlarms()
     QMap<QString, QStringList> rows;
     if (!file.open(QIODevice::ReadOnly))
         return rows;
-    constexpr int cells = 6;
+    constexpr int cells = 7;
     for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
         auto row = line.split(QLatin1Char('|'));
         if (row.size() != cells + 2)
@@ -75,9 +75,10 @@ private Q_SLOTS:
         list.update({urgent}, start, 0);
         list.acknowledge(list.highest()->id, 0);
         list.update({cautious}, start, 0);
+        list.update({cautious}, start + 2s, 0);
         QCOMPARE(list.highest()->priority, AlarmPriority::Low);
         QVERIFY(list.highest()->acknowledged);
-        list.update({urgent}, start, 0);
+        list.update({urgent}, start + 2s, 0);
         QCOMPARE(list.highest()->priority, AlarmPriority::Medium);
         QVERIFY(!list.highest()->acknowledged);
     }
@@ -107,11 +108,12 @@ private Q_SLOTS:
         auto documented = documentedAlarms();
         for (const auto& one : alarmCases()) {
             const auto row = documented.take(QString::fromLatin1(one.name));
-            QVERIFY2(row.size() == 5, one.name);
+            QVERIFY2(row.size() == 6, one.name);
             const QStringList expected{priorityWord(one.armed), priorityWord(one.otherwise),
-                                       one.latching ? QStringLiteral("yes") : QStringLiteral("no")};
-            QCOMPARE(row.mid(0, 3), expected);
-            QVERIFY2(priorityOf(row[3], row[4]) == row[0], one.name); // and it has the priority that it was reckoned to have
+                                       one.latching ? QStringLiteral("yes") : QStringLiteral("no"),
+                                       endDelay(one.condition) == 0s ? QStringLiteral("at once") : QStringLiteral("after 2 s")};
+            QCOMPARE(row.mid(0, 4), expected);
+            QVERIFY2(priorityOf(row[4], row[5]) == row[0], one.name); // and it has the priority that it was reckoned to have
         }
         QStringList left = documented.keys();
         left.removeAll(QStringLiteral("condition"));
@@ -246,6 +248,7 @@ private Q_SLOTS:
         AlarmList list;
         list.update({report(AlarmCondition::PictureStale, AlarmPriority::High, false)}, start, 0);
         list.update({}, start, 1);
+        list.update({}, start + 2s, 1);
         QVERIFY(list.alarms().empty());
         QCOMPARE(list.log().size(), std::size_t(2));
     }
@@ -264,7 +267,8 @@ private Q_SLOTS:
         QVERIFY(list.highest()->demandsAttention());
         list.acknowledge(list.highest()->id, 0);
         list.update({}, start, 0);
-        list.update({low}, start, 0);
+        list.update({}, start + 2s, 0);
+        list.update({low}, start + 2s, 0);
         QVERIFY(list.highest()->demandsAttention());
         QCOMPARE(raised.size(), 3);
     }
@@ -347,7 +351,7 @@ private Q_SLOTS:
     {
         AlarmList list;
         for (int turn = 0; turn < 1500; ++turn) {
-            list.update({report(AlarmCondition::ForceWarn, AlarmPriority::Medium, false)}, start, turn);
+            list.update({report(AlarmCondition::SoundFailed, AlarmPriority::Medium, false)}, start, turn);
             list.update({}, start, turn);
         }
         QCOMPARE(list.log().size(), AlarmList::logLimit);

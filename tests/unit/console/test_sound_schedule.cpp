@@ -10,12 +10,14 @@ namespace {
 
 constexpr auto High = AlarmPriority::High, Medium = AlarmPriority::Medium, Low = AlarmPriority::Low;
 
+using Conditions = std::vector<std::pair<AlarmCondition, AlarmPriority>>;
+
 /// Ten looks a second, as the console has them.
 class Listener {
 public:
     AlarmList list;
 
-    void present(const std::vector<std::pair<AlarmCondition, AlarmPriority>>& conditions, bool latching = false)
+    void present(const Conditions& conditions, bool latching = false)
     {
         std::vector<AlarmReport> reports;
         for (const auto& [condition, priority] : conditions)
@@ -87,22 +89,23 @@ private Q_SLOTS:
     void onlyTheHighestSounds()
     {
         Listener room;
-        room.present({{AlarmCondition::ForceWarn, Medium}, {AlarmCondition::SoftLimit, Low}, {AlarmCondition::ForceStop, High}});
+        room.present(
+            {{AlarmCondition::SystemDiffers, Medium}, {AlarmCondition::RoadmapRemoved, Low}, {AlarmCondition::EmergencyStop, High}});
         QCOMPARE(room.hear(9s), QStringLiteral("H0 H5000"));
-        room.present({{AlarmCondition::ForceWarn, Medium}, {AlarmCondition::SoftLimit, Low}});
+        room.present({{AlarmCondition::SystemDiffers, Medium}, {AlarmCondition::RoadmapRemoved, Low}});
         QCOMPARE(room.hear(9s), QStringLiteral("M0"));
-        room.present({{AlarmCondition::SoftLimit, Low}});
+        room.present({{AlarmCondition::RoadmapRemoved, Low}});
         QCOMPARE(room.hear(9s), QStringLiteral("L0"));
     }
 
     void aHigherOneInterruptsAndALowerOneWaits()
     {
         Listener room;
-        room.present({{AlarmCondition::ForceWarn, Medium}});
+        room.present({{AlarmCondition::SystemDiffers, Medium}});
         QCOMPARE(room.hear(300ms), QStringLiteral("M0"));
-        room.present({{AlarmCondition::ForceWarn, Medium}, {AlarmCondition::ForceStop, High}});
+        room.present({{AlarmCondition::SystemDiffers, Medium}, {AlarmCondition::EmergencyStop, High}});
         QCOMPARE(room.hear(300ms), QStringLiteral("H0"));
-        room.present({{AlarmCondition::ForceWarn, Medium}});
+        room.present({{AlarmCondition::SystemDiffers, Medium}});
         QCOMPARE(room.hear(5s), QStringLiteral("M2500")); // the burst of 2.74 s ends first
     }
 
@@ -154,14 +157,28 @@ private Q_SLOTS:
     void acknowledgedIsSilentUntilItEndsAndReturns()
     {
         Listener room;
-        room.present({{AlarmCondition::ForceStop, High}});
+        room.present({{AlarmCondition::EmergencyStop, High}});
         (void)room.hear(3s);
         room.acknowledgeAll();
         QCOMPARE(room.hear(30s), QString());
         room.present({});
         QCOMPARE(room.hear(1s), QString());
-        room.present({{AlarmCondition::ForceStop, High}});
+        room.present({{AlarmCondition::EmergencyStop, High}});
         QCOMPARE(room.hear(1s), QStringLiteral("H0"));
+    }
+
+    /// One alarm in the list, so one rhythm; and nothing is cut short.
+    void whatTremblesAtItsLimitSoundsInItsRhythm()
+    {
+        Listener room;
+        QStringList heard;
+        for (int tenth = 0; tenth < 201; ++tenth) {
+            room.present(tenth % 2 == 0 ? Conditions{{AlarmCondition::ForceWarn, Medium}} : Conditions{});
+            QVERIFY(SoundSchedule::demandsSound(room.list.alarms()));
+            if (!room.hear(100ms).isEmpty())
+                heard << QString::number(tenth);
+        }
+        QCOMPARE(heard.join(QLatin1Char(' ')), QStringLiteral("0 100 200"));
     }
 
     void whatEndedLatchedIsSilent()
