@@ -1,6 +1,7 @@
 // The row's words follow the link; its button offers the one thing that the state allows.
 #include "editor/link_row.hpp"
 
+#include "widgets/double_click.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/sheet_button.hpp"
@@ -74,6 +75,8 @@ void LinkRow::focusAction() { m_action->setFocus(Qt::OtherFocusReason); }
 
 void LinkRow::act()
 {
+    if (isDoubleClick(m_acted))
+        return; // the button may offer the opposite by now
     if (mayOpen(m_state))
         Q_EMIT openRequested(m_peer);
     else if (mayClose(m_state))

@@ -3,6 +3,7 @@
 
 #include "model/session_model.hpp"
 
+#include <QElapsedTimer>
 #include <QFrame>
 
 class QLabel;
@@ -42,6 +43,7 @@ private:
     QLabel* m_count;
     QLabel* m_progress;
     SheetButton* m_action;
+    QElapsedTimer m_acted; ///< since the last wish
 };
 
 } // namespace console

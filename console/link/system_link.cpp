@@ -207,10 +207,11 @@ void SystemLink::note(LogKind kind, const QString& line) { m_models.log.append(k
 
 void SystemLink::open(quint32 peer)
 {
-    if (const auto result = m_system->openChannel(liena::DeviceId(peer)); !result) {
-        m_models.sessions.noteOpenFailed(peer, words(result.error()));
-        note(LogKind::Trouble, words(result.error()));
-    }
+    const auto result = m_system->openChannel(liena::DeviceId(peer));
+    if (result || result.error().code == liena::Errc::Busy)
+        return; // or it is under way: the second press of a double click
+    m_models.sessions.noteOpenFailed(peer, words(result.error()));
+    note(LogKind::Trouble, words(result.error()));
 }
 
 void SystemLink::openAll()

@@ -2,12 +2,12 @@
 #include "widgets/diagnosis_sheet.hpp"
 
 #include "widgets/action_rows.hpp"
+#include "widgets/double_click.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/roll_call.hpp"
 #include "widgets/sheet_button.hpp"
 
-#include <QApplication>
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QTimer>
@@ -17,19 +17,6 @@ namespace console {
 
 using theme::TextRole;
 namespace colour = theme::colour;
-
-namespace {
-
-/// The second press of one, which is one wish; else `since` begins anew.
-bool isDoubleClick(QElapsedTimer& since)
-{
-    if (since.isValid() && since.elapsed() < QApplication::doubleClickInterval())
-        return true;
-    since.start();
-    return false;
-}
-
-} // namespace
 
 DiagnosisSheet::DiagnosisSheet(QWidget* parent) : QFrame(parent)
 {

@@ -1,6 +1,7 @@
 // A card is painted as one picture; only its button is a widget.
 #include "widgets/link_card.hpp"
 
+#include "widgets/double_click.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/focus_return.hpp"
 #include "widgets/icons.hpp"
@@ -9,7 +10,6 @@
 #include "widgets/theme.hpp"
 #include "widgets/touch_button.hpp"
 
-#include <QApplication>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -101,9 +101,8 @@ void LinkCard::updateButton()
 
 void LinkCard::act()
 {
-    if (m_acted.isValid() && m_acted.elapsed() < QApplication::doubleClickInterval())
-        return; // the second click of a double one: the button may offer the opposite by now
-    m_acted.start();
+    if (isDoubleClick(m_acted))
+        return; // the button may offer the opposite by now
     if (mayOpen(m_link.state))
         Q_EMIT openRequested(m_peer);
     else if (mayClose(m_link.state))

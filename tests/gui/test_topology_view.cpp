@@ -197,6 +197,31 @@ private Q_SLOTS:
         QCOMPARE(reopen.count(), LinkState(state) == LinkState::StandBy ? 1 : 0);
     }
 
+    void aDoubleClickIsOneWish_data() { rowAsksForWhatItsStateAllows_data(); }
+
+    /// The link is in its new state before the second click, and the button offers the opposite.
+    void aDoubleClickIsOneWish()
+    {
+        QFETCH(int, state);
+        Shown shown;
+        QVERIFY(QTest::qWaitForWindowActive(&shown.view));
+        const auto enter = [&shown](LinkState entered) {
+            shown.cockpit.models.sessions.setLinkState(robotId, entered, shown.cockpit.now);
+            shown.view.refresh(shown.cockpit.now);
+        };
+        enter(LinkState(state));
+        int wishes = 0;
+        for (const auto wish : {&TopologyView::openRequested, &TopologyView::closeRequested, &TopologyView::reopenRequested})
+            connect(&shown.view, wish, &shown.view, [&wishes] { ++wishes; });
+        auto* button = shown.row(robotId)->findChild<SheetButton*>();
+        const auto offered = button->text();
+        QTest::mouseClick(button, Qt::LeftButton);
+        enter(LinkState(state) == LinkState::Open ? LinkState::Closed : LinkState::Open);
+        QVERIFY(button->isEnabled() && button->text() != offered);
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(wishes, 1);
+    }
+
     void lostLinkIsDrawnBroken()
     {
         Shown shown;

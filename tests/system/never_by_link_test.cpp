@@ -208,6 +208,24 @@ private Q_SLOTS:
         theatre.releaseAll();
     }
 
+    /// The second press of a double click on Open, wherever it was made.
+    void whatOpensAlreadyIsNoFailedOpening()
+    {
+        const auto front = qScopeGuard([this] { m_stage->comeToTheFront(); });
+        Theatre theatre(robotAndXray());
+        const auto robot = theatre.files.idOf("robot").value();
+        Q_EMIT theatre.window().openRequested(robot);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.link("robot") != LinkState::Closed, qPrintable(theatre.story()), patience);
+        Q_EMIT theatre.window().openRequested(robot);
+        const auto& failure = theatre.models().sessions.linkTo(robot)->failure;
+        QVERIFY2(failure.isEmpty(), qPrintable(failure));
+        const auto& lines = theatre.models().log.lines();
+        QVERIFY2(
+            std::none_of(lines.begin(), lines.end(), [](const LogLine& line) { return line.text.contains(QStringLiteral("already")); }),
+            qPrintable(theatre.story()));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.link("robot") == LinkState::Open, qPrintable(theatre.story()), patience);
+    }
+
     // Rule 13.
 
     void aTopologyFileThatChangesChangesNothingThatRuns()
