@@ -161,6 +161,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     readInstruments(all, now);
     all.painting = painting();
     all.recorderTroubles = m_models.recorder.troubles();
+    all.recorderCauses = m_models.recorder.causes();
     all.soundTrouble = m_soundTrouble;
     all.watchdogTrouble = m_watchdogTrouble;
     return all;

@@ -289,7 +289,7 @@ void Rules::addConsole()
         add(AlarmCondition::RecorderStopped, Priority::Low, true,
             Text::tr("Recording: %1").arg(m_readings.recorderTroubles.join(Text::tr("; "))),
             Text::tr("Make room on the disk, or have the computer looked at."));
-        addCauses((quint64{1} << m_readings.recorderTroubles.size()) - 1);
+        addCauses(m_readings.recorderCauses);
     }
     if (!m_readings.soundTrouble.isEmpty())
         add(AlarmCondition::SoundFailed, whenArmed(Priority::Medium, Priority::Low), false,

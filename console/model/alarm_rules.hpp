@@ -66,6 +66,7 @@ struct AlarmReadings {
     std::optional<double> fluoroscopyTime; ///< s, the same
     std::optional<PaintingReading> painting;
     QStringList recorderTroubles; ///< what is not recorded, and why; empty when all is
+    quint64 recorderCauses = 0;   ///< their kinds, as RecorderState has them
     QString soundTrouble;         ///< why nothing would be heard; empty when it would
     QString watchdogTrouble;
 };

@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <QtGlobal>
 
 namespace console {
 
@@ -13,6 +14,14 @@ struct RecorderState {
     QString auditTrouble; ///< the audit file of the sessions is not written; empty: it is, or none was asked for
 
     bool keeps() const { return logKept && auditTrouble.isEmpty(); }
+
+    /// One bit for each loss: what the log does not keep any more is more than what it warned of, and less than that is no news.
+    quint64 causes() const
+    {
+        constexpr quint64 warned = 1, logLost = 2, auditLost = 4;
+        const quint64 log = logTrouble.isEmpty() ? 0 : logKept ? warned : warned | logLost;
+        return auditTrouble.isEmpty() ? log : log | auditLost;
+    }
 
     QStringList troubles() const
     {

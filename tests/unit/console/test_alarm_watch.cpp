@@ -416,6 +416,31 @@ private Q_SLOTS:
         QVERIFY(!w.priorityOf(C::LinkLost));
     }
 
+    /// Whoever has heard of a disk that is nearly full does not know that it is full.
+    void whatIsRecordedLessDemandsAttentionAnew()
+    {
+        Watched w;
+        auto& recorder = w.models().recorder;
+        const auto attended = [&w] {
+            const bool acknowledged = w.priorityOf(C::RecorderStopped).has_value() && w.models().alarms.highest()->acknowledged;
+            w.models().alarms.acknowledge(w.idOf(C::RecorderStopped), 0);
+            return acknowledged;
+        };
+        recorder.logTrouble = QStringLiteral("nearly full, 50 MB left");
+        QVERIFY(!attended());
+        recorder.logTrouble = QStringLiteral("nearly full, 49 MB left");
+        QVERIFY(attended());
+        recorder.logKept = false;
+        recorder.logTrouble = QStringLiteral("cannot be written");
+        QVERIFY(!attended());
+        recorder.logKept = true; // a moment's room
+        recorder.logTrouble = QStringLiteral("nearly full, 0 MB left");
+        QVERIFY(attended());
+        recorder.logTrouble.clear();
+        recorder.auditTrouble = QStringLiteral("the audit file is not written");
+        QVERIFY(!attended());
+    }
+
     void doseStaysAnAlarmWhenTheXraySystemIsSilent()
     {
         Watched w;
