@@ -24,6 +24,16 @@ AlarmWatch::AlarmWatch(ConsoleModels& models, std::optional<quint32> robot, QObj
     : QObject(parent), m_models(models), m_robot(robot)
 {
     connect(&models.permit, &PermitModel::phaseChanged, this, &AlarmWatch::notePhase);
+    connect(&models.sessions, &SessionModel::linkStateChanged, this, &AlarmWatch::noteLink);
+}
+
+/// The library watches for a peer's reports from each opening on.
+void AlarmWatch::noteLink(quint32 peer, LinkState from, LinkState to)
+{
+    if (to == LinkState::StandBy || to == LinkState::Closed)
+        m_overdue.erase(peer);
+    if (carriesMessages(to) && !carriesMessages(from))
+        m_carriesSince[peer] = m_models.sessions.linkTo(peer)->since;
 }
 
 void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
@@ -151,8 +161,8 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     all.limitSwitches = robot.value.limitSwitches;
     all.faultCode = robot.value.faultCode;
     const auto& drives = m_models.instrument.drives();
-    all.drivesKnown =
-        drives.known() && !awaitsDrives(now) && (all.armed || drives.freshness(now, InstrumentState::driveLimit) == Freshness::Fresh);
+    all.drivesKnown = drives.known() && !awaitsNew(drives.received, InstrumentState::driveLimit, now) &&
+                      (all.armed || drives.freshness(now, InstrumentState::driveLimit) == Freshness::Fresh);
     all.drivesHealthy = m_models.instrument.drivesHealthy(now);
     all.driveOff = isArmed(phase) && drives.known() && *drives.received > m_armedAt + enabling && !drives.value.allEnabled();
     all.armFault = m_models.arm.fresh(now) && m_models.arm.status().value.phase == ArmPhase::Fault;
@@ -167,12 +177,11 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     return all;
 }
 
-/// After a re-opening the old report stands for a moment: that is no fault.
-bool AlarmWatch::awaitsDrives(Instant now) const
+/// After a re-opening the old report of the robot stands for a moment: that is no fault.
+bool AlarmWatch::awaitsNew(std::optional<Instant> received, Duration limit, Instant now) const
 {
-    const auto* link = m_robot ? m_models.sessions.linkTo(*m_robot) : nullptr;
-    const auto& drives = m_models.instrument.drives();
-    return link != nullptr && drives.known() && *drives.received < link->since && now - link->since <= InstrumentState::driveLimit;
+    const auto since = m_robot ? m_carriesSince.find(*m_robot) : m_carriesSince.end();
+    return since != m_carriesSince.end() && received && *received < since->second && now - since->second <= limit;
 }
 
 void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
@@ -180,7 +189,8 @@ void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
     const auto& instrument = m_models.instrument;
     const bool linked = m_robot && carriesMessages(m_models.sessions.state(*m_robot));
     all.roadmapRemoved = m_models.roadmap.reason();
-    all.trackerOverdue = linked && instrument.tip().known() && !instrument.tipFresh(now);
+    const auto& tip = instrument.tip();
+    all.trackerOverdue = linked && tip.known() && !instrument.tipFresh(now) && !awaitsNew(tip.received, InstrumentState::tipLimit, now);
     all.contrastLeft = instrument.robot().value.contrastRemaining;
     all.injecting = instrument.injecting();
     // What has been given stays given, however old the report.

@@ -22,7 +22,7 @@ public:
     /// Ten times a second. `delivered`: pictures that this console has received, in all.
     void update(Instant now, quint64 delivered);
 
-    /// A peer's report is overdue; it counts until the next one comes, and for five seconds.
+    /// A peer's report is overdue; it counts until the next one comes, and for five seconds, but not beyond the session.
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
 
     /// Motion ended, and the robot has not said yet that it holds.
@@ -34,12 +34,13 @@ public:
 
 private:
     void notePhase(PermitPhase from, PermitPhase to);
+    void noteLink(quint32 peer, LinkState from, LinkState to);
     bool robotHoldsSince(Instant stop) const;
     std::optional<Instant> lastHeard(quint32 peer, const QString& message) const;
     QString overdueOf(quint32 peer, Instant now) const;
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
     AlarmReadings readings(Instant now) const;
-    bool awaitsDrives(Instant now) const;
+    bool awaitsNew(std::optional<Instant> received, Duration limit, Instant now) const;
     void readInstruments(AlarmReadings& all, Instant now) const;
     void noteLines(Instant now);
     void noteDelivered(quint64 delivered, Instant now);
@@ -59,6 +60,7 @@ private:
     bool m_troubleWhileArmed = false;
     bool m_troubleWhileEngaged = false;                      ///< motion has ended by the time that its cause is looked at
     std::map<quint32, std::map<QString, Instant>> m_overdue; ///< by peer and message: since when
+    std::map<quint32, Instant> m_carriesSince; ///< by peer: from when on its messages pass, for the last time that they began to
     std::map<quint32, LineQuality> m_lines;
     std::deque<Counted> m_counted;        ///< of the last two seconds
     bool m_pictureSlow = false;           ///< too few pictures are shown, and not only for a moment

@@ -1,4 +1,5 @@
-// What looks like an alarm for a moment and is none, or one and not many: one late heartbeat, a value at its limit.
+// What looks like an alarm for a moment and is none, or one and not many: one late heartbeat, a value at its limit, what a
+// device said before a loss.
 #include "watched_cockpit.hpp"
 
 #include <QTest>
@@ -23,6 +24,16 @@ void measure(Watched& w, Duration roundTrip)
 {
     w.now += 100ms;
     w.figuresOf(robotId, [roundTrip](auto& figures) { figures.roundTrip = roundTrip; });
+}
+
+/// The link is lost, and a minute later open again.
+void reopen(Watched& w, quint32 peer)
+{
+    w.models().sessions.setLinkState(peer, LinkState::StandBy, w.now);
+    w.look();
+    w.now += 60s;
+    w.models().sessions.setLinkState(peer, LinkState::Reopening, w.now);
+    w.models().sessions.setLinkState(peer, LinkState::Open, w.now);
 }
 
 } // namespace
@@ -65,6 +76,60 @@ private Q_SLOTS:
             w.look();
         }
         QCOMPARE(told(w, QStringLiteral("Guidewire force")), 1);
+    }
+
+    /// The library tells what is missing until it gives a link up.
+    void aReportThatWasOverdueBeforeALossIsNoneAfterTheReopening_data()
+    {
+        QTest::addColumn<quint32>("peer");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("dose") << quint32(xrayId) << QStringLiteral("AcquisitionStatus");
+        QTest::newRow("robot") << quint32(robotId) << QStringLiteral("RobotStatus");
+        QTest::newRow("tip") << quint32(robotId) << QStringLiteral("TipPose");
+    }
+
+    void aReportThatWasOverdueBeforeALossIsNoneAfterTheReopening()
+    {
+        QFETCH(quint32, peer);
+        QFETCH(QString, message);
+        Watched w;
+        w.models().sessions.setLinkState(peer, LinkState::Reconnecting, w.now);
+        w.watch.noteDeadlineMissed(peer, message, w.now);
+        reopen(w, peer);
+        QVERIFY(!w.priorityOf(C::DeadlineMissed));
+        w.now += 301ms;
+        w.watch.noteDeadlineMissed(peer, message, w.now); // and none came
+        QVERIFY(w.priorityOf(C::DeadlineMissed));
+    }
+
+    void theTipOfBeforeALossIsNoFaultUntilANewOneIsOverdue()
+    {
+        Watched w;
+        reopen(w, robotId);
+        QVERIFY(!w.priorityOf(C::TrackerStale));
+        w.now += 200ms;
+        QVERIFY(!w.priorityOf(C::TrackerStale));
+        w.now += 1ms;
+        QVERIFY(w.priorityOf(C::TrackerStale));
+    }
+
+    /// A link that is suspect and heals goes on: nothing new is awaited.
+    void aTipIsNotWaitedForLongerWhereTheLinkWasOnlySuspect()
+    {
+        Watched w;
+        w.now += 170ms; // the last one came 21 ms before
+        w.models().sessions.setLinkState(robotId, LinkState::Suspect, w.now);
+        w.models().sessions.setLinkState(robotId, LinkState::Open, w.now);
+        w.now += 11ms;
+        QVERIFY(w.priorityOf(C::TrackerStale));
+    }
+
+    void aTipThatIsInvalidAfterTheReopeningIsToldAtOnce()
+    {
+        Watched w;
+        reopen(w, robotId);
+        w.models().instrument.receiveTip(TipPose{}, w.now);
+        QVERIFY(w.priorityOf(C::TrackerStale));
     }
 };
 
