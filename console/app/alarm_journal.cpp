@@ -36,9 +36,10 @@ void forceFolder(const QString& folder)
 
 } // namespace
 
-AlarmJournal::AlarmJournal(const QString& folder, const QString& name, QObject* parent)
+AlarmJournal::AlarmJournal(const QString& folder, const QString& name, Duration roomPeriod, QObject* parent)
     : QObject(parent),
       m_folder(QDir(folder).absolutePath()),
+      m_roomPeriod(roomPeriod),
       m_file(m_folder + QLatin1Char('/') + name + QStringLiteral(".jsonl")),
       m_previous(m_folder + QLatin1Char('/') + name + QStringLiteral(".previous.jsonl"))
 {
@@ -139,15 +140,26 @@ void AlarmJournal::append(const AlarmLogEntry& entry)
     m_wake.notify_one();
 }
 
+/// False: there is none, and all that there was is on the disk.
+bool AlarmJournal::waitForWork(std::unique_lock<std::mutex>& lock)
+{
+    if (m_unwritten.empty() && !m_unsynced)
+        return m_wake.wait_for(lock, m_roomPeriod, [this] { return m_stopping || !m_waiting.empty(); });
+    m_wake.wait_for(lock, retryPeriod, [this] { return m_stopping; });
+    return true;
+}
+
 void AlarmJournal::run()
 {
     std::unique_lock lock(m_mutex);
     bool ending = false;
     while (!ending) {
-        if (m_unwritten.empty() && !m_unsynced)
-            m_wake.wait(lock, [this] { return m_stopping || !m_waiting.empty(); });
-        else
-            m_wake.wait_for(lock, retryPeriod, [this] { return m_stopping; });
+        if (!waitForWork(lock)) {
+            lock.unlock();
+            report(checkRoom(), true); // another program may have filled the disk, or somebody made room
+            lock.lock();
+            continue;
+        }
         ending = m_stopping;
         while (!m_waiting.empty() && m_unwritten.size() < queueLimit) {
             m_unwritten.push_back(std::move(m_waiting.front()));

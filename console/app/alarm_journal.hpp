@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QString>
 
+#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -27,8 +28,11 @@ public:
     static constexpr qint64 byteLimit = 1024 * 1024;  ///< of one file: what is larger is not ours
     static constexpr std::size_t queueLimit = 10'000; ///< entries that wait for a slow disk; more are lost, and counted
 
-    /// `folder` is made if need be. Reads what is there; nothing is written before the first entry.
-    AlarmJournal(const QString& folder, const QString& name, QObject* parent = nullptr);
+    static constexpr std::chrono::seconds usualRoomPeriod{10};
+
+    /// `folder` is made if need be. Reads what is there; nothing is written before the first entry. The disk's room is looked at with each
+    /// entry and, while none comes, each `roomPeriod`.
+    AlarmJournal(const QString& folder, const QString& name, Duration roomPeriod = usualRoomPeriod, QObject* parent = nullptr);
     ~AlarmJournal() override; ///< what waits is written first
 
     /// Of earlier runs, oldest first.
@@ -53,6 +57,7 @@ Q_SIGNALS:
 private:
     void read(const QString& file, bool newest);
     void run();
+    bool waitForWork(std::unique_lock<std::mutex>& lock);
     QString writeAll();
     QString write(const AlarmLogEntry& entry);
     bool openNewest();
@@ -60,6 +65,7 @@ private:
     void report(const QString& trouble, bool keeps);
 
     QString m_folder;
+    Duration m_roomPeriod;
     QString m_file;
     QString m_previous;
     std::unique_ptr<QLockFile> m_lock;

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <atomic>
+#include <chrono>
 
 #include <dlfcn.h>
 #include <sys/statvfs.h>
@@ -37,6 +38,8 @@ class TestDiskRoom : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void cleanup() { roomLeft = -1; }
+
     void aDiskThatIsNearlyFullIsAnAlarmWhileEntriesAreKept()
     {
         qputenv("PULSE_SERVER", "unix:/nowhere");
@@ -65,6 +68,19 @@ private Q_SLOTS:
         roomLeft = -1;
         note();
         QTRY_VERIFY(!raised());
+    }
+
+    /// By whatever else writes there, in a quiet procedure; and when somebody has made room again.
+    void aDiskThatFillsIsToldOfThoughNothingIsWritten()
+    {
+        const QTemporaryDir folder;
+        const AlarmJournal journal(folder.path(), QStringLiteral("alarms"), std::chrono::milliseconds(20));
+        QCOMPARE(journal.trouble(), QString());
+        roomLeft = 10 * 1024 * 1024;
+        QTRY_VERIFY(journal.trouble().contains(QStringLiteral("nearly full, 10 MB left")));
+        QVERIFY(journal.keeps());
+        roomLeft = -1;
+        QTRY_COMPARE(journal.trouble(), QString());
     }
 };
 
