@@ -70,13 +70,15 @@ QImage withBanner(const QImage& pane, const Snapshot& snapshot)
 {
     if (pane.isNull())
         return {};
+    QImage pixels = pane;
+    pixels.setDevicePixelRatio(1); // on a scaled screen it would be drawn smaller than it is
     QFont font;
     font.setPixelSize(std::clamp(pane.width() / 40, 10, 40));
     font = fitted(font, {exportWords(snapshot)}, pane.width());
     QImage image(pane.width(), pane.height() + 2 * font.pixelSize(), QImage::Format_RGB32);
     image.fill(pane_colours::background);
     QPainter painter(&image);
-    painter.drawImage(0, 0, pane);
+    painter.drawImage(0, 0, pixels);
     painter.setFont(font);
     painter.setPen(pane_colours::text);
     painter.drawText(QRect(0, pane.height(), pane.width(), 2 * font.pixelSize()), Qt::AlignCenter, exportWords(snapshot));

@@ -84,6 +84,7 @@ private Q_SLOTS:
     void saysThatItWasNotLive_data();
     void saysThatItWasNotLive();
     void writesPng();
+    void writesAllOfAPaneOnAScaledScreen();
     void leavesOldFileWhenDiskIsFull();
     void namesFolderThatIsMissing();
     void savesBothBesideTheWork();
@@ -282,6 +283,16 @@ void TestPictureExport::writesPng()
     QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), image);
     QCOMPARE(image.copy(0, 0, size.width(), size.height()), picture().image);
     QVERIFY(image.height() > size.height());
+}
+
+void TestPictureExport::writesAllOfAPaneOnAScaledScreen()
+{
+    const QImage plain = picture().image;
+    QImage scaled = plain;
+    scaled.setDevicePixelRatio(2); // as QWidget::grab() gives it there
+    const QImage image = withBanner(scaled, {picture()});
+    QCOMPARE(image, withBanner(plain, {picture()}));
+    QCOMPARE(image.copy(0, 0, size.width(), size.height()), plain);
 }
 
 void TestPictureExport::leavesOldFileWhenDiskIsFull()
