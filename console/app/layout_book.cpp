@@ -128,6 +128,8 @@ QString LayoutBook::write()
 {
     if (m_path.isEmpty())
         return Text::tr("This run has no file of layouts: the layout lasts for this run only.");
+    if (!QFileInfo::exists(m_path))
+        m_damaged = false; // it was moved or deleted since: there is nothing to keep
     for (int copy = 1; m_damaged && copy <= mostCopies; ++copy)
         m_damaged = !QFile::copy(m_path, QStringLiteral("%1.kept-%2").arg(m_path).arg(copy));
     if (m_damaged)

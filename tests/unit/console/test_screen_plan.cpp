@@ -171,6 +171,21 @@ private Q_SLOTS:
         QCOMPARE(again.layouts().front(), three);
     }
 
+    /// As the message advises, and OPERATING.
+    void aBrokenFileThatWasDeletedIsWrittenAnew()
+    {
+        const Folder at;
+        at.put("{\"layouts\": [{\"na");
+        LayoutBook book(at.path);
+        QCOMPARE(book.read().size(), 1);
+        QVERIFY(QFile::remove(at.path));
+        QCOMPARE(book.save(three), QString());
+        LayoutBook again(at.path);
+        QVERIFY(again.read().isEmpty());
+        QCOMPARE(again.layouts().front(), three);
+        QVERIFY(!QFile::exists(at.path + QStringLiteral(".kept-1")));
+    }
+
     void whatCannotBeKeptIsSaidAndLastsForThisRun()
     {
         const Folder at;
