@@ -69,9 +69,10 @@ void CineReview::setPlaying(bool playing)
     if (!playing) {
         m_timer.stop();
     } else {
-        // Begins at the oldest when it stands at the end.
-        if (*m_place + 1 >= m_ring.range().end)
-            show(m_ring.range().first);
+        const CineRing::Range range = m_ring.range();
+        m_filmEnd = range.end;
+        if (m_atEnd)
+            show(range.first);
         m_timer.start(shortestPause);
     }
     Q_EMIT placeChanged();
@@ -82,15 +83,17 @@ void CineReview::playOn()
     if (!m_place)
         return;
     const CineRing::Range range = m_ring.range();
-    if (*m_place + 1 >= range.end) { // the film ends; it does not run on into the present
+    const quint64 number = std::max(*m_place + 1, range.first);
+    if (number >= std::min(m_filmEnd, range.end)) { // the film ends; it does not run on into the present
+        m_atEnd = true;
         Q_EMIT placeChanged();
         return;
     }
-    const auto now = m_ring.at(*m_place + 1);
-    const auto next = m_ring.at(*m_place + 2);
+    const auto now = m_ring.at(number);
+    const auto next = m_ring.at(number + 1);
     m_timer.start(now && next ? pauseBetween(*now, *next)
                               : shortestPause); // before it is shown: whoever hears of that asks whether it plays
-    show(*m_place + 1);
+    show(number);
 }
 
 void CineReview::show(quint64 number)
@@ -99,6 +102,7 @@ void CineReview::show(quint64 number)
     if (range.isEmpty())
         return;
     m_place = std::clamp(number, range.first, range.end - 1);
+    m_atEnd = *m_place + 1 == range.end;
     m_pipeline.showFrame(m_ring.at(*m_place));
     Q_EMIT placeChanged();
 }

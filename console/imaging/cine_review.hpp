@@ -27,6 +27,8 @@ public:
 
     void step(int frames);
     void toOldest();
+
+    /// From where it stands to what is the newest frame now, also while new ones come; from the oldest when it stands at the end.
     void setPlaying(bool playing);
 
     void setSettings(const DisplaySettings& settings) { m_pipeline.setSettings(settings); }
@@ -47,6 +49,8 @@ private:
     FramePipeline m_pipeline;
     QTimer m_timer;
     std::optional<quint64> m_place;
+    quint64 m_filmEnd = 0; ///< behind its last frame
+    bool m_atEnd = false;  ///< what is shown was the newest when it was shown, or the last of the film
 };
 
 } // namespace console

@@ -56,6 +56,7 @@ private Q_SLOTS:
     void saysThatItPlaysForAsLongAsItDoes();
     void reviewsRing();
     void playsToTheEndAndStops();
+    void playsToTheEndAlsoWhileNewOnesCome();
     void staysWhereItIsWhenTheRingMovesOn();
 };
 
@@ -329,6 +330,36 @@ void TestReferenceImage::playsToTheEndAndStops()
     QTRY_VERIFY(!review.isPlaying());
     QTRY_COMPARE(shown.back(), 4U);
     QVERIFY(review.isOpen());
+}
+
+/// The pedal is down: by the time of Play the newest that stands there is the newest no more.
+void TestReferenceImage::playsToTheEndAlsoWhileNewOnesCome()
+{
+    CineRing ring;
+    quint32 number = 0;
+    const auto add = [&] {
+        auto frame = ringFrame(++number);
+        frame->captureNs = number * 1'000'000ULL;
+        ring.add(*frame);
+    };
+    while (number < 10)
+        add();
+    CineReview review(ring);
+    QVERIFY(review.open());
+    add();
+    QStringList places;
+    QObject::connect(&review, &CineReview::placeChanged, this, [&] {
+        places << review.place();
+        add();
+    });
+    review.setPlaying(true);
+    QVERIFY2(places.first().startsWith(QStringLiteral("1 of 11,")), qPrintable(places.first()));
+    QTRY_VERIFY(!review.isPlaying());
+    QVERIFY2(places.last().startsWith(QStringLiteral("11 of ")), qPrintable(places.last()));
+    QCOMPARE(places.size(), 13); // eleven frames, the begin and the end
+    places.clear();
+    review.setPlaying(true); // once more, from the oldest
+    QVERIFY2(places.first().startsWith(QStringLiteral("1 of ")), qPrintable(places.first()));
 }
 
 void TestReferenceImage::staysWhereItIsWhenTheRingMovesOn()
