@@ -193,6 +193,7 @@ void CockpitApplication::connectHand()
     connect(window, &CockpitWindow::handKeyPressed, keyboard, [keyboard](int key) { keyboard->press(key); });
     connect(window, &CockpitWindow::handKeyReleased, keyboard, [keyboard](int key) { keyboard->release(key); });
     connect(window, &CockpitWindow::masterChosen, &m_hand, &HandDesk::choose);
+    connect(&m_hand, &HandDesk::resetHeldChanged, window, &CockpitWindow::setResetHeld);
     const auto legend = [this] { m_window->setKeyLegend(m_hand.legend()); };
     connect(&m_hand, &HandDesk::inUseChanged, window, legend);
     legend();

@@ -42,6 +42,7 @@ void HandDesk::connectRack()
     connect(&m_rack, &MasterRack::armHeldChanged, this, &HandDesk::armHeldChanged);
     connect(&m_rack, &MasterRack::pedalChanged, this, &HandDesk::pedalChanged);
     connect(&m_rack, &MasterRack::injectHeldChanged, this, &HandDesk::injectHeldChanged);
+    connect(&m_rack, &MasterRack::resetHeldChanged, this, &HandDesk::resetHeldChanged);
     connect(&m_rack, &MasterRack::scaleStepRequested, this, &HandDesk::stepScale);
     connect(&m_rack, &MasterRack::holdRequested, this, &HandDesk::holdRequested);
 }

@@ -48,6 +48,7 @@ Q_SIGNALS:
     void armHeldChanged(bool held);
     void pedalChanged(bool down);
     void injectHeldChanged(bool held);
+    void resetHeldChanged(bool held);
     void holdRequested();
 
 private:

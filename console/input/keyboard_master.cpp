@@ -13,9 +13,10 @@ constexpr int pedalKey = Qt::Key_F;
 constexpr int clutchKey = Qt::Key_C;
 constexpr int armKey = Qt::Key_R;
 constexpr int injectKey = Qt::Key_G;
+constexpr int resetKey = Qt::Key_U;
 
-constexpr std::array<int, 13> handKeys{deadManKey,   injectKey,     pedalKey,  clutchKey, armKey,    Qt::Key_Up, Qt::Key_Down,
-                                       Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J, Qt::Key_L};
+constexpr std::array<int, 14> handKeys{deadManKey,   injectKey,    pedalKey,      clutchKey, armKey,    resetKey,  Qt::Key_Up,
+                                       Qt::Key_Down, Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J, Qt::Key_L};
 
 bool isHandKey(int key) { return std::find(handKeys.begin(), handKeys.end(), key) != handKeys.end(); }
 
@@ -51,6 +52,8 @@ void KeyboardMaster::tell(int key, bool pressed)
         Q_EMIT pedalChanged(pressed);
     else if (key == injectKey)
         Q_EMIT injectHeldChanged(pressed);
+    else if (key == resetKey)
+        Q_EMIT resetHeldChanged(pressed);
 }
 
 bool KeyboardMaster::press(int key, bool autoRepeat)
@@ -108,7 +111,7 @@ MasterReading KeyboardMaster::read(Instant)
 void KeyboardMaster::rezero(Instant)
 {
     // A motion key that was down before the dead-man must be pressed again, or the robot would move at once.
-    m_down &= QSet<int>{deadManKey, pedalKey, clutchKey, armKey, injectKey};
+    m_down &= QSet<int>{deadManKey, pedalKey, clutchKey, armKey, injectKey, resetKey};
 }
 
 QList<QPair<QString, QString>> KeyboardMaster::bindings()
@@ -117,6 +120,7 @@ QList<QPair<QString, QString>> KeyboardMaster::bindings()
             {tr("F, held"), tr("X-ray pedal")},
             {tr("R, held 1.5 s"), tr("arm")},
             {tr("G, held 1 s"), tr("inject contrast, while armed")},
+            {tr("U, held 1.5 s"), tr("reset the emergency stop")},
             {tr("Up / Down"), tr("advance / retract the guidewire")},
             {tr("Right / Left"), tr("turn the guidewire clockwise / counter-clockwise")},
             {tr("I / K"), tr("advance / retract the catheter")},

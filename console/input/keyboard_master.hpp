@@ -10,9 +10,9 @@
 
 namespace console {
 
-/// Left hand: D held is the dead-man, F held the X-ray pedal, C held the clutch, R held 1.5 s arms, G held 1 s injects contrast. Right
-/// hand: arrow up / down advance / retract the guidewire, right / left turn it; I / K advance / retract the catheter, L / J turn it. Page
-/// up / down change the scale. Space, Enter and Return are bound to nothing: they press buttons.
+/// Left hand: D held is the dead-man, F held the X-ray pedal, C held the clutch, R held 1.5 s arms, G held 1 s injects contrast, U held
+/// 1.5 s resets the emergency stop. Right hand: arrow up / down advance / retract the guidewire, right / left turn it; I / K advance /
+/// retract the catheter, L / J turn it. Page up / down change the scale. Space, Enter and Return are bound to nothing: they press buttons.
 ///
 /// Keys count only while the master listens. When that ends everything counts as released, and a key that is still down must be let go and
 /// pressed again. Auto-repeat is neither a press nor a release.
@@ -40,6 +40,7 @@ public:
 Q_SIGNALS:
     void pedalChanged(bool down);
     void injectHeldChanged(bool held);
+    void resetHeldChanged(bool held); ///< for the emergency stop
 
 protected:
     void listeningChanged() override;

@@ -9,6 +9,7 @@ MasterRack::MasterRack(KeyboardMaster& keyboard, QObject* parent) : QObject(pare
 {
     connect(&keyboard, &KeyboardMaster::pedalChanged, this, &MasterRack::pedalChanged);
     connect(&keyboard, &KeyboardMaster::injectHeldChanged, this, &MasterRack::injectHeldChanged);
+    connect(&keyboard, &KeyboardMaster::resetHeldChanged, this, &MasterRack::resetHeldChanged);
     add(keyboard);
 }
 

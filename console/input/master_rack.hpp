@@ -11,9 +11,9 @@
 
 namespace console {
 
-/// GUI thread only. The keyboard is always there: its X-ray pedal, ARM, clutch and scale count beside any master, its dead-man only for
-/// itself and for masters that have none of their own. A master that is lost stays in use, as lost: another one is a person's choice, and
-/// never while armed.
+/// GUI thread only. The keyboard is always there: its X-ray pedal, ARM, reset, clutch and scale count beside any master, its dead-man
+/// only for itself and for masters that have none of their own. A master that is lost stays in use, as lost: another one is a person's
+/// choice, and never while armed.
 class MasterRack : public QObject {
     Q_OBJECT
 public:
@@ -50,6 +50,7 @@ Q_SIGNALS:
     void armHeldChanged(bool held);
     void pedalChanged(bool down);
     void injectHeldChanged(bool held);
+    void resetHeldChanged(bool held);
     void scaleStepRequested(int steps);
     void holdRequested();
 

@@ -39,6 +39,8 @@ void CockpitWindow::setKeyLegend(const QString& legend)
                                "\u00B7 F7 screens \u00B7 F8 alarm test \u00B7 F10 F11 swap")});
 }
 
+void CockpitWindow::setResetHeld(bool held) { m_motion->setResetHeld(held); }
+
 void CockpitWindow::setTrendSpan(TrendSpan span) { m_trends->setSpan(span); }
 
 void CockpitWindow::setArrangement(Arrangement arrangement)

@@ -51,6 +51,9 @@ public:
     void setPatient(const QString& name, const QString& id);
     void setRehearsal(bool rehearsal);
     void setKeyLegend(const QString& legend);
+
+    /// The hand's key for RESET STOP, which counts as holding that button.
+    void setResetHeld(bool held);
     void setTrendSpan(TrendSpan span);
 
     /// Which picture stands beside the live one; F10 and F11 change it.

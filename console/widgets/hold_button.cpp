@@ -65,6 +65,12 @@ void HoldButton::setHeld(bool held)
     Q_EMIT holdChanged(held);
 }
 
+void HoldButton::setKeyHeld(bool held)
+{
+    if (!held || (isVisible() && isEnabled()))
+        setHeld(held);
+}
+
 void HoldButton::mousePressEvent(QMouseEvent* event)
 {
     event->accept();

@@ -20,6 +20,10 @@ public:
     /// 0 to 1: how much of the button is filled.
     void setProgress(double progress);
 
+    /// A key that another hears for it is down: held as by the mouse, while it shows and is enabled. What ends a hold ends this one, too,
+    /// until the key is pressed again.
+    void setKeyHeld(bool held);
+
     bool isHeld() const { return m_held; }
 
     /// At least theme::safetySide() tall, and wider, so that its neighbours stand still when it says something else.

@@ -93,7 +93,7 @@ void MotionBar::nameButtons()
 {
     m_arm->setAccessibleName(tr("Arm: hold for one and a half seconds"));
     m_reset->setAccessibleName(tr("Reset the emergency stop: hold for one and a half seconds"));
-    m_reset->setTexts(tr("RESET STOP"), tr("hold 1.5 s"));
+    m_reset->setTexts(tr("RESET STOP"), tr("hold or U, 1.5 s"));
     m_reset->setAccent(colour::text);
     m_inject->setAccessibleName(tr("Inject contrast: hold for one second while armed"));
     m_inject->setAccent(colour::text);
@@ -175,6 +175,8 @@ void MotionBar::setKeyLegend(const KeyLegend& legend)
 }
 
 void MotionBar::setPedalShown(bool held) { m_pedal->setProgress(held ? 1.0 : 0.0); }
+
+void MotionBar::setResetHeld(bool held) { m_reset->setKeyHeld(held); }
 
 void MotionBar::refreshArm(Instant now)
 {

@@ -35,6 +35,9 @@ public:
     /// How a held button is shown, whichever way it is held.
     void setPedalShown(bool held);
 
+    /// By the hand's key. It counts from a press while the stop is shown, and as long as the button itself would.
+    void setResetHeld(bool held);
+
     void refresh(Instant now);
 
 Q_SIGNALS:

@@ -2115,6 +2115,14 @@
         <translation>解锁</translation>
     </message>
     <message>
+        <source>U, held 1.5 s</source>
+        <translation>U，按住 1.5 s</translation>
+    </message>
+    <message>
+        <source>reset the emergency stop</source>
+        <translation>复位急停</translation>
+    </message>
+    <message>
         <source>Up / Down</source>
         <translation>上 / 下</translation>
     </message>
@@ -2857,6 +2865,10 @@
     <message>
         <source>RESET STOP</source>
         <translation>复位急停</translation>
+    </message>
+    <message>
+        <source>hold or U, 1.5 s</source>
+        <translation>按住此钮或 U 键 1.5 s</translation>
     </message>
     <message>
         <source>hold 1.5 s</source>

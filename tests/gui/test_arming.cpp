@@ -47,6 +47,28 @@ struct Arming : CockpitStage {
     HoldButton* arm() const { return named<HoldButton>(QStringLiteral("Arm: hold for one and a half seconds")); }
 };
 
+/// The robot may tell of an emergency stop. What the hand's key for its reset does comes by setResetHeld().
+struct Stopping : CockpitStage {
+    QSignalSpy asked{&window, &CockpitWindow::emergencyStopResetRequested};
+
+    Stopping() { cockpit.openAll(); }
+
+    void tell(bool stopped)
+    {
+        RobotStatus status = cockpit.status(stopped ? RobotState::EmergencyStop : RobotState::Ready);
+        status.emergencyStopToken = stopped ? 99 : 0;
+        cockpit.models.instrument.receiveRobot(status, std::chrono::steady_clock::now());
+        refresh();
+    }
+
+    /// How often it was asked for when what is held now goes on being held.
+    int askedIn(Duration time)
+    {
+        window.refresh(std::chrono::steady_clock::now() + time);
+        return int(asked.count());
+    }
+};
+
 } // namespace
 
 class TestArming : public QObject {
@@ -295,6 +317,45 @@ private Q_SLOTS:
         stage.window.refresh(std::chrono::steady_clock::now() + 3s);
         QCOMPARE(asked.count(), 1);
         QTest::mouseRelease(reset, Qt::LeftButton);
+    }
+
+    void resetOfTheStopByItsKeyIsHeldAsLong()
+    {
+        Stopping stage;
+        QVERIFY(stage.ready());
+        stage.tell(true);
+        stage.window.setResetHeld(true);
+        stage.window.setResetHeld(false);
+        QCOMPARE(stage.askedIn(3s), 0);
+        stage.window.setResetHeld(true);
+        QCOMPARE(stage.askedIn(1400ms), 0);
+        QCOMPARE(stage.askedIn(2s), 1);
+        QCOMPARE(stage.askedIn(9s), 1); // held on, it asks no second time
+    }
+
+    void resetKeyThatWasDownBeforeTheStopCountsForNothing()
+    {
+        Stopping stage;
+        QVERIFY(stage.ready());
+        stage.tell(false);
+        stage.window.setResetHeld(true);
+        stage.tell(true);
+        QCOMPARE(stage.askedIn(3s), 0);
+        stage.window.setResetHeld(false);
+        stage.window.setResetHeld(true);
+        stage.tell(false); // somebody else's reset ends the hold
+        stage.tell(true);
+        QCOMPARE(stage.askedIn(3s), 0);
+    }
+
+    void anObserversKeyResetsNoStop()
+    {
+        Stopping stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.models.role = OperatorRole::Observer;
+        stage.tell(true);
+        stage.window.setResetHeld(true);
+        QCOMPARE(stage.askedIn(3s), 0);
     }
 };
 

@@ -164,7 +164,7 @@ void TestSceneView::leavesTheHandsKeysToTheHand()
     QVERIFY(!view->hasFocus());
     const OrbitCamera camera = view->camera();
     const QList<int> keys{Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J,
-                          Qt::Key_L,  Qt::Key_D,    Qt::Key_F,    Qt::Key_C,     Qt::Key_R, Qt::Key_G};
+                          Qt::Key_L,  Qt::Key_D,    Qt::Key_F,    Qt::Key_C,     Qt::Key_R, Qt::Key_G, Qt::Key_U};
     view->setFocus(Qt::TabFocusReason); // even then
     QVERIFY(view->hasFocus());
     for (const int key : keys)

@@ -233,6 +233,11 @@ private Q_SLOTS:
         const auto reports = theatre.models().instrument.statusCount();
         QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.statusCount() > reports + 10, patience);
         QCOMPARE(theatre.robotStatus().appliedCommands, applied);
+        theatre.releaseAll();
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.button(QStringLiteral("RESET STOP")) != nullptr, patience);
+        theatre.hold(Qt::Key_U); // without a mouse
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().emergencyStopToken == 0, qPrintable(theatre.story()), patience);
+        theatre.release(Qt::Key_U);
     }
 
     void anEmergencyStopThatTheRobotDoesNotHearIsAnAlarmAndIsNotForgotten()

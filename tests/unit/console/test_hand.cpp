@@ -78,6 +78,29 @@ private Q_SLOTS:
         QVERIFY(!master.read(start).deadMan);
     }
 
+    /// A repeat begins no hold, and what ends it is always told.
+    void resetOfTheStopLastsWhileItsKeyIsDown()
+    {
+        KeyboardMaster master;
+        QSignalSpy reset(&master, &KeyboardMaster::resetHeldChanged);
+        QVERIFY(!master.press(Qt::Key_U)); // nobody's keys are heard
+        master.setListening(true);
+        master.press(Qt::Key_U, true); // held since before
+        QCOMPARE(reset.size(), 0);
+        master.press(Qt::Key_U);
+        master.press(Qt::Key_U, true);
+        QCOMPARE(reset.size(), 1);
+        QVERIFY(reset.last().first().toBool());
+        master.rezero(start);
+        master.release(Qt::Key_U);
+        QCOMPARE(reset.size(), 2);
+        QVERIFY(!reset.last().first().toBool());
+        master.press(Qt::Key_U);
+        master.setListening(false);
+        QCOMPARE(reset.size(), 4);
+        QVERIFY(!reset.last().first().toBool());
+    }
+
     void hearsNothingWithoutTheKeyboard()
     {
         KeyboardMaster master;

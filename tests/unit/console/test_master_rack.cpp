@@ -294,17 +294,19 @@ private Q_SLOTS:
         QVERIFY(!stage.read().deadMan);
     }
 
-    void keyboardsPedalArmAndClutchCountBesideAnyMaster()
+    void keyboardsPedalArmResetAndClutchCountBesideAnyMaster()
     {
         Rack stage;
         stage.takePad();
         stage.hold();
         QSignalSpy pedal(&stage.rack, &MasterRack::pedalChanged);
         QSignalSpy arm(&stage.rack, &MasterRack::armHeldChanged);
-        for (const int key : {Qt::Key_F, Qt::Key_R, Qt::Key_C})
+        QSignalSpy reset(&stage.rack, &MasterRack::resetHeldChanged);
+        for (const int key : {Qt::Key_F, Qt::Key_R, Qt::Key_C, Qt::Key_U})
             stage.keyboard.press(key);
         QCOMPARE(pedal.size(), 1);
         QCOMPARE(arm.size(), 1);
+        QCOMPARE(reset.size(), 1);
         QVERIFY(stage.read().clutch && stage.read().deadMan);
     }
 
