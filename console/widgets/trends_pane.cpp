@@ -33,6 +33,9 @@ constexpr std::array<Row, trendFigures> rows{{
     {TrendFigure::PictureAge, QT_TRANSLATE_NOOP("console::TrendsPane", "Picture age"), "ms", 0, 100},
 }};
 
+/// Slots further apart than this have a stretch between them in which nobody noted anything: the console itself stood still.
+constexpr Duration mostBetween(Duration slot) { return std::max<Duration>(2 * slot, std::chrono::milliseconds(500)); }
+
 double fullScale(const std::deque<TrendSlot>& slots, double least, std::optional<double> limit)
 {
     double most = std::max(least, limit.value_or(0));
@@ -140,7 +143,8 @@ void TrendsPane::paintRow(QPainter& painter, const QRectF& where, std::size_t in
                 row.figure);
 }
 
-/// A line through each slot's middle, and a bar from its least to its most: a peak of a moment is seen on ten minutes, too.
+/// A line through each slot's middle, and a bar from its least to its most: a peak of a moment is seen on ten minutes, too. Hatched is what
+/// was not known, and what nobody noted.
 void TrendsPane::paintCourse(QPainter& painter, const QRectF& where, TrendFigure figure) const
 {
     const auto& slots = m_book.slots(figure, m_span);
@@ -159,11 +163,20 @@ void TrendsPane::paintCourse(QPainter& painter, const QRectF& where, TrendFigure
     QPainterPath line;
     bool drawing = false;
     const double slotWidth = where.width() / double(TrendBook::mostSlots);
+    const Duration slotTime = Duration(length(m_span)) / static_cast<Duration::rep>(TrendBook::mostSlots);
+    const auto xOf = [&](Instant at) { return where.right() - where.width() * seconds(m_now - at) / span; };
+    const auto paintUnknown = [&](double from, double to) {
+        painter.fillRect(QRectF(from, where.top(), to - from, where.height()), QBrush(colour::line, Qt::BDiagPattern));
+        drawing = false;
+    };
+    std::optional<Instant> before;
     for (const TrendSlot& slot : slots) {
-        const double x = where.right() - where.width() * seconds(m_now - slot.begin) / span;
+        const double x = xOf(slot.begin);
+        if (before && slot.begin - *before > mostBetween(slotTime))
+            paintUnknown(xOf(*before + slotTime), x);
+        before = slot.begin;
         if (!slot.most || !slot.least) {
-            painter.fillRect(QRectF(x, where.top(), slotWidth + 1, where.height()), QBrush(colour::line, Qt::BDiagPattern));
-            drawing = false;
+            paintUnknown(x, x + slotWidth + 1);
             continue;
         }
         const double top = yOf(*slot.most);

@@ -5,6 +5,7 @@
 #include "widgets/dose_panel.hpp"
 #include "widgets/force_gauge.hpp"
 #include "widgets/status_strip.hpp"
+#include "widgets/trends_pane.hpp"
 
 #include <QLabel>
 
@@ -52,6 +53,21 @@ std::vector<int> trailColumns(const QImage& picture)
                 break;
             }
     return columns;
+}
+
+/// How many columns there are, at most, between two in which a course is drawn: nothing else in the trends is violet.
+int widestHole(const QImage& picture)
+{
+    int widest = 0;
+    int last = -1;
+    for (int x = 0; x < picture.width(); ++x)
+        for (int y = 0; y < picture.height(); ++y)
+            if (const QColor seen = picture.pixelColor(x, y); seen.blue() - seen.green() > 30) {
+                widest = last < 0 ? 0 : std::max(widest, x - last);
+                last = x;
+                break;
+            }
+    return widest;
 }
 
 } // namespace
@@ -175,6 +191,38 @@ private Q_SLOTS:
         stage.window.refresh(stage.cockpit.now + 3s); // and by then some may have been given
         QVERIFY(labelWith(*panel, QStringLiteral("\u2248 15")) == nullptr);
         QVERIFY(labelWith(*panel, QStringLiteral("\u2248 \u2014 injections")) != nullptr);
+    }
+
+    void trendsDrawNothingWhereTheConsoleStoodStill_data()
+    {
+        QTest::addColumn<int>("stood"); // seconds
+        QTest::addColumn<int>("span");
+        QTest::newRow("a minute, none") << 0 << int(TrendSpan::Minute);
+        QTest::newRow("a minute, 20 s") << 20 << int(TrendSpan::Minute);
+        QTest::newRow("ten minutes, none") << 0 << int(TrendSpan::TenMinutes);
+        QTest::newRow("ten minutes, 200 s") << 200 << int(TrendSpan::TenMinutes);
+    }
+
+    void trendsDrawNothingWhereTheConsoleStoodStill()
+    {
+        QFETCH(int, stood);
+        QFETCH(int, span);
+        TrendBook book;
+        const Duration all = length(TrendSpan(span));
+        const Instant start = Instant{} + 1h;
+        for (Duration at{}; at <= all; at += 100ms) {
+            if (at > all / 3 && at < all / 3 + std::chrono::seconds(stood))
+                continue;
+            TrendReading reading;
+            reading.roundTripMs = 4;
+            book.note(reading, start + at);
+        }
+        TrendsPane pane(book);
+        pane.resize(900, 300);
+        pane.setSpan(TrendSpan(span));
+        pane.refresh({}, start + all);
+        const int hole = widestHole(pane.grab().toImage());
+        QVERIFY2(stood > 0 ? hole > 120 : hole < 60, qPrintable(QString::number(hole)));
     }
 
     /// As near to its value as can be, and apart from what stands above.
