@@ -63,15 +63,31 @@ public:
         return otherwise;
     }
 
-    QString text(const char* key) { return valueOf(key).toString(); }
+    QString text(const char* key) const { return whole(valueOf(key)); }
+
+    /// Exactly as it was written, or nothing.
+    QString folder(const char* key)
+    {
+        const QVariant value = valueOf(key);
+        if (value.typeId() != QMetaType::QStringList)
+            return value.toString();
+        refuse(key, value, Text::tr("the name of a folder, in quotes when it has a comma"));
+        return {};
+    }
 
     void refuse(const char* key, const QVariant& value, const QString& allowed)
     {
         m_troubles << Text::tr("%1: %2 is '%3', which is none of: %4. The default is used.")
-                          .arg(m_settings.fileName(), QString::fromLatin1(key), value.toString().left(40), allowed);
+                          .arg(m_settings.fileName(), QString::fromLatin1(key), whole(value).left(40), allowed);
     }
 
 private:
+    /// A line with commas that a person wrote without quotes is read as a list, which has no text of its own.
+    static QString whole(const QVariant& value)
+    {
+        return value.typeId() == QMetaType::QStringList ? value.toStringList().join(QStringLiteral(", ")) : value.toString();
+    }
+
     QVariant valueOf(const char* key) const { return m_settings.value(QString::fromLatin1(key)); }
 
     QSettings& m_settings;
@@ -103,7 +119,7 @@ Preferences readEntries(QSettings& settings, QStringList& troubles)
     p.audioPause = std::chrono::seconds(entries.number(pauseKey, int(AlarmList::leastAudioPause.count()),
                                                        int(AlarmList::mostAudioPause.count()), int(p.audioPause.count())));
     p.trendSpan = TrendSpan(entries.choice(spanKey, spanWords, int(p.trendSpan)));
-    p.pictureFolder = entries.text(folderKey);
+    p.pictureFolder = entries.folder(folderKey);
     p.window = WindowChoice(entries.choice(windowKey, windowWords, int(p.window)));
     p.noiseReduction = entries.number(noiseKey, 0, 100, p.noiseReduction);
     p.edge = entries.number(edgeKey, 0, 100, p.edge);

@@ -3557,6 +3557,10 @@
         <translation>文件夹名称</translation>
     </message>
     <message>
+        <source>the name of a folder, in quotes when it has a comma</source>
+        <translation>文件夹名称，含逗号时须加引号</translation>
+    </message>
+    <message>
         <source>%1 is not a file. The defaults are used.</source>
         <translation>%1 不是文件。使用默认值。</translation>
     </message>

@@ -88,6 +88,8 @@ private Q_SLOTS:
         QTest::newRow("edge method") << QByteArray("edge-method=magic") << QStringLiteral("edge-method");
         QTest::newRow("language") << QByteArray("language=tlh") << QStringLiteral("language");
         QTest::newRow("patient side") << QByteArray("patient-side=\"a\\x1b[2Jb\"") << QStringLiteral("patient-side");
+        QTest::newRow("folder with a comma, no quotes") << QByteArray("picture-folder=/tmp/a,b") << QStringLiteral("picture-folder");
+        QTest::newRow("two languages") << QByteArray("language=en, zh_CN") << QStringLiteral("language");
         QTest::newRow("folder") << QByteArray("picture-folder=\"a\\x1b[2Jb\"") << QStringLiteral("picture-folder");
     }
 
@@ -104,6 +106,19 @@ private Q_SLOTS:
         Preferences expected;
         expected.edge = 70;
         QCOMPARE(reading.preferences, expected);
+    }
+
+    /// As a person writes it who does not know that this file wants quotes then.
+    void aNumberWithCommasIsWholeAlsoWithoutQuotes()
+    {
+        const Folder at;
+        at.put("[General]\npatient-side=Dr Li, +86 755 1234, theatre 2\n");
+        PreferenceStore store(at.path);
+        const auto reading = store.read();
+        QVERIFY2(reading.troubles.isEmpty(), qPrintable(reading.troubles.join(QLatin1Char('|'))));
+        QCOMPARE(reading.preferences.patientSide, QStringLiteral("Dr Li, +86 755 1234, theatre 2"));
+        QCOMPARE(store.write(reading.preferences), QString());
+        QCOMPARE(PreferenceStore(at.path).read().preferences, reading.preferences);
     }
 
     void aBrokenFileIsKeptBesideTheNewOne_data()
