@@ -145,7 +145,7 @@ void PictureDesk::connectRoadmap()
     connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
     connect(&roadmap, &RoadmapState::changed, this, [this] {
         if (!m_models.roadmap.reason().isEmpty()) {
-            m_removedNs = m_vesselsNs;
+            m_roadmapRemoved = true;
             m_maker.forget();
             note(true, tr("roadmap removed: %1").arg(m_models.roadmap.reason()));
         }
@@ -176,11 +176,10 @@ void PictureDesk::beginRoadmap()
 {
     const auto made = m_maker.make();
     if (!made)
-        return answer(false, tr("no roadmap: no run has shown contrast yet; give contrast while the pedal is down"));
-    if (made->lastNs <= m_removedNs)
-        return answer(false, tr("no roadmap: it was removed, and no contrast was given since"));
+        return answer(false, m_roadmapRemoved ? tr("no roadmap: it was removed, and no contrast was given since")
+                                              : tr("no roadmap: no run has shown contrast yet; give contrast while the pedal is down"));
+    m_roadmapRemoved = false;
     m_review.close();
-    m_vesselsNs = made->lastNs;
     m_vessels = vesselLayer(*made);
     m_maker.watch(made);
     m_models.roadmap.begin({made->about, made->lastNs});

@@ -78,8 +78,7 @@ private:
     DisplayState m_display;
     std::optional<DisplayPicture> m_held;
     QImage m_vessels;                           ///< of the roadmap that is wanted
-    quint64 m_vesselsNs = 0;                    ///< the last pulse of its run
-    quint64 m_removedNs = 0;                    ///< the same of the last one that was removed: what was taken until then serves no more
+    bool m_roadmapRemoved = false;              ///< and none was made since
     quint32 m_displacementSeen = 0;             ///< frame
     LiveImageView* m_live = nullptr;            ///< the window's
     ReferenceImageView* m_reference = nullptr;  ///< the window's

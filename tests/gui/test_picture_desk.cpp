@@ -46,6 +46,36 @@ struct Desk {
     {
         auto frame = samples::frame(number, frameSize, 12, PixelEncoding::Raw);
         frame->acquisition = run;
+        return send(frame);
+    }
+
+    /// Contrast comes in a vessel after the sixth picture; the X-ray system's clock has been set back by `back`.
+    bool sendContrast(quint32 run, std::chrono::nanoseconds back = {})
+    {
+        for (quint32 number = 1; number <= 12; ++number) {
+            auto values = samples::storedValues(frameSize, 12);
+            if (number > 6)
+                for (int at = 120 * frameSize.width(); at < 128 * frameSize.width(); ++at)
+                    values[std::size_t(at)] = std::uint16_t(values[std::size_t(at)] * 0.85);
+            const auto plain = samples::frame(100 * run + number, frameSize, 12, PixelEncoding::Raw);
+            const auto frame = samples::withBytes(*plain, samples::encode(values, frameSize, 12, PixelEncoding::Raw, 0));
+            frame->acquisition = run;
+            frame->captureNs -= quint64(back.count());
+            if (!send(frame))
+                return false;
+        }
+        return true;
+    }
+
+    void moveTable(double to)
+    {
+        AcquisitionStatus status;
+        status.geometry.table = {to, 0, 0};
+        models.xray.receive(status, std::chrono::steady_clock::now());
+    }
+
+    bool send(const std::shared_ptr<XrayFrame>& frame)
+    {
         frame->arrival = std::chrono::steady_clock::now();
         desk.pipeline().showFrame(frame);
         const quint64 before = models.picture.paintedCount();
@@ -208,6 +238,23 @@ private Q_SLOTS:
         QCOMPARE(desk.reference->told(), QStringLiteral("there is no picture to save yet"));
         QVERIFY(desk.live->told().isEmpty());
         QTRY_VERIFY_WITH_TIMEOUT(desk.reference->told().isEmpty(), 8000); // it does not stay
+    }
+
+    void aRoadmapThatWasRemovedIsMadeAnewAlsoWhenTheClockWasSetBack()
+    {
+        Desk desk;
+        const auto& roadmap = desk.models.roadmap;
+        desk.moveTable(0);
+        QVERIFY(desk.sendContrast(1));
+        desk.click(QStringLiteral("Roadmap"));
+        QVERIFY2(roadmap.isValid(), qPrintable(desk.reference->told()));
+        desk.moveTable(10);
+        QVERIFY(roadmap.isWanted() && !roadmap.isValid());
+        desk.click(QStringLiteral("Roadmap"));
+        QCOMPARE(desk.reference->told(), QStringLiteral("no roadmap: it was removed, and no contrast was given since"));
+        QVERIFY(desk.sendContrast(2, std::chrono::minutes(5)));
+        desk.click(QStringLiteral("Roadmap"));
+        QVERIFY2(roadmap.isValid(), qPrintable(desk.reference->told()));
     }
 
     void aCopyOnAnotherScreenBeginsAsThePaneIs()
