@@ -31,6 +31,22 @@ namespace {
 constexpr int clockMs = 50;
 constexpr int slowTicks = 5;
 
+/// Of the hand's keys those that a button, a slider or a list would take for itself.
+bool isTakenByWidgets(int key)
+{
+    switch (key) {
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        return true;
+    default:
+        return false;
+    }
+}
+
 } // namespace
 
 CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
@@ -260,15 +276,14 @@ void CockpitWindow::keyPressEvent(QKeyEvent* event)
     Q_EMIT handKeyPressed(key);
 }
 
-/// A button or a slider with the focus would take the arrows to move the focus or itself.
+/// A button or a slider with the focus would take the arrows to move the focus or itself, and what it leaves its list would.
 bool CockpitWindow::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() != QEvent::KeyPress || !m_handHasKeys || watched == this || !watched->isWidgetType() ||
         static_cast<QWidget*>(watched)->window() != this)
         return false;
     auto* press = static_cast<QKeyEvent*>(event);
-    const int key = press->key();
-    if (key != Qt::Key_Up && key != Qt::Key_Down && key != Qt::Key_Left && key != Qt::Key_Right)
+    if (!isTakenByWidgets(press->key()))
         return false;
     keyPressEvent(press);
     return true;

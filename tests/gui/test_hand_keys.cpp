@@ -168,8 +168,8 @@ private Q_SLOTS:
         QCOMPARE(stage.closed.count(), 0);
     }
 
-    /// Tab has led to a button; its own way with an arrow would be to hand the focus on.
-    void arrowsAreTheHandsWhateverHasTheFocus()
+    /// Tab has led to a button; its own way with an arrow would be to hand the focus on, and that of the cards' list to turn a page.
+    void arrowsAndPageKeysAreTheHandsWhateverHasTheFocus()
     {
         Stage stage;
         QVERIFY(stage.ready());
@@ -183,7 +183,7 @@ private Q_SLOTS:
             if (QApplication::focusWidget() != control || !stage.window.handHasKeys())
                 continue;
             ++asked;
-            for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right}) {
+            for (const Qt::Key key : {Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right, Qt::Key_PageUp, Qt::Key_PageDown}) {
                 const auto heard = stage.keys.count();
                 QTest::keyClick(control, key);
                 QVERIFY2(stage.keys.count() == heard + 1 && stage.keys.back().front().toInt() == key,

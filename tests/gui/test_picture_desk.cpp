@@ -290,6 +290,24 @@ private Q_SLOTS:
         QVERIFY(scene->camera() != camera);
     }
 
+    /// The scale is the hand's also where a slider would take a large step.
+    void pageKeysLeaveTheVesselsStrength()
+    {
+        Desk desk;
+        QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+        QSignalSpy hand(&desk.window, &CockpitWindow::handKeyPressed);
+        auto* controls = desk.window.findChild<ReviewControls*>();
+        controls->showRoadmap(true);
+        auto* strength = controls->findChild<QSlider*>();
+        const int before = strength->value();
+        strength->setFocus(Qt::TabFocusReason);
+        QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(strength));
+        QTest::keyClick(strength, Qt::Key_PageDown);
+        QCOMPARE(hand.count(), 1);
+        QCOMPARE(hand.back().front().toInt(), int(Qt::Key_PageDown));
+        QCOMPARE(strength->value(), before);
+    }
+
     void boundsFilterByTheAgeLimit()
     {
         Desk desk;
