@@ -42,8 +42,9 @@ struct ConsoleModels {
     EventLog log;
     TrendBook trends;
     OperatorRole role = OperatorRole::Operator;
-    QString remoteInput; ///< remoteInputOf() this session
-    QString patientSide; ///< how a person there is called; empty: not set up
+    bool screenGone = false; ///< the cockpit's own: the hand has no keys until a person clicks into the cockpit or presses F1
+    QString remoteInput;     ///< remoteInputOf() this session
+    QString patientSide;     ///< how a person there is called; empty: not set up
 };
 
 } // namespace console

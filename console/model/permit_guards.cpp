@@ -124,6 +124,12 @@ GuardLine handLine(const GuardReadings& r)
     return line(Guard::HandAlive, r.handAlive && r.remoteInput.isEmpty(), Text::tr("Hand control is there"), missing);
 }
 
+GuardLine keysLine(const GuardReadings& r)
+{
+    return line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"),
+                r.screenGone ? Text::tr("A screen is gone: click into the cockpit") : Text::tr("The keyboard is elsewhere"));
+}
+
 /// Who may arm, on either side.
 GuardLine clearanceLine(const GuardReadings& r)
 {
@@ -167,7 +173,7 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         line(Guard::NoIncident, !r.incident, Text::tr("No incident"), Text::tr("An incident is not resolved")),
         line(Guard::NoHighAlarm, !r.highAlarm, Text::tr("No high alarm"), Text::tr("A high alarm is not acknowledged")),
         handLine(r),
-        line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"), Text::tr("The keyboard is elsewhere")),
+        keysLine(r),
         line(Guard::DeadManReleased, !r.deadMan, Text::tr("Dead-man released"), Text::tr("Let go of the dead-man")),
         line(Guard::AlarmsTested, r.alarmsTested, Text::tr("Alarms were tested"), Text::tr("Alarm self-test is due (F8)")),
         line(Guard::InterruptionRead, r.interruptionRead, Text::tr("No interruption is unread"),

@@ -59,6 +59,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.handAlive = models.hand.reading().alive;
     r.remoteInput = models.remoteInput;
     r.windowActive = windowActive;
+    r.screenGone = models.screenGone;
     r.deadMan = models.hand.reading().deadMan;
     r.alarmsTested = models.selfTest.passed();
     r.interruptionRead = models.interruption.settled();

@@ -55,7 +55,7 @@ void CockpitWindow::setArrangement(Arrangement arrangement)
 
 void CockpitWindow::noteScreenGone()
 {
-    m_screenGone = true;
+    m_models.screenGone = true;
     updateHandKeys();
 }
 

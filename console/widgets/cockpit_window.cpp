@@ -176,7 +176,7 @@ void CockpitWindow::setRehearsal(bool rehearsal) { m_strip->setRehearsal(rehears
 
 void CockpitWindow::showView(View view)
 {
-    m_screenGone = m_screenGone && view != View::Cockpit;
+    m_models.screenGone = m_models.screenGone && view != View::Cockpit;
     if (m_views.show(view))
         stack();
     else
@@ -256,7 +256,7 @@ void CockpitWindow::updateHandKeys()
 {
     const QWidget* focus = QApplication::focusWidget();
     const bool elsewhere = focus && focus != this && (m_deck->isAncestorOf(focus) || m_away->isAncestorOf(focus) || m_views.holds(focus));
-    const bool has = !m_screenGone && isVisible() && isActiveWindow() && focus && !elsewhere && focus->window() == this;
+    const bool has = !m_models.screenGone && isVisible() && isActiveWindow() && focus && !elsewhere && focus->window() == this;
     if (has == m_handHasKeys)
         return;
     m_handHasKeys = has;
@@ -299,7 +299,7 @@ void CockpitWindow::keyReleaseEvent(QKeyEvent* event)
 // A click on the picture or beside a control gives the keys back to the hand.
 void CockpitWindow::mousePressEvent(QMouseEvent*)
 {
-    m_screenGone = false;
+    m_models.screenGone = false;
     setFocus(Qt::MouseFocusReason);
     updateHandKeys();
 }

@@ -60,7 +60,8 @@ public:
     void setArrangement(Arrangement arrangement);
     Arrangement arrangement() const { return m_arrangement; }
 
-    /// The screen that the cockpit was on is gone: the hand has no keys until a person clicks into the cockpit or presses F1.
+    /// The screen that the cockpit was on is gone, which the models then say: the hand has no keys until a person clicks into the cockpit
+    /// or presses F1.
     void noteScreenGone();
 
     /// The incident that was asked for is in the logs.
@@ -158,7 +159,6 @@ private:
     int m_ticks = 0;
     bool m_refreshDue = false;
     bool m_handHasKeys = false;
-    bool m_screenGone = false;
     Arrangement m_arrangement = Arrangement::Usual;
     QString m_operator;
     std::optional<Instant> m_procedureSince;

@@ -74,7 +74,8 @@ void ScreensView::showState(const State& state)
 {
     if (state == m_state)
         return;
-    if (state.fixed != m_state.fixed)
+    // That they may change again takes back nothing but that they may not.
+    if (state.fixed != m_state.fixed && (!state.fixed.isEmpty() || m_words->text() == m_state.fixed))
         say(state.fixed);
     m_state = state;
     const QWidget* focus = QApplication::focusWidget();

@@ -1571,6 +1571,10 @@
         <translation>键盘焦点在别处</translation>
     </message>
     <message>
+        <source>A screen is gone: click into the cockpit</source>
+        <translation>屏幕已断开：请点击驾驶舱</translation>
+    </message>
+    <message>
         <source>Dead-man released</source>
         <translation>握持开关已松开</translation>
     </message>

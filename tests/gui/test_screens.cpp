@@ -6,6 +6,7 @@
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
 #include "invented_picture.hpp"
+#include "model/present_readings.hpp"
 #include "pseudo_language.hpp"
 #include "shown_texts.hpp"
 #include "widgets/checklist_view.hpp"
@@ -294,11 +295,17 @@ private Q_SLOTS:
         QSignalSpy pressed(&stage.window, &CockpitWindow::handKeyPressed);
         QTest::keyClick(&stage.window, Qt::Key_D);
         QCOMPARE(pressed.count(), 0);
+        const auto keysMissing = [&stage] {
+            const auto readings = guardReadings(stage.cockpit.models, robotId, stage.window.handHasKeys(), stage.cockpit.now);
+            return checkGuards(readings).at(std::size_t(Guard::WindowActive)).text;
+        };
+        QVERIFY2(keysMissing().contains(QStringLiteral("click into the cockpit")), qPrintable(keysMissing()));
         if (byMouse)
             QTest::mouseClick(&stage.window, Qt::LeftButton, {}, stage.window.regionGeometry(Region::Status).center());
         else
             QTest::keyClick(&stage.window, Qt::Key_F1);
         QTRY_VERIFY(stage.window.handHasKeys());
+        QVERIFY(!stage.cockpit.models.screenGone);
     }
 
     void layoutsAreSavedRestoredByOneKeyAndDeleted()
