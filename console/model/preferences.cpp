@@ -56,16 +56,6 @@ Preferences withinBounds(Preferences preferences)
     return preferences;
 }
 
-DisplaySettings beginningOf(const Preferences& preferences)
-{
-    DisplaySettings settings;
-    settings.window = preferences.window;
-    settings.noiseReduction = preferences.noiseReduction;
-    settings.edge = preferences.edge;
-    settings.edgeMethod = preferences.edgeMethod;
-    return withinBounds(settings);
-}
-
 bool preferencesMayChange(PermitPhase phase)
 {
     return phase != PermitPhase::Arming && phase != PermitPhase::Armed && phase != PermitPhase::Engaged && phase != PermitPhase::Hold;

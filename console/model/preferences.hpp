@@ -48,9 +48,6 @@ QStringList preferenceLanguages();
 /// Brought within the bounds.
 Preferences withinBounds(Preferences preferences);
 
-/// The display settings that a console with these preferences begins with.
-DisplaySettings beginningOf(const Preferences& preferences);
-
 /// Not while a permit is asked for or given, and not in a Hold, which can go back to it.
 bool preferencesMayChange(PermitPhase phase);
 
