@@ -86,6 +86,8 @@ void HandDesk::read(Instant now)
     reading.deadMan = hand.deadMan;
     reading.clutch = hand.clutch;
     reading.scale = m_scale;
+    if (m_scaleChanged && now - *m_scaleChanged < scaleAnnounced)
+        reading.scaleBefore = m_scaleBefore;
     reading.motion = askedMotion(hand.motion, m_scale, hand.alive && hand.deadMan, hand.clutch);
     reading.forceToHand = m_rack.inUse().forceToHand();
     m_models.hand.set(reading);
@@ -119,7 +121,17 @@ void HandDesk::choose(MasterKind kind)
 
 void HandDesk::stepScale(int steps)
 {
+    const double before = m_scale;
     m_scale = nextScale(m_scale, m_scale + steps * scaleStep, m_models.permit.phase() == PermitPhase::Engaged);
+    if (m_scale == before)
+        return;
+    const Instant now = presentTime();
+    if (!m_scaleChanged || now - *m_scaleChanged >= scaleAnnounced)
+        m_scaleBefore = before; // several steps are one change
+    m_scaleChanged = now;
+    read(now);
+    m_models.log.append(LogKind::Operator, tr("scale %1 : 1, before %2 : 1").arg(m_scale, 0, 'f', 2).arg(before, 0, 'f', 2),
+                        QDateTime::currentMSecsSinceEpoch());
 }
 
 QString HandDesk::missing() const

@@ -17,6 +17,8 @@ namespace console {
 class HandDesk : public QObject {
     Q_OBJECT
 public:
+    static constexpr std::chrono::seconds scaleAnnounced{5}; ///< how long it is said what the scale was before
+
     HandDesk(const Options& options, ConsoleModels& models, QObject* parent = nullptr);
     ~HandDesk() override;
 
@@ -65,6 +67,8 @@ private:
     std::vector<std::unique_ptr<MasterDevice>> m_devices; ///< all but the keyboard
     MasterRack m_rack{m_keyboard};
     double m_scale = 1;
+    double m_scaleBefore = 1;
+    std::optional<Instant> m_scaleChanged;
     QString m_noted; ///< what the log last says of the master in use
 };
 

@@ -31,6 +31,9 @@ struct HandReading {
     /// N along the guidewire, against advance positive; nothing: the master in use gives none.
     std::optional<double> forceToHand = {};
 
+    /// For a moment after the scale was changed: what it was before. So nobody finds another one unawares.
+    std::optional<double> scaleBefore = {};
+
     bool operator==(const HandReading&) const = default;
 };
 

@@ -68,7 +68,8 @@ void HandBlock::setState(const HandState& hand, const InstrumentState& instrumen
                                       : m_received == Lamp::On    ? tr("pressed")
                                                                   : tr("released"),
                                       m_hand.clutch ? tr("pressed") : tr("released")) +
-                             (m_hand.forceToHand ? tr(", force to hand %1").arg(forceText()) : QString()));
+                             (m_hand.forceToHand ? tr(", force to hand %1").arg(forceText()) : QString()) +
+                             (m_hand.scaleBefore ? tr(", scale %1").arg(scaleText()) : QString()));
     update();
 }
 
@@ -124,11 +125,17 @@ QString HandBlock::forceText() const
     return tr("%1 %2").arg(way, figure(std::abs(force), 2, tr("N")));
 }
 
+QString HandBlock::scaleText() const
+{
+    return m_hand.scaleBefore ? tr("%1 : 1, was %2").arg(m_hand.scale, 0, 'f', 2).arg(*m_hand.scaleBefore, 0, 'f', 2)
+                              : tr("%1 : 1").arg(m_hand.scale, 0, 'f', 2);
+}
+
 std::vector<HandBlock::Row> HandBlock::rows() const
 {
     const auto& motion = m_hand.motion;
     std::vector<Row> rows{
-        {tr("Scale"), tr("%1 : 1").arg(m_hand.scale, 0, 'f', 2)},
+        {tr("Scale"), scaleText()},
         {tr("Guidewire"),
          tr("%1 %2").arg(advanceWord(motion.guidewireVelocity), figure(std::abs(motion.guidewireVelocity), 1, tr("mm/s")))},
         {tr("Catheter"), tr("%1 %2").arg(advanceWord(motion.catheterVelocity), figure(std::abs(motion.catheterVelocity), 1, tr("mm/s")))}};

@@ -33,6 +33,7 @@ private:
     void paintLamps(QPainter& painter, const QRectF& where) const;
     void paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const;
     QString forceText() const;
+    QString scaleText() const;
     std::vector<Row> rows() const;
     void paintAsked(QPainter& painter, const QRectF& where) const;
 

@@ -1718,6 +1718,10 @@
         <translation>，主手力反馈 %1</translation>
     </message>
     <message>
+        <source>, scale %1</source>
+        <translation>，运动比例 %1</translation>
+    </message>
+    <message>
         <source>Sent</source>
         <translation>已发送</translation>
     </message>
@@ -1762,6 +1766,10 @@
         <translation>%1 : 1</translation>
     </message>
     <message>
+        <source>%1 : 1, was %2</source>
+        <translation>%1 : 1，原为 %2</translation>
+    </message>
+    <message>
         <source>mm/s</source>
         <translation>mm/s</translation>
     </message>
@@ -1783,6 +1791,10 @@
     <message>
         <source>hand: %1, %2</source>
         <translation>主手：%1，%2</translation>
+    </message>
+    <message>
+        <source>scale %1 : 1, before %2 : 1</source>
+        <translation>运动比例 %1 : 1，此前 %2 : 1</translation>
     </message>
 </context>
 <context>
@@ -2872,7 +2884,7 @@
     </message>
     <message>
         <source>hold or U, 1.5 s</source>
-        <translation>按住此钮或 U 键 1.5 s</translation>
+        <translation>按住或 U 键 1.5 s</translation>
     </message>
     <message>
         <source>hold 1.5 s</source>

@@ -4,6 +4,7 @@
 #include "widgets/axis_panel.hpp"
 #include "widgets/dose_panel.hpp"
 #include "widgets/force_gauge.hpp"
+#include "widgets/hand_block.hpp"
 #include "widgets/status_strip.hpp"
 #include "widgets/trends_pane.hpp"
 
@@ -223,6 +224,26 @@ private Q_SLOTS:
         pane.refresh({}, start + all);
         const int hole = widestHole(pane.grab().toImage());
         QVERIFY2(stood > 0 ? hole > 120 : hole < 60, qPrintable(QString::number(hole)));
+    }
+
+    void theHandSaysWhatItsScaleWasBefore()
+    {
+        HandState hand;
+        HandReading reading{true, false, false, 0.8, {}};
+        const InstrumentState instrument;
+        HandBlock block;
+        block.resize(block.sizeHint());
+        const auto shown = [&] {
+            hand.set(reading);
+            block.setState(hand, instrument, {});
+            return painted(block);
+        };
+        QVERIFY2(!shown().contains(QStringLiteral("was")), qPrintable(shown()));
+        reading.scaleBefore = 1.0;
+        QVERIFY2(shown().contains(QStringLiteral("0.80 : 1, was 1.00")), qPrintable(shown()));
+        QVERIFY(block.accessibleDescription().contains(QStringLiteral("scale 0.80 : 1, was 1.00")));
+        reading.scaleBefore.reset();
+        QVERIFY(!shown().contains(QStringLiteral("was")));
     }
 
     /// As near to its value as can be, and apart from what stands above.

@@ -270,6 +270,33 @@ private Q_SLOTS:
         QCOMPARE(stage.after(100ms, then), 0.0);
     }
 
+    void anotherScaleIsSaidForAMomentAndLogged()
+    {
+        Stage stage;
+        stage.armWithPad();
+        QVERIFY(!stage.hand().scaleBefore);
+        stage.desk.keyboard().press(Qt::Key_PageDown);
+        stage.desk.keyboard().press(Qt::Key_PageDown);
+        stage.turn();
+        QCOMPARE(stage.hand().scale, 0.8);
+        QCOMPARE(stage.hand().scaleBefore, std::optional(1.0)); // two steps, one change
+        QCOMPARE(stage.cockpit.models.log.lines().back().text, QStringLiteral("scale 0.80 : 1, before 0.90 : 1"));
+        stage.turn(HandDesk::scaleAnnounced);
+        QVERIFY(!stage.hand().scaleBefore);
+    }
+
+    void aScaleThatCannotGrowIsNotSaidToHaveGrown()
+    {
+        Stage stage;
+        stage.engageWithPad();
+        const auto lines = stage.cockpit.models.log.lines().size();
+        stage.desk.keyboard().press(Qt::Key_PageUp); // engaged
+        stage.turn();
+        QCOMPARE(stage.hand().scale, 1.0);
+        QVERIFY(!stage.hand().scaleBefore);
+        QCOMPARE(stage.cockpit.models.log.lines().size(), lines);
+    }
+
     void theLogSaysWhatBecameOfTheMaster()
     {
         Stage stage;
