@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <array>
+
 using namespace liena;
 using namespace liena::test;
 using Kind = SessionEvent::Kind;
@@ -214,8 +216,9 @@ private Q_SLOTS:
         sayToEverybody(stage, number::standBy, incident(stage, 1));
         QVERIFY2(eventually([&] { return stage.cockpit->incidents().size() == 1; }), stage.story().c_str());
         const auto lines = stage.log().size();
+        const std::array holders{stage.xrayId.value(), stage.armId.value(), stage.cockpitId.value()};
         for (std::uint64_t i = 1; i <= 1000; ++i) {
-            sayToEverybody(stage, number::standByReport, wire::standByReport(1, static_cast<std::uint32_t>(1 + i % 4), true, i));
+            sayToEverybody(stage, number::standByReport, wire::standByReport(1, holders.at(i % holders.size()), true, i));
             sayToEverybody(stage, number::channelReOpened,
                            wire::reOpened(1000 + i, 5000 + i, stage.armId.value(), stage.cockpitId.value()));
             sayToEverybody(stage, number::incidentDismissed, Words().u64(9000 + i).u32(1).text("nothing"));
@@ -226,6 +229,40 @@ private Q_SLOTS:
         QVERIFY(stage.robot->incidents()[0].holds.size() <= 256);
         QVERIFY2(stage.log().size() < lines + 50, std::to_string(stage.log().size()).c_str());
         QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
+    }
+
+    /// What is handed on to every other device has a bound: among four devices 1536 of a kind at once.
+    void newsBeyondAllMeasureIsNotHandedOn()
+    {
+        HostileStage stage;
+        stage.openPeer();
+        constexpr std::uint64_t sent = 20000;
+        for (std::uint64_t i = 1; i <= sent; ++i)
+            sayToEverybody(stage, number::channelReOpened,
+                           wire::reOpened(100000 + i, 500000 + i, stage.armId.value(), stage.cockpitId.value()));
+        QVERIFY2(eventually([&] { return stage.toldOf("more news of incidents"); }), stage.robot.story().c_str());
+        QVERIFY(stage.peer.say(0x0FFF, {})); // dropped, when all that came before was judged
+        QVERIFY2(eventually([&] { return stage.toldOf("unknown message number"); }), stage.robot.story().c_str());
+        // Up to 205 a second come back: a machine on which the flood takes longer than half a minute would show nothing.
+        QVERIFY2(stage.dropped() > sent / 2, std::to_string(stage.dropped()).c_str());
+        QVERIFY2(stage.cockpit.events(Kind::Lost).empty(), stage.cockpit.story().c_str());
+        QCOMPARE(words(stage.cockpit.state(stage.robotId)), words(SessionState::Open));
+        sayToEverybody(stage, number::standBy, incident(stage, 1)); // another kind of news, and still heard
+        QVERIFY2(eventually([&] { return stage.cockpit->incidents().size() == 1; }), stage.story().c_str());
+    }
+
+    void aHoldOfAStrangerIsNotKept()
+    {
+        HostileStage stage;
+        stage.openPeer();
+        sayToEverybody(stage, number::standBy, incident(stage, 1));
+        for (std::uint32_t stranger = 1; stranger <= 10; ++stranger)
+            sayToEverybody(stage, number::standByReport, wire::standByReport(1, stranger, true, 1));
+        sayToEverybody(stage, number::standByReport, wire::standByReport(1, stage.xrayId.value(), true, 1));
+        QVERIFY2(eventually([&] { return !stage.robot.events(Kind::HoldReported).empty(); }), stage.robot.story().c_str());
+        QCOMPARE(stage.robot->incidents()[0].holds.size(), std::size_t{1});
+        QVERIFY2(eventually([&] { return stage.dropped() == 10; }), stage.robot.story().c_str());
+        QVERIFY2(stage.toldOf("not in the topology"), stage.robot.story().c_str());
     }
 };
 

@@ -4,6 +4,7 @@
 #include "liena/log.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace liena::session {
 
@@ -174,7 +175,11 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandBy& messa
     } else if (m_incidents.size() >= mostIncidents) {
         actions.push_back(IncidentNotKept{from});
     } else {
-        raise(message, from, actions, now);
+        const auto news = judgeNews(from, protocol::StandBy::number, now);
+        if (news != News::Drop)
+            raise(message, from, actions, now);
+        if (news != News::HandOn)
+            keepHere(actions, from, protocol::StandBy::number);
     }
     return actions;
 }
@@ -188,19 +193,23 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::StandByReport&
     auto& holds = found->second.holds;
     const auto known = std::find_if(holds.begin(), holds.end(), [&](const HoldReport& hold) { return hold.device == message.device; });
     const HoldReport report{message.device, message.holding, Timestamp{message.confirmedNs}};
-    if (known != holds.end()) {
-        if (known->confirmed >= report.confirmed)
-            return actions;
-        *known = report;
-    } else {
-        if (holds.size() >= mostIncidents)
-            return actions;
-        holds.push_back(report);
+    if (known != holds.end() ? known->confirmed >= report.confirmed : holds.size() >= mostIncidents)
+        return actions;
+    const auto news = judgeNews(from, protocol::StandByReport::number, now);
+    if (news == News::Drop) {
+        keepHere(actions, from, protocol::StandByReport::number);
+        return actions;
     }
+    if (known != holds.end())
+        *known = report;
+    else
+        holds.push_back(report);
     auto event = eventOf(SessionEvent::Kind::HoldReported, found->second, now);
     event.hold = report;
     actions.push_back(Tell{event});
     actions.push_back(Broadcast{message, from});
+    if (news == News::Keep)
+        keepHere(actions, from, protocol::StandByReport::number);
     return actions;
 }
 
@@ -218,11 +227,16 @@ LedgerActions StandByLedger::heard(DeviceId from, const protocol::IncidentDismis
 LedgerActions StandByLedger::heard(DeviceId from, const protocol::ChannelReOpened& message, Now now)
 {
     LedgerActions actions;
-    const bool isNews = remember(message);
+    const bool isNews = !isRemembered(message);
     const auto* named = find(message.incident);
     const bool ends = named != nullptr && named->a == message.peerA && named->b == message.peerB;
     if (message.incident == message.token || (!isNews && !ends))
         return actions;
+    if (!ends && judgeNews(from, protocol::ChannelReOpened::number, now) != News::HandOn) {
+        keepHere(actions, from, protocol::ChannelReOpened::number);
+        return actions; // it changes nothing here, and is news when another neighbour brings it
+    }
+    remember(message);
     rememberEnded(message.incident, message, now);
     if (ends)
         end(message.incident, message, from, false, {}, actions, now);
@@ -266,16 +280,39 @@ const StandByLedger::Ended* StandByLedger::findEnded(IncidentId id, Now now) con
     return found != m_ended.end() ? &*found : nullptr;
 }
 
-/// False when it was known.
-bool StandByLedger::remember(const protocol::ChannelReOpened& message)
+bool StandByLedger::isRemembered(const protocol::ChannelReOpened& message) const
 {
-    const std::pair known(message.token, message.incident);
-    if (std::find(m_reopenings.begin(), m_reopenings.end(), known) != m_reopenings.end())
-        return false;
+    return std::find(m_reopenings.begin(), m_reopenings.end(), std::pair(message.token, message.incident)) != m_reopenings.end();
+}
+
+void StandByLedger::remember(const protocol::ChannelReOpened& message)
+{
+    if (isRemembered(message))
+        return;
     if (m_reopenings.size() >= mostEnded)
         m_reopenings.pop_front();
-    m_reopenings.push_back(known);
-    return true;
+    m_reopenings.emplace_back(message.token, message.incident);
+}
+
+StandByLedger::News StandByLedger::judgeNews(DeviceId from, std::uint16_t number, Now now)
+{
+    auto& allowance = m_allowances.try_emplace({from, number}, Allowance{2 * m_mostNews, now.mono}).first->second;
+    const auto seconds = std::chrono::duration<double>(now.mono - std::exchange(allowance.at, now.mono)).count();
+    allowance.left = std::min(2 * m_mostNews, allowance.left + seconds * 2 * m_mostNews / newsPeriod);
+    if (allowance.left < 1)
+        return News::Drop;
+    allowance.left -= 1;
+    return allowance.left >= m_mostNews ? News::HandOn : News::Keep;
+}
+
+/// Others hear of it from somebody else, or when a session with them begins.
+void StandByLedger::keepHere(LedgerActions& actions, DeviceId teller, std::uint16_t number)
+{
+    std::erase_if(actions, [](const LedgerAction& action) {
+        const auto* broadcast = std::get_if<Broadcast>(&action);
+        return broadcast != nullptr && broadcast->except; // what this device says itself has none
+    });
+    actions.push_back(NewsNotHandedOn{teller, number});
 }
 
 std::optional<DeviceId> StandByLedger::otherEnd(const Incident& incident) const

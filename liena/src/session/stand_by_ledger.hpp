@@ -47,13 +47,27 @@ struct IncidentNotKept {
     DeviceId teller;
 };
 
-using LedgerAction = std::variant<Broadcast, Answer, Tell, PairChanged, LedgerViolation, IncidentNotKept>;
+/// More news than is handed on of one neighbour. It is not blamed either.
+struct NewsNotHandedOn {
+    DeviceId teller;
+    std::uint16_t number = 0; ///< of the message
+};
+
+using LedgerAction = std::variant<Broadcast, Answer, Tell, PairChanged, LedgerViolation, IncidentNotKept, NewsNotHandedOn>;
 using LedgerActions = std::vector<LedgerAction>;
 
 /// Pure; one per device. A device that holds an incident stands by.
+///
+/// News goes to every other neighbour, so what one of them may bring is bounded. Of each kind of message at once as many are handed on as
+/// speak of a whole system in stand-by (both ends' causes and every device's hold, for as many incidents as are kept). Another time as many
+/// are taken and kept here, so that a neighbour who hands on what a third one invents is heard for itself, too; twice as many come again in
+/// 15 s. What ends an incident that is held is always handed on.
 class StandByLedger {
 public:
-    explicit StandByLedger(DeviceId self) : m_self(self) {}
+    /// `devices`: of the whole system.
+    explicit StandByLedger(DeviceId self, std::size_t devices = 64)
+        : m_self(self), m_mostNews(static_cast<double>(mostIncidents * (devices + 2)))
+    {}
 
     bool standsBy() const { return !m_incidents.empty(); }
     std::size_t size() const { return m_incidents.size(); }
@@ -83,6 +97,7 @@ public:
     LedgerActions heard(DeviceId from, const protocol::ChannelReOpened& message, Now now);
 
 private:
+    enum class News : std::uint8_t { HandOn, Keep, Drop };
     struct Ended {
         IncidentId id = 0;
         protocol::SessionMessage by; ///< the ChannelReOpened or IncidentDismissed that ended it
@@ -97,14 +112,25 @@ private:
     void report(IncidentId id, LedgerActions& actions) const;
     void rememberEnded(IncidentId id, const protocol::SessionMessage& by, Now now);
     const Ended* findEnded(IncidentId id, Now now) const;
-    bool remember(const protocol::ChannelReOpened& message);
+    bool isRemembered(const protocol::ChannelReOpened& message) const;
+    void remember(const protocol::ChannelReOpened& message);
+    News judgeNews(DeviceId from, std::uint16_t number, Now now);
+    static void keepHere(LedgerActions& actions, DeviceId teller, std::uint16_t number);
     std::optional<DeviceId> otherEnd(const Incident& incident) const;
 
     static constexpr std::size_t mostIncidents = 256;
     static constexpr std::size_t mostEnded = 4096;
     static constexpr auto endedLife = std::chrono::hours(24);
+    static constexpr double newsPeriod = 15; // seconds
+
+    struct Allowance {
+        double left;
+        Instant at;
+    };
 
     DeviceId m_self;
+    double m_mostNews;
+    std::map<std::pair<DeviceId, std::uint16_t>, Allowance> m_allowances; ///< by neighbour and number of the message
     std::map<IncidentId, Incident> m_incidents;
     std::deque<Ended> m_ended;
     std::deque<std::pair<std::uint64_t, IncidentId>> m_reopenings; ///< ChannelReOpened already handed on: token and what it ends

@@ -205,7 +205,8 @@ void DistributedModule::sendSession(const protocol::SessionMessage& message, Dev
 {
     // A report of a window that nobody has read is worth nothing beside the next; a peer that does not read must not fill our memory.
     const bool newestOnly = std::holds_alternative<protocol::LinkReport>(message);
-    m_laneZero.push({encode(message, target), tasks::Rank::Safety, newestOnly ? 1U : 0U, std::nullopt, {}});
+    const auto rank = target.isBroadcast() ? tasks::Rank::Incident : tasks::Rank::Safety;
+    m_laneZero.push({encode(message, target), rank, newestOnly ? 1U : 0U, std::nullopt, {}});
 }
 
 /// The same bytes on both ways; whichever arrives first counts.

@@ -70,7 +70,8 @@ public:
 
     /// What the peer told breaks the protocol.
     void endForViolation(const std::string& detail) { violation(detail); }
-    void incidentNotKept() { drop("more incidents than a device keeps", protocol::StandBy::number); }
+    /// An incident message of the peer is passed over, and it is not to blame.
+    void notTaken(const std::string& cause, std::uint16_t number) { drop(cause, number); }
 
     /// The thread did not run for `gap`.
     void stalled(session::Nanoseconds gap);

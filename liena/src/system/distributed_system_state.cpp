@@ -58,7 +58,7 @@ DistributedSystem::State::State(Settings given, SystemTopology read, TopologyDev
       ownMessageSet(registry.find(ownTopologyDevice.id)),
       outbox([this] { asio::post(context, OutboxCall{this}); }),
       setKeeper(context, std::move(stores.writing)),
-      ledger(ownTopologyDevice.id),
+      ledger(ownTopologyDevice.id, topology.devices().size()),
       udpSocket(
           context, [this](std::span<std::byte> packet) { packetHeard(packet); }, settings.log),
       server(context, ownTopologyDevice.id, tlsIdentity,
@@ -344,7 +344,7 @@ void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::Ses
     if (const auto* standBy = std::get_if<protocol::StandBy>(&message))
         perform(ledger.heard(from, *standBy, now()));
     else if (const auto* report = std::get_if<protocol::StandByReport>(&message))
-        perform(ledger.heard(from, *report, now()));
+        heardHold(from, *report);
     else if (const auto* dismissed = std::get_if<protocol::IncidentDismissed>(&message))
         perform(ledger.heard(from, *dismissed, now()));
     else if (const auto* reopened = std::get_if<protocol::ChannelReOpened>(&message)) {
@@ -357,11 +357,23 @@ void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::Ses
     }
 }
 
+/// All devices of a system have the same topology, so that nobody else can have confirmed anything.
+void DistributedSystem::State::heardHold(DeviceId from, const protocol::StandByReport& report)
+{
+    if (topology.find(report.device) != nullptr)
+        perform(ledger.heard(from, report, now()));
+    else if (auto* one = module(from))
+        one->notTaken("it speaks of a device that is not in the topology", protocol::StandByReport::number);
+}
+
 void DistributedSystem::State::perform(const session::LedgerActions& actions)
 {
-    board.showIncidents(ledger.incidents());
-    for (auto& [peer, one] : modules)
-        one->setIncidentCount(ledger.size());
+    // Whatever changes an incident is told; what is only handed on may come often.
+    if (std::ranges::any_of(actions, [](const auto& action) { return std::holds_alternative<session::Tell>(action); })) {
+        board.showIncidents(ledger.incidents());
+        for (auto& [peer, one] : modules)
+            one->setIncidentCount(ledger.size());
+    }
     for (const auto& action : actions) {
         if (const auto* broadcast = std::get_if<session::Broadcast>(&action)) {
             performBroadcast(*broadcast);
@@ -379,7 +391,10 @@ void DistributedSystem::State::perform(const session::LedgerActions& actions)
                 one->endForViolation(violation->detail);
         } else if (const auto* notKept = std::get_if<session::IncidentNotKept>(&action)) {
             if (auto* one = module(notKept->teller))
-                one->incidentNotKept();
+                one->notTaken("more incidents than a device keeps", protocol::StandBy::number);
+        } else if (const auto* news = std::get_if<session::NewsNotHandedOn>(&action)) {
+            if (auto* one = module(news->teller))
+                one->notTaken("more news of incidents than is handed on of one device", news->number);
         }
     }
 }

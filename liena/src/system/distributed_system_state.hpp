@@ -68,6 +68,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void publishNow(Message message);
     void drainOutbox();
     void gather(bool begins);
+    void heardHold(DeviceId from, const protocol::StandByReport& report);
     void perform(const session::LedgerActions& actions);
     void logIncident(const SessionEvent& event);
     void performBroadcast(const session::Broadcast& broadcast);

@@ -20,16 +20,17 @@
 
 namespace liena::tasks {
 
-/// The class of a message on its way out. Session management ranks with safety.
-enum class Rank : std::uint8_t { Safety, Control, Status, Bulk, Last };
+/// The class of a message on its way out. Session management ranks with safety, but what is told to all about incidents: there may be
+/// hundreds at once, and no heartbeat, stop or command waits behind them.
+enum class Rank : std::uint8_t { Safety, Control, Incident, Status, Bulk, Last };
 
 Rank rankOf(Priority priority);
 
 /// Network thread. A message in several segments may be passed by a higher class between them.
 ///
 /// The streams (message numbers) of the classes status and bulk take turns by deficit round robin (Shreedhar and Varghese, SIGCOMM 1995),
-/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, and control, are one stream each. The
-/// dialogues of session management count on its order, and what a hand does is to happen in the order in which it did it, whichever
+/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, control, and incidents are one stream each.
+/// The dialogues of session management count on its order, and what a hand does is to happen in the order in which it did it, whichever
 /// messages say so: these are few and small, and none waits long for another.
 class OutputQueue {
 public:
@@ -135,7 +136,7 @@ private:
     Report m_report;
     Abandoning m_abandoning;
     Limits m_limits;
-    std::array<Class, 5> m_classes;
+    std::array<Class, 6> m_classes;
     std::size_t m_count = 0;
     std::size_t m_bytes = 0;
     Left m_left;

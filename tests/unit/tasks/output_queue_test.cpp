@@ -20,6 +20,7 @@ private slots:
     void streamsOfAClassTakeTurns();
     void smallMessagesShareATurn();
     void controlKeepsTheOrderOfAllItsMessages();
+    void noHeartbeatWaitsBehindIncidents();
     void bothPartialsBeginAgainOnAnotherConnection();
     void newerSupersedesUndelivered();
     void historyKeepsThatMany();
@@ -48,9 +49,10 @@ void OutputQueueTest::higherClassLeavesFirst()
     lane.push(0x0021, Rank::Last, "last");
     lane.push(0x0202, Rank::Bulk, "bulk");
     lane.push(0x0200, Rank::Status, "status");
+    lane.push(0x0040, Rank::Incident, "incident");
     lane.push(0x0101, Rank::Control, "control");
     lane.push(0x0104, Rank::Safety, "safety");
-    for (const char* expected : {"safety", "control", "status", "bulk", "last", "-"})
+    for (const char* expected : {"safety", "control", "incident", "status", "bulk", "last", "-"})
         QCOMPARE(lane.next(), std::string(expected));
 }
 
@@ -110,6 +112,20 @@ void OutputQueueTest::controlKeepsTheOrderOfAllItsMessages()
         lane.push(static_cast<std::uint16_t>(number), Rank::Control, text);
     for (const char* expected : {"1", "2", "3", "4"})
         QCOMPARE(lane.next(1), std::string(expected));
+}
+
+/// However many there are, and whichever messages say so: incidents keep their order, and what the session lives by passes them.
+void OutputQueueTest::noHeartbeatWaitsBehindIncidents()
+{
+    Lane lane;
+    for (const auto& [number, text] : {std::pair(0x0040, "1"), std::pair(0x0032, "2"), std::pair(0x0040, "3"), std::pair(0x0041, "4")})
+        lane.push(static_cast<std::uint16_t>(number), Rank::Incident, text);
+    QCOMPARE(lane.next(), std::string("1"));
+    lane.push(0x0010, Rank::Safety, "old", 1);
+    lane.push(0x0010, Rank::Safety, "heartbeat", 1);
+    lane.push(0x0101, Rank::Control, "command");
+    for (const char* expected : {"heartbeat", "command", "2", "3", "4", "-"})
+        QCOMPARE(lane.next(), std::string(expected));
 }
 
 void OutputQueueTest::bothPartialsBeginAgainOnAnotherConnection()
