@@ -59,7 +59,9 @@ std::optional<LogFormat> logFormatFrom(std::string_view name);
 /// text, of which empty ones are left out. Nothing in the texts can break the line or the terminal, and none grows beyond 2 KiB.
 std::string formatLog(const LogLine& line, LogFormat format, std::chrono::system_clock::time_point when);
 
-/// Writes such lines to stderr, whole lines at a time.
+/// Writes such lines to stderr, whole lines at a time and in order, from a thread of its own: who logs never waits for a terminal, a pipe
+/// or a disk. Up to 1 MiB may wait; what finds no room is counted, and a line in its place says how many were lost. The process waits for
+/// at most half a second when it exits until all is written; a signal that kills it takes what was just being written with it.
 LogSink stderrLog(LogLevel least = LogLevel::Info, LogFormat format = LogFormat::Text);
 
 /// Text that came from a peer, made safe for a log or a screen: control characters and invalid UTF-8 escaped, cut to `limit` bytes.

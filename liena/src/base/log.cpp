@@ -2,12 +2,11 @@
 #include "liena/log.hpp"
 
 #include "base/characters.hpp"
+#include "base/line_writer.hpp"
 #include "liena/json_line.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 namespace liena {
 
@@ -18,6 +17,13 @@ namespace {
 
 constexpr std::size_t longestText = 2048;
 constexpr std::size_t longestName = 64;
+
+template <LogFormat format>
+std::string lostText(std::uint64_t count)
+{
+    const auto text = fmt::format("{} lines of this log were lost: stderr did not take them", count);
+    return formatLog({LogLevel::Warning, text, "log-lines-lost"}, format, std::chrono::system_clock::now()) + '\n';
+}
 
 } // namespace
 
@@ -68,12 +74,10 @@ std::string formatLog(const LogLine& line, LogFormat format, std::chrono::system
 
 LogSink stderrLog(LogLevel least, LogFormat format)
 {
-    return [least, format](const LogLine& line) {
-        if (line.level < least)
-            return;
-        const auto text = formatLog(line, format, std::chrono::system_clock::now()) + '\n';
-        // One write per line keeps lines of several threads and processes whole.
-        [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+    const auto lost = format == LogFormat::Json ? lostText<LogFormat::Json> : lostText<LogFormat::Text>;
+    return [least, format, lost, &writer = base::stderrWriter()](const LogLine& line) {
+        if (line.level >= least)
+            writer.put(formatLog(line, format, std::chrono::system_clock::now()) + '\n', lost);
     };
 }
 
