@@ -34,6 +34,13 @@ Entry entryOf(std::string event, std::string text)
     return entry;
 }
 
+/// The line that has its end there, without it.
+std::string_view lineBefore(std::string_view text, std::size_t end)
+{
+    const auto before = end == 0 ? std::string_view::npos : text.rfind('\n', end - 1);
+    return text.substr(before + 1, end - before - 1); // npos + 1 is 0
+}
+
 std::string readAt(int descriptor, off_t from, std::size_t size)
 {
     std::string bytes(size, '\0');
@@ -118,11 +125,9 @@ Result<void> AuditFile::readEnd()
     if (!whole && static_cast<std::size_t>(m_size) > tailSize)
         return unusable(m_file, "its end is no audit entry; keep it for whoever looks into that, and choose another name");
     if (whole) {
-        const auto before = lastEnd == 0 ? std::string::npos : tail.rfind('\n', lastEnd - 1);
-        const auto from = before == std::string::npos ? 0 : before + 1;
-        const auto last = parseLine(std::string_view(tail).substr(from, lastEnd - from));
+        const auto last = parseLine(lineBefore(tail, lastEnd));
         if (!last)
-            return unusable(m_file, "its last line is no audit entry; keep it for whoever looks into that, and choose another name");
+            return recoverAgain(tail, lastEnd);
         m_chain = AuditChain(last->number, last->hash);
     }
     const auto unfinished = std::string_view(tail).substr(whole ? lastEnd + 1 : 0);
@@ -131,20 +136,49 @@ Result<void> AuditFile::readEnd()
 
 Result<void> AuditFile::continueAfter(std::string_view unfinished)
 {
-    if (auto ended = writeWhole("\n"); !ended)
-        return ended;
-    // Only its end was missing.
+    // Only its end is missing.
     if (const auto parsed = parseLine(unfinished);
         parsed && parsed->number == m_chain.entries() + 1 && parsed->hash == AuditChain::hashOf(m_chain.head(), parsed->body)) {
+        if (auto ended = writeWhole("\n"); !ended)
+            return ended;
         m_chain.accept(unfinished);
         return ok();
     }
+    return mark(unfinished, "\n");
+}
+
+/// The last whole line is no entry. After a good one it is what a crash left, and the start that gave it its end was interrupted before it
+/// had marked it. What there is of the mark is written anew.
+Result<void> AuditFile::recoverAgain(std::string_view tail, std::size_t lastEnd)
+{
+    const auto unfinished = lineBefore(tail, lastEnd);
+    const auto begin = lastEnd - unfinished.size();
+    const auto good = begin > 0 ? parseLine(lineBefore(tail, begin - 1)) : std::nullopt;
+    const auto started = tail.substr(lastEnd + 1);
+    const auto due = fmt::format("{{\"n\":{},", good ? good->number + 1 : 0);
+    if (!good || started.substr(0, due.size()) != std::string_view(due).substr(0, started.size()))
+        return unusable(m_file, "its last line is no audit entry; keep it for whoever looks into that, and choose another name");
+    m_chain = AuditChain(good->number, good->hash);
+    const auto size = m_size - static_cast<off_t>(started.size());
+    if (!started.empty() && ::ftruncate(m_descriptor, size) != 0)
+        return unwritable(errno);
+    m_size = size;
+    return mark(unfinished, "");
+}
+
+/// In one write, which a full disk takes back: the line and its mark belong together.
+Result<void> AuditFile::mark(std::string_view unfinished, std::string_view end)
+{
     auto entry = entryOf("recovered", "the line before was left unfinished, as a crash does");
     entry.bytes = unfinished.size();
     entry.damaged = Sha256::of(unfinished).toHex();
     m_remarks.push_back(fmt::format("{}: the last line was left unfinished by a crash ({} bytes); it stays, and is marked", m_file.string(),
                                     unfinished.size()));
-    return append(entry);
+    const auto line = m_chain.line(entry, m_device);
+    if (auto written = writeWhole(fmt::format("{}{}\n", end, line)); !written)
+        return written;
+    m_chain.accept(line);
+    return ok();
 }
 
 Result<void> AuditFile::compareWithHead()

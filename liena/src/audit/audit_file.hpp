@@ -17,7 +17,7 @@ namespace liena::audit {
 class AuditFile {
 public:
     /// Takes the file for this process, or makes it (mode 0600). What a crash left unfinished at its end stays there, closed by an entry
-    /// `recovered`; entries that `.head` knows and the file has not are told by an entry `missing`.
+    /// `recovered`, also when that was interrupted itself; entries that `.head` knows and the file has not are told by an entry `missing`.
     static Result<AuditFile> open(const std::filesystem::path& file, std::string device);
 
     AuditFile(AuditFile&& other) noexcept;
@@ -41,6 +41,8 @@ private:
 
     Result<void> readEnd();
     Result<void> continueAfter(std::string_view unfinished);
+    Result<void> recoverAgain(std::string_view tail, std::size_t lastEnd);
+    Result<void> mark(std::string_view unfinished, std::string_view end);
     Result<void> compareWithHead();
     Result<void> requireInPlace() const;
     Result<void> writeWhole(std::string_view bytes);
