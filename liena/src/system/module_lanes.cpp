@@ -1,5 +1,6 @@
 // The lanes of one peer: connecting ours, taking in theirs, and the connections whose handshake is still to come.
 #include "system/distributed_module.hpp"
+#include "system/reconnect_limit.hpp"
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -15,7 +16,6 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto connectLimit = 1s;
-constexpr auto reconnectLimit = 250ms;
 
 } // namespace
 
@@ -23,7 +23,7 @@ void DistributedModule::connectLaneZero()
 {
     const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
     m_laneZero.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), 0}, m_peer.id),
-                       dialogue ? connectLimit : reconnectLimit);
+                       dialogue ? connectLimit : reconnectLimit(m_machine.clock().lastDelay()));
 }
 
 void DistributedModule::laneZeroUp()
