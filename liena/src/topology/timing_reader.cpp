@@ -21,8 +21,12 @@ public:
 
     void run() const
     {
+        using namespace std::chrono_literals;
         constexpr int leastSuspect = 2;
         constexpr int leastLost = 3;
+        // A session judges a few milliseconds before `lost`, and no timer of a loaded computer is better than that.
+        atLeast("heartbeat", m_timing.heartbeat, 1ms);
+        atLeast("lost", m_timing.lost, 10ms);
         atLeastHeartbeats("suspect", m_timing.suspect, leastSuspect);
         atLeastHeartbeats("lost", m_timing.lost, leastLost);
         inOrder("suspect", m_timing.suspect, "lost", m_timing.lost);
@@ -36,6 +40,13 @@ private:
         for (const auto attribute : attributes)
             if (const auto present = m_element.find(attribute))
                 return present->reject(std::move(text), std::move(remedy));
+    }
+
+    void atLeast(std::string_view name, std::chrono::nanoseconds value, std::chrono::nanoseconds least) const
+    {
+        if (value < least)
+            report({name}, fmt::format("{} {} is less than {}, with which no session can live", name, shown(value), shown(least)),
+                   fmt::format("write {}=\"{}\" or more", name, shown(least)));
     }
 
     void atLeastHeartbeats(std::string_view name, std::chrono::nanoseconds value, int least) const

@@ -46,6 +46,7 @@ private Q_SLOTS:
     void warns_data();
     void warns();
     void fillsInWhatIsLeftOut();
+    void readsTheShortestTiming();
     void readsTimingOfLinks();
     void readsFlows();
     void ordersEndsOfLinks();
@@ -145,6 +146,11 @@ void TopologyReaderTest::refusesWrongTiming_data()
     row("suspect as long as lost", "suspect=\"@@110ms\"", "not shorter than lost");
     row("lost as long as reconnect", "lost=\"@@500ms\"", "not shorter than reconnect");
     row("reconnect too short", "reconnect=\"@@100ms\"", "lost 110ms is not shorter than reconnect 100ms");
+    row("heartbeats for which no computer has time", "heartbeat=\"@@20us\"", "heartbeat 20us is less than 1ms");
+    row("heartbeat just too short", "heartbeat=\"@@999us\"", "heartbeat 999us is less than 1ms");
+    row("lost before anything can be heard", "heartbeat=\"1ms\" suspect=\"2ms\" lost=\"@@3ms\" reconnect=\"10ms\"",
+        "lost 3ms is less than 10ms");
+    row("lost just too short", "heartbeat=\"1ms\" suspect=\"5ms\" lost=\"@@9999us\"", "lost 9999us is less than 10ms");
     row("no unit", "heartbeat=\"@@20\"", "no duration");
     row("nothing", "heartbeat=\"@@0s\"", "no duration");
     row("unknown attribute", "@@heart-beat=\"20ms\"", "did you mean 'heartbeat'?");
@@ -228,6 +234,13 @@ void TopologyReaderTest::fillsInWhatIsLeftOut()
     QVERIFY(topology.links().at(0).flows.empty());
     QVERIFY(topology.title().empty() && topology.find("robot")->site.empty());
     QVERIFY(parsed(pair("<security mode=\"none\"/>" + joined)).security() == SecurityMode::None);
+}
+
+void TopologyReaderTest::readsTheShortestTiming()
+{
+    using namespace std::chrono_literals;
+    const auto topology = parsed(pair("<timing heartbeat=\"1ms\" suspect=\"5ms\" lost=\"10ms\" reconnect=\"20ms\"/>\n" + joined));
+    QVERIFY((topology.links().at(0).timing == LinkTiming{1ms, 5ms, 10ms, 20ms}));
 }
 
 void TopologyReaderTest::readsTimingOfLinks()
