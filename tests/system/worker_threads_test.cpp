@@ -12,7 +12,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <functional>
 #include <random>
+#include <system_error>
+#include <thread>
 
 using namespace liena;
 using namespace liena::test;
@@ -171,6 +175,7 @@ class WorkerThreadsTest : public QObject {
 
 private slots:
     void threadsComeAndGo();
+    void goesOnWithoutThreadsThatCannotBeHad();
     void jobsOfAThreadThatLeavesAreDone();
     void stopEndsThreadsWithJobs();
     void everyByteArrivesInOrderHoweverManyWork_data() { bothKinds(); }
@@ -201,6 +206,29 @@ void WorkerThreadsTest::threadsComeAndGo()
     QCOMPARE(worked.load(), given);
     QVERIFY(rig.workers.takeBusy().workers > 0ns);
     QVERIFY(rig.workers.takeBusy().workers == 0ns);
+}
+
+/// A limit of threads that is reached must not end the process in the middle of a session.
+void WorkerThreadsTest::goesOnWithoutThreadsThatCannotBeHad()
+{
+    asio::io_context network;
+    std::size_t left = 1;
+    WorkerThreads workers(
+        network, [] {},
+        [&](std::function<void()> life) {
+            if (left == 0)
+                throw std::system_error(EAGAIN, std::generic_category(), "thread");
+            --left;
+            return std::thread(std::move(life));
+        });
+    QVERIFY(!workers.lacks());
+    workers.resize(3);
+    QCOMPARE(workers.count(), std::size_t{1});
+    QVERIFY(workers.lacks());
+    left = 2;
+    workers.resize(3);
+    QCOMPARE(workers.count(), std::size_t{3});
+    QVERIFY(!workers.lacks());
 }
 
 void WorkerThreadsTest::jobsOfAThreadThatLeavesAreDone()

@@ -230,7 +230,11 @@ void DistributedSystem::State::housekeeping()
 {
     watchAudit();
     const auto now = std::chrono::steady_clock::now();
-    elasticWork.balance(now);
+    if (!elasticWork.balance(now))
+        log(LogLevel::Warning, "threads-missing",
+            "the system has no thread left for the work on images, which the network thread does itself; raise the limit of threads for "
+            "this "
+            "program (TasksMax, pids.max, ulimit -u)");
     takeReturned();
     partialBudget.trim(now);
     for (auto& [peer, one] : modules)

@@ -39,13 +39,15 @@ ElasticWork::ElasticWork(boost::asio::io_context& network, const Settings& setti
     : m_workers(network, runAsOrdinaryThread), m_balancer(mostWorkers(settings)), m_begin(std::chrono::steady_clock::now())
 {}
 
-void ElasticWork::balance(std::chrono::steady_clock::time_point now)
+bool ElasticWork::balance(std::chrono::steady_clock::time_point now)
 {
     if (now - m_begin < period)
-        return;
+        return true;
     const auto busy = m_workers.takeBusy();
     const auto time = now - std::exchange(m_begin, now);
+    const bool lacked = m_workers.lacks();
     m_workers.resize(m_balancer.judge({share(busy.network, time), share(busy.workers, time), busy.connections}, now));
+    return lacked || !m_workers.lacks();
 }
 
 } // namespace liena::system

@@ -18,8 +18,8 @@ public:
 
     transport::WorkerThreads& workers() { return m_workers; }
 
-    /// From time to time.
-    void balance(std::chrono::steady_clock::time_point now);
+    /// From time to time. False when a thread could not be had, and could before.
+    bool balance(std::chrono::steady_clock::time_point now);
 
     void stop() { m_workers.stop(); }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <utility>
 
 namespace liena::system {
@@ -16,8 +17,15 @@ using session::SetStanding;
 
 void SetKeeper::learn(DeviceId peer, const Sha256& hash, std::vector<std::byte> xml, Done done)
 {
-    if (!m_thread)
-        m_thread = std::make_unique<asio::thread_pool>(1);
+    try {
+        if (!m_thread)
+            m_thread = m_start();
+    } catch (const std::exception& none) {
+        asio::post(m_io, [why = fmt::format("no thread can be had to check the message set: {}", none.what()), done = std::move(done)] {
+            done({SetStanding::Invalid, why});
+        });
+        return;
+    }
     asio::post(*m_thread, [this, peer, hash, xml = std::move(xml), done = std::move(done)] {
         asio::post(m_io, [heard = keep(peer, hash, xml), done] { done(heard); });
     });

@@ -4,42 +4,53 @@
 #include <boost/asio/post.hpp>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace liena::transport {
 
 namespace asio = boost::asio;
 
-WorkerThreads::WorkerThreads(asio::io_context& network, std::function<void()> prepare) : m_network(network), m_prepare(std::move(prepare))
+WorkerThreads::WorkerThreads(asio::io_context& network, std::function<void()> prepare, Start start)
+    : m_network(network), m_prepare(std::move(prepare)), m_start(std::move(start))
 {}
 
 WorkerThreads::~WorkerThreads() { stop(); }
 
 void WorkerThreads::resize(std::size_t count)
 {
-    while (m_threads.size() < count)
-        hire();
+    while (m_threads.size() < count && hire()) {
+    }
     while (m_threads.size() > count)
         retire();
 }
 
-void WorkerThreads::hire()
+bool WorkerThreads::hire()
 {
     auto worker = std::make_unique<Worker>();
     worker->open = std::make_unique<asio::executor_work_guard<asio::io_context::executor_type>>(worker->context.get_executor());
-    auto* raw = worker.get();
-    worker->thread = std::thread([this, raw] {
-        m_prepare();
-        raw->context.run();
-        asio::post(m_network, [this, raw] {
-            const auto gone = std::find_if(m_leaving.begin(), m_leaving.end(), [&](const auto& one) { return one.get() == raw; });
-            if (gone == m_leaving.end() || !(*gone)->thread.joinable())
-                return;
-            (*gone)->thread.join(); // it has nothing left to do
-            m_leaving.erase(gone);
-        });
-    });
+    try {
+        worker->thread = m_start([this, raw = worker.get()] { live(*raw); });
+    } catch (const std::system_error&) {
+        m_lacks = true; // the network thread does the work itself
+        return false;
+    }
+    m_lacks = false;
     m_threads.push_back(std::move(worker));
+    return true;
+}
+
+void WorkerThreads::live(Worker& worker)
+{
+    m_prepare();
+    worker.context.run();
+    asio::post(m_network, [this, raw = &worker] {
+        const auto gone = std::find_if(m_leaving.begin(), m_leaving.end(), [&](const auto& one) { return one.get() == raw; });
+        if (gone == m_leaving.end() || !(*gone)->thread.joinable())
+            return;
+        (*gone)->thread.join(); // it has nothing left to do
+        m_leaving.erase(gone);
+    });
 }
 
 void WorkerThreads::retire()

@@ -28,15 +28,23 @@ public:
         virtual void finish() = 0;
     };
 
+    /// Starts a thread that runs that, or throws std::system_error.
+    using Start = std::function<std::thread(std::function<void()>)>;
+
     /// `prepare` is the first thing that a new thread does.
-    WorkerThreads(boost::asio::io_context& network, std::function<void()> prepare);
+    WorkerThreads(boost::asio::io_context& network, std::function<void()> prepare) : WorkerThreads(network, std::move(prepare), startThread)
+    {}
+    WorkerThreads(boost::asio::io_context& network, std::function<void()> prepare, Start start);
     ~WorkerThreads();
     WorkerThreads(const WorkerThreads&) = delete;
     WorkerThreads& operator=(const WorkerThreads&) = delete;
 
-    /// A thread that is not wanted any more does what it was given and ends.
+    /// A thread that is not wanted any more does what it was given and ends. There are fewer than `count` where the system has no more.
     void resize(std::size_t count);
     std::size_t count() const { return m_threads.size(); }
+
+    /// The last one that was wanted could not be had.
+    bool lacks() const { return m_lacks; }
 
     /// On the thread with the fewest jobs; there must be one.
     void run(std::shared_ptr<Job> job);
@@ -68,11 +76,15 @@ private:
         std::size_t jobs = 0; ///< given and not finished
     };
 
-    void hire();
+    static std::thread startThread(std::function<void()> life) { return std::thread(std::move(life)); }
+    bool hire();
+    void live(Worker& worker);
     void retire();
 
     boost::asio::io_context& m_network;
     std::function<void()> m_prepare;
+    Start m_start;
+    bool m_lacks = false;
     std::vector<std::unique_ptr<Worker>> m_threads;
     std::list<std::unique_ptr<Worker>> m_leaving;
     Busy m_busy;
