@@ -136,7 +136,7 @@ struct LineWriter::Core {
     std::atomic<std::uint64_t> lost = 0;
     std::atomic<LostText> lostText = nullptr;
     std::atomic<std::uint32_t> turn = 0; ///< on which the thread sleeps
-    std::atomic<bool> writing = false; ///< also what is not in `bytes`
+    std::atomic<bool> writing = false;   ///< also what is not in `bytes`
     std::atomic<bool> hasThread = false;
     std::atomic<bool> ending = false;
     std::atomic<bool> abandoned = false; ///< nobody waits any more: the descriptor may be another's by now
