@@ -11,6 +11,9 @@
 
 namespace liena::security {
 
+/// Clocks of one site differ a little; what is issued now must hold on all of them.
+inline constexpr std::chrono::minutes clockTolerance{5};
+
 std::string nameText(const X509_NAME* name);
 /// Cut to 1970 to 2262, which the clock can hold: certificates may say any year from 0 to 9999.
 std::chrono::system_clock::time_point timeOf(const ASN1_TIME* time);

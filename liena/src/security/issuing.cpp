@@ -1,6 +1,7 @@
 // Certificates put together field by field.
 #include "security/issuing.hpp"
 
+#include "security/certificate_fields.hpp"
 #include "security/device_uri.hpp"
 
 #include <openssl/ec.h>
@@ -14,8 +15,6 @@ namespace liena::security {
 
 namespace {
 
-/// Clocks of one site differ a little; a certificate issued now must hold on all of them.
-constexpr auto clockTolerance = std::chrono::minutes(5);
 constexpr int serialBits = 128;
 
 using Extensions = std::initializer_list<std::pair<int, std::string>>;
@@ -54,18 +53,13 @@ bool addExtensions(X509* certificate, X509* issuer, const Extensions& extensions
     return true;
 }
 
-auto failed(std::string_view what)
-{
-    return fail(Errc::CertificateInvalid, fmt::format("OpenSSL cannot make {}: {}", what, takeOpensslReason()));
-}
-
 } // namespace
 
 Result<KeyPtr> makeKey()
 {
     KeyPtr key(EVP_EC_gen("P-256"));
     if (!key)
-        return failed("a P-256 key");
+        return cannotMake("a P-256 key");
     return key;
 }
 
@@ -85,7 +79,7 @@ Result<CertificatePtr> makeAuthority(EVP_PKEY* key, const std::string& site, std
                                          {NID_authority_key_identifier, "keyid:always"}}) &&
                           X509_sign(certificate, key, EVP_sha256()) > 0;
     if (!complete)
-        return failed("the authority's certificate");
+        return cannotMake("the authority's certificate");
     return made;
 }
 
@@ -107,7 +101,7 @@ Result<CertificatePtr> makeDeviceCertificate(EVP_PKEY* key, DeviceId device, con
                                          {NID_subject_alt_name, "URI:" + deviceUri(device)}}) &&
                           X509_sign(certificate, authorityKey, EVP_sha256()) > 0;
     if (!complete)
-        return failed(fmt::format("the certificate of {}", name));
+        return cannotMake(fmt::format("the certificate of {}", name));
     return made;
 }
 

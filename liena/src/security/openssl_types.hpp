@@ -1,6 +1,8 @@
 // Owners of OpenSSL objects, and the text of OpenSSL's last error.
 #pragma once
 
+#include "liena/error.hpp"
+
 #include <openssl/bio.h>
 #include <openssl/bn.h>
 #include <openssl/evp.h>
@@ -10,6 +12,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace liena::security {
 
@@ -47,5 +50,11 @@ inline CertificatePtr sharedCertificate(const CertificatePtr& certificate)
 
 /// The reason of this thread's last OpenSSL error in OpenSSL's words; empties the error queue.
 std::string takeOpensslReason();
+
+/// A failure with that reason.
+inline auto cannotMake(std::string_view what)
+{
+    return fail(Errc::CertificateInvalid, "OpenSSL cannot make " + std::string(what) + ": " + takeOpensslReason());
+}
 
 } // namespace liena::security

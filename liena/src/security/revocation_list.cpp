@@ -19,8 +19,6 @@ namespace {
 using Time = std::chrono::system_clock::time_point;
 
 constexpr std::size_t mostLists = 16;
-/// Clocks of one site differ a little; a list made now must hold on all of them.
-constexpr auto clockTolerance = std::chrono::minutes(5);
 constexpr int weakestDigest = 32; // bytes: SHA-256
 
 using NumberPtr = std::unique_ptr<ASN1_INTEGER, Released<ASN1_INTEGER_free>>;

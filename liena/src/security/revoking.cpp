@@ -17,11 +17,6 @@ using NumberPtr = std::unique_ptr<ASN1_INTEGER, Released<ASN1_INTEGER_free>>;
 using TimePtr = std::unique_ptr<ASN1_TIME, Released<ASN1_TIME_free>>;
 using EnumeratedPtr = std::unique_ptr<ASN1_ENUMERATED, Released<ASN1_ENUMERATED_free>>;
 
-auto failed(std::string_view what)
-{
-    return fail(Errc::CertificateInvalid, fmt::format("OpenSSL cannot make {}: {}", what, takeOpensslReason()));
-}
-
 long codeOf(RevocationReason reason)
 {
     switch (reason) {
@@ -130,17 +125,17 @@ Result<RevocationListPtr> makeRevocationList(const AuthorityFiles& authority, co
                        X509_CRL_set_issuer_name(list, X509_get_subject_name(signer)) == 1 && setTimes(list, now.get(), validity) &&
                        addAuthorityKey(list, signer) && setNumber(list, previous) && (previous == nullptr || copyEntries(list, previous));
     if (!begun)
-        return failed("the revocation list");
+        return cannotMake("the revocation list");
     for (const auto& hex : added) {
         const auto serial = serialFrom(hex);
         if (!serial)
             return fail(Errc::InvalidArgument,
                         fmt::format("\"{}\" is no serial number; `liena pki show` prints it: up to 40 hex digits", hex.substr(0, 64)));
         if (!isListed(list, serial.get()) && !addEntry(list, serial.get(), now.get(), reason))
-            return failed("an entry of the revocation list");
+            return cannotMake("an entry of the revocation list");
     }
     if (X509_CRL_sort(list) != 1 || X509_CRL_sign(list, authority.key.get(), EVP_sha256()) <= 0)
-        return failed("the revocation list's signature");
+        return cannotMake("the revocation list's signature");
     return made;
 }
 
@@ -149,7 +144,7 @@ Result<std::string> toPem(X509_CRL* list)
     const BioPtr bio(BIO_new(BIO_s_mem()));
     char* data = nullptr;
     if (PEM_write_bio_X509_CRL(bio.get(), list) != 1)
-        return failed("PEM of the revocation list");
+        return cannotMake("PEM of the revocation list");
     const auto size = BIO_get_mem_data(bio.get(), &data);
     return std::string(data, static_cast<std::size_t>(size));
 }

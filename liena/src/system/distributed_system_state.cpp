@@ -232,9 +232,8 @@ void DistributedSystem::State::housekeeping()
     const auto now = std::chrono::steady_clock::now();
     if (!elasticWork.balance(now))
         log(LogLevel::Warning, "threads-missing",
-            "the system has no thread left for the work on images, which the network thread does itself; raise the limit of threads for "
-            "this "
-            "program (TasksMax, pids.max, ulimit -u)");
+            "the system has no thread left for the work on images, which the network thread does itself; raise the limit of threads of "
+            "this program (TasksMax, pids.max, ulimit -u)");
     takeReturned();
     partialBudget.trim(now);
     for (auto& [peer, one] : modules)

@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::chrono::seconds lately{3}; // in which a queue of ours has drained at least once
 constexpr int roundTripsKept = 4;
+constexpr std::chrono::milliseconds settles{300};            // of the smoothed round trip, after a queue
+constexpr std::chrono::seconds doubt{20};                    // after a sign that was none
+constexpr std::chrono::nanoseconds shortestPiece{1'000'000}; // that is told from what else makes round trips vary
+
+constexpr double shownFrom = 0.5; // of a piece's time
+constexpr double healedBelow = 0.4;
 
 } // namespace
 
@@ -36,6 +42,28 @@ std::optional<std::uint64_t> PathDepartures::until(Instant then) const
         if (m_noted.back(steps).at <= then)
             return m_noted.back(steps).bytes;
     return std::nullopt;
+}
+
+void PathPieces::queued(Instant now) { m_settled = now + settles; }
+
+bool PathPieces::note(Nanoseconds late, Nanoseconds piece, Instant now)
+{
+    if (piece < shortestPiece) {
+        m_shown = false;
+        return false;
+    }
+    if (now < m_settled)
+        return false;
+    const double pieces = static_cast<double>(late.count()) / static_cast<double>(piece.count());
+    if (pieces > shownFrom) {
+        m_shown = true;
+        return false;
+    }
+    if (!m_shown || pieces > healedBelow || now < m_believed)
+        return false;
+    m_shown = false;
+    m_believed = now + doubt;
+    return true;
 }
 
 std::optional<RoundTripOfLate::Nanoseconds> RoundTripOfLate::note(Nanoseconds roundTrip, Instant now)

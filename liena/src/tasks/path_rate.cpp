@@ -31,6 +31,7 @@ constexpr double deepestFall = 0.125;        // at once: a moment in which a pro
 constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
 constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
+constexpr auto passedWhenShown = 6s;         // of one that would show its healing
 constexpr auto passedWhenCalm = 2000ms;      // and that of a calm path
 constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;            // a step while nothing is known
@@ -65,6 +66,7 @@ void PathRate::restart()
     m_burst.reset();
     m_departures = {};
     m_calm = {}; // it may go another way
+    m_pieces = {};
     m_ofLate = {};
     m_draining = false;
     m_effective = 0;
@@ -95,9 +97,23 @@ transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
     return facts;
 }
 
+/// What it was seen to carry is of the past then, and no more to be waited for.
+void PathRate::lookForHealing(const transport::PathFacts& facts, Instant now)
+{
+    if (!m_ceiling || facts.leastRoundTrip >= longWay)
+        return;
+    const auto piece = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(inOnePiece / *m_ceiling));
+    if (!m_pieces.note(m_waiting, piece, now))
+        return;
+    m_confirmed.reset();
+    m_doubted = true;
+    m_nextStep = now;
+}
+
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
 {
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
+    lookForHealing(facts, now);
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
         m_unrestSeen = now;
@@ -231,6 +247,7 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
     m_shown = now;
+    m_pieces.queued(now);
     if (allCame)
         delivered = std::max(delivered, m_rate * doubtful);
     m_carried = std::clamp(delivered, least, most);
@@ -257,7 +274,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (pauseBetweenSteps() > gentlePause || isCalm(facts));
-    const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : passed) - climb, 0s);
+    const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : m_pieces.areShown() ? passedWhenShown : passed) - climb, 0s);
     m_confirmed = believed ? std::optional(now + wait) : std::nullopt;
     if (m_share)
         m_share->even(*this);

@@ -9,7 +9,7 @@ namespace liena {
 
 namespace {
 
-constexpr std::size_t longest = 64;
+constexpr std::size_t longestCompared = 64;
 constexpr std::size_t mostCandidates = 256;
 constexpr std::size_t mostListed = 8;
 
@@ -22,7 +22,7 @@ char folded(char c)
 
 std::size_t distance(std::string_view a, std::string_view b)
 {
-    std::array<std::array<std::size_t, longest + 1>, 3> rows{};
+    std::array<std::array<std::size_t, longestCompared + 1>, 3> rows{};
     for (std::size_t j = 0; j <= b.size(); ++j)
         rows[0][j] = j;
     for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -43,14 +43,14 @@ std::size_t distance(std::string_view a, std::string_view b)
 
 std::string_view nearestName(std::string_view name, const std::vector<std::string_view>& known)
 {
-    if (name.empty() || name.size() > longest)
+    if (name.empty() || name.size() > longestCompared)
         return {};
     std::string_view nearest;
     std::size_t least = std::min<std::size_t>(2, (name.size() - 1) / 2) + 1;
     for (std::size_t i = 0; i < std::min(known.size(), mostCandidates); ++i) {
         const auto candidate = known[i];
         const auto difference = std::max(candidate.size(), name.size()) - std::min(candidate.size(), name.size());
-        if (candidate.size() > longest || difference >= least)
+        if (candidate.size() > longestCompared || difference >= least)
             continue;
         const auto apart = distance(name, candidate);
         if (apart < least) {
