@@ -54,6 +54,7 @@ struct Desk {
     {
         for (quint32 number = 1; number <= 12; ++number) {
             auto values = samples::storedValues(frameSize, 12);
+            values.back() = std::uint16_t(number); // no two pulses give the same picture
             if (number > 6)
                 for (int at = 120 * frameSize.width(); at < 128 * frameSize.width(); ++at)
                     values[std::size_t(at)] = std::uint16_t(values[std::size_t(at)] * 0.85);
