@@ -31,7 +31,6 @@ constexpr double deepestFall = 0.125;        // at once: a moment in which a pro
 constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
 constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
-constexpr auto passedWhenShown = 6s;         // of one that would show its healing
 constexpr auto passedWhenCalm = 2000ms;      // and that of a calm path
 constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;            // a step while nothing is known
@@ -274,7 +273,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (pauseBetweenSteps() > gentlePause || isCalm(facts));
-    const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : m_pieces.areShown() ? passedWhenShown : passed) - climb, 0s);
+    const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : passed) - climb, 0s);
     m_confirmed = believed ? std::optional(now + wait) : std::nullopt;
     if (m_share)
         m_share->even(*this);
