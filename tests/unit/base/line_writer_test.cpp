@@ -192,15 +192,15 @@ void LineWriterTest::nobodyWaitsForAPipeThatIsNotRead()
 
 void LineWriterTest::endsBesideAPipeThatIsNotRead()
 {
-    Pipe pipe;
-    pipe.fill();
+    static auto* const pipe = new Pipe; // stays: the thread may be in the midst of its write for longer than this test
+    pipe->fill();
     {
-        LineWriter writer(pipe.in);
+        LineWriter writer(pipe->in);
         writer.put("never written\n", lostText);
         writer.finish(1ms);
         writer.put("neither\n", lostText);
     }
-    ::close(std::exchange(pipe.out, ::open("/dev/null", O_RDONLY | O_CLOEXEC))); // lets the thread go
+    ::close(std::exchange(pipe->out, ::open("/dev/null", O_RDONLY | O_CLOEXEC))); // lets the thread go
 }
 
 void LineWriterTest::writesAllThatWaitsAtTheEnd()
