@@ -60,7 +60,7 @@ public:
             m_deliveryRate = news.rate;
             // An eighth for each acknowledgement, which comes for two packets: on a slow path that takes its time.
             for (m_unacknowledged += news.bytes; m_unacknowledged >= acknowledged; m_unacknowledged -= acknowledged)
-                m_smoothed += ((m_idle + news.waiting + ownTime() + unrest()) - m_smoothed) / 8;
+                m_smoothed += ((m_idle + news.waiting + carrying(acknowledged) + unrest()) - m_smoothed) / 8;
         }
     }
 
@@ -91,9 +91,6 @@ public:
         return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(bytes / capacity));
     }
     Nanoseconds waiting() const { return carrying(m_queue); }
-
-    /// Of what is acknowledged at once.
-    Nanoseconds ownTime() const { return tokenBucket ? Nanoseconds::zero() : carrying(acknowledged); }
     double sent() const { return m_sent; }
 
     /// Another route from now on; the kernel remembers the shortest.
@@ -105,7 +102,6 @@ public:
     tasks::PathRate rate;
     double capacity;
     bool stalled = false;
-    bool tokenBucket = false; ///< slow by one: what finds tokens passes at once
     bool receiverLimits = false;
     Nanoseconds mostUnrest{};  ///< so much later may acknowledgements come, whatever is sent
     unsigned lateTogether = 1; ///< so many of them by the same

@@ -63,31 +63,6 @@ private:
     PathPoints<128> m_noted;
 };
 
-/// Pure. On a slow path what the kernel sends in one piece takes a time of its own, which is in each round trip also while nothing waits.
-/// Where that was seen all the time and is gone, the path carries several times as much as it did. A path that is slow by a token bucket
-/// shows nothing, or now and then.
-class PathPieces {
-public:
-    using Instant = std::chrono::steady_clock::time_point;
-    using Nanoseconds = std::chrono::nanoseconds;
-
-    /// A queue was met; round trips tell of it for a while.
-    void queued(Instant now);
-
-    /// Without a queue: `late`, by which round trips are longer than the shortest; `piece`, the time of one on the path as it is known.
-    /// True when it has healed.
-    bool note(Nanoseconds late, Nanoseconds piece, Instant now);
-
-private:
-    void begin(Instant now);
-
-    Instant m_settled{};
-    Instant m_believed{}; ///< from then on
-    bool m_shown = false; ///< all the time, for a while
-    std::optional<Instant> m_shownSince;
-    std::optional<Instant> m_goneSince;
-};
-
 /// Pure. The shortest round trip of late, for a path that has become longer: the kernel remembers its shortest for minutes.
 class RoundTripOfLate {
 public:

@@ -65,7 +65,6 @@ void PathRate::restart()
     m_burst.reset();
     m_departures = {};
     m_calm = {}; // it may go another way
-    m_pieces = {};
     m_ofLate = {};
     m_draining = false;
     m_effective = 0;
@@ -96,23 +95,9 @@ transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
     return facts;
 }
 
-/// What it was seen to carry is of the past then, and no more to be waited for.
-void PathRate::lookForHealing(const transport::PathFacts& facts, Instant now)
-{
-    if (!m_ceiling || facts.leastRoundTrip >= longWay)
-        return;
-    const auto piece = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(inOnePiece / *m_ceiling));
-    if (!m_pieces.note(m_waiting, piece, now))
-        return;
-    m_confirmed.reset();
-    m_doubted = true;
-    m_nextStep = now;
-}
-
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
 {
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
-    lookForHealing(facts, now);
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
         m_unrestSeen = now;
@@ -246,7 +231,6 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
     m_shown = now;
-    m_pieces.queued(now);
     if (allCame)
         delivered = std::max(delivered, m_rate * doubtful);
     m_carried = std::clamp(delivered, least, most);

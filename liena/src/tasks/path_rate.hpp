@@ -27,8 +27,7 @@ struct KnownRate {
 /// near it, and bolder with each step beyond it, so that a path that heals is used within moments. On a slow path, where a step too far is
 /// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently. Round trips of a long
 /// path vary without any queue: what is late by a part of a round trip only, while all that was sent arrives, costs the rate little, and
-/// what goes on far below a rate that passed is held for the path's own. A slow path that heals shows it where its own pieces were seen in
-/// the round trips (PathPieces). Where a long path turns out to be calm (PathCalm), commands are to
+/// what goes on far below a rate that passed is held for the path's own. Where a long path turns out to be calm (PathCalm), commands are to
 /// wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only there, too.
 ///
 /// In the spirit of delay-based congestion control (LEDBAT, RFC 6817; TIMELY, SIGCOMM 2015), with the kernel's own congestion control
@@ -120,7 +119,6 @@ private:
     void yield(const transport::PathFacts& facts);
     void grow(const transport::PathFacts& facts, double delivered, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
-    void lookForHealing(const transport::PathFacts& facts, Instant now);
     void growInDoubt(Instant now);
 
     std::shared_ptr<FairShare> m_share;
@@ -137,7 +135,6 @@ private:
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};
     std::optional<Instant> m_confirmed; ///< a slow or calm path's ceiling, met twice: tried again from then on, and gently
-    PathPieces m_pieces;
     std::optional<Window> m_window;
     PathCourse m_course; ///< in the last windows: on a slow path one of them is a packet or two
     PathDepartures m_departures;

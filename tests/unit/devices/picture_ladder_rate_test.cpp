@@ -165,7 +165,7 @@ private slots:
             QVERIFY(source.ladder.step() > 0);
             source.path.capacity *= 10;
             const auto healed = source.now();
-            source.run(2s);
+            source.run(5s);
             QVERIFY2(source.fullSince && *source.fullSince > healed, qPrintable(QStringLiteral("narrow for %1 ms").arg(narrow.count())));
         }
     }

@@ -277,41 +277,6 @@ private slots:
         QVERIFY(!rate.known());
     }
 
-    void aSlowPathThatHealsIsUsedAtOnce_data()
-    {
-        QTest::addColumn<double>("megabits");
-        QTest::addColumn<int>("roundTripUs");
-        QTest::addColumn<double>("times");
-        for (const double megabits : {20.0, 50.0, 100.0})
-            for (const int roundTrip : {200, 2000, 8000})
-                for (const double times : {4.0, 10.0})
-                    QTest::addRow("%g Mbit/s, %d us, a %gth of it before", megabits, roundTrip, times) << megabits << roundTrip << times;
-    }
-
-    void aSlowPathThatHealsIsUsedAtOnce()
-    {
-        QFETCH(double, megabits);
-        QFETCH(int, roundTripUs);
-        QFETCH(double, times);
-        Path path(megabits * 125'000 / times, std::chrono::microseconds(roundTripUs));
-        path.run(8s);
-        path.capacity *= times;
-        path.run(700ms);
-        QVERIFY2(path.rate.rate() > 0.8 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
-    }
-
-    /// Where nothing of a piece's time is ever seen in a round trip, its absence tells nothing.
-    void aTokenBucketIsNoHealedPath()
-    {
-        Path path(gigabit / 100, 200us);
-        path.tokenBucket = true;
-        path.run(8s);
-        path.forget();
-        path.tooLong = 4ms;
-        path.run(30s);
-        QVERIFY2(path.late < 300ms, millisecondsOf(path.late, "ms").constData());
-    }
-
     /// What a path carried long ago is not what it carries.
     void tellsWhenThePathWasFilledLast()
     {
