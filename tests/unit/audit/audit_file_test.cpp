@@ -1,5 +1,6 @@
 // The audit file: what is noticed when somebody or something changes it, and what a crash leaves.
 #include "audit/audit_file.hpp"
+#include "file_content.hpp"
 #include "liena/audit.hpp"
 
 #include <QJsonDocument>
@@ -16,19 +17,10 @@
 
 using namespace liena;
 using namespace liena::audit;
+using liena::test::contentOf;
+using liena::test::write;
 
 namespace {
-
-std::string contentOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write(const std::filesystem::path& file, const std::string& content)
-{
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
-}
 
 std::vector<std::string> linesOf(const std::string& content)
 {

@@ -1,5 +1,6 @@
 // What a crash left in the audit file is marked by the next start, also when that one is interrupted in turn.
 #include "audit/audit_file.hpp"
+#include "file_content.hpp"
 #include "liena/audit.hpp"
 
 #include <QTemporaryDir>
@@ -14,19 +15,10 @@
 
 using namespace liena;
 using namespace liena::audit;
+using liena::test::contentOf;
+using liena::test::write;
 
 namespace {
-
-std::string contentOf(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void write(const std::filesystem::path& file, const std::string& content)
-{
-    std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
-}
 
 /// No file of this process grows beyond `bytes`, as on a disk that is full.
 class FullDisk {
