@@ -1,5 +1,5 @@
 // How much news of incidents one neighbour may bring: what somebody invents is not handed on without a bound.
-#include "session/stand_by_ledger.hpp"
+#include "ledger_actions.hpp"
 
 #include <QTest>
 
@@ -7,15 +7,11 @@
 
 using namespace liena;
 using namespace liena::session;
+using namespace liena::test;
 using namespace std::chrono_literals;
 
 namespace {
 
-constexpr DeviceId robot(0x00008208U);
-constexpr DeviceId xray(0x20010208U);
-constexpr DeviceId cockpit(0x40018208U);
-constexpr DeviceId arm(0x60008208U);
-constexpr Now now{Instant(1h), Timestamp{5000}};
 constexpr std::size_t devices = 4;
 constexpr std::uint64_t most = 256 * (devices + 2); ///< of a kind, at once
 
@@ -133,21 +129,21 @@ void IncidentNewsTest::whatEndsAnIncidentIsAlwaysHandedOn()
 /// way of the one neighbour that is left.
 void IncidentNewsTest::aWholeSystemInStandByIsHandedOn()
 {
-    constexpr std::uint32_t all = 64;
+    constexpr std::uint32_t many = 64;
     const auto device = [](std::uint32_t at) { return DeviceId((at + 1) << 9U); };
-    StandByLedger ledger(robot, all);
+    StandByLedger ledger(robot, many);
     Sum sum;
     for (std::uint64_t id = 1; id <= 256; ++id)
         for (const auto end : {xray, cockpit})
             sum.add(ledger.heard(arm, protocol::StandBy{id, xray, cockpit, LossCause::ConnectionLost, 100, end}, now));
     QCOMPARE(sum.handedOn, std::size_t{2 * 256});
     for (std::uint64_t id = 1; id <= 256; ++id)
-        for (std::uint32_t i = 0; i < all; ++i)
+        for (std::uint32_t i = 0; i < many; ++i)
             sum.add(ledger.heard(arm, protocol::StandByReport{id, device(i), true, 1}, now));
-    QCOMPARE(sum.handedOn, std::size_t{(2 + all) * 256});
+    QCOMPARE(sum.handedOn, std::size_t{(2 + many) * 256});
     for (std::uint64_t id = 1; id <= 256; ++id)
         sum.add(ledger.heard(arm, protocol::ChannelReOpened{1000 + id, id, xray, cockpit}, now));
-    QCOMPARE(sum.handedOn, std::size_t{(2 + all + 1) * 256});
+    QCOMPARE(sum.handedOn, std::size_t{(2 + many + 1) * 256});
     QCOMPARE(sum.notHandedOn, std::size_t{0});
     QVERIFY(!ledger.standsBy());
 }
