@@ -95,6 +95,28 @@ private:
     QByteArray m_written;
 };
 
+/// `liena monitor` that repaints its page, as in a person's terminal, until this ends.
+class LivePage {
+public:
+    LivePage(const std::filesystem::path& folder, const QStringList& names)
+    {
+        m_monitor.setStandardOutputFile(m_terminal.name());
+        m_monitor.start(lienaProgram, QStringList{QStringLiteral("monitor"), QStringLiteral("--folder"), text(folder)} + names);
+    }
+    ~LivePage()
+    {
+        m_monitor.kill();
+        m_monitor.waitForFinished();
+    }
+    Q_DISABLE_COPY_MOVE(LivePage)
+
+    QByteArray screen() { return m_terminal.screen(); }
+
+private:
+    Terminal m_terminal;
+    QProcess m_monitor;
+};
+
 } // namespace
 
 class MonitorTest : public QObject {
@@ -167,16 +189,11 @@ private Q_SLOTS:
         const auto folder = system.settingsOf("robot").status;
         std::filesystem::create_directory(folder);
         const StatusSocket device(statusSocket(folder, DeviceId(0x00008208)), 8);
-        Terminal terminal;
-        QProcess monitor;
-        monitor.setStandardOutputFile(terminal.name());
-        monitor.start(lienaProgram, {QStringLiteral("monitor"), QStringLiteral("--folder"), text(folder)});
+        LivePage page(folder, {});
         device.say(R"({"device":"robot","id":"0x00008208","links":[{"peer":"cockpit","state":"open"}]})");
-        QTRY_VERIFY2(terminal.screen().contains("cockpit       open"), terminal.screen().constData());
-        QTRY_VERIFY2(terminal.screen().contains("robot (0x00008208)  SAYS NOTHING for "), terminal.screen().constData());
-        QVERIFY2(!terminal.screen().contains("cockpit       open"), terminal.screen().constData());
-        monitor.kill();
-        QVERIFY(monitor.waitForFinished());
+        QTRY_VERIFY2(page.screen().contains("cockpit       open"), page.screen().constData());
+        QTRY_VERIFY2(page.screen().contains("robot (0x00008208)  SAYS NOTHING for "), page.screen().constData());
+        QVERIFY2(!page.screen().contains("cockpit       open"), page.screen().constData());
     }
 
     void theMonitorSaysThatNobodyHasAName()
@@ -204,15 +221,10 @@ private Q_SLOTS:
         const auto folder = system.settingsOf("robot").status;
         std::filesystem::create_directory(folder);
         const StatusSocket device(statusSocket(folder, DeviceId(0x00008208)), 8);
-        Terminal terminal;
-        QProcess monitor;
-        monitor.setStandardOutputFile(terminal.name());
-        monitor.start(lienaProgram, {QStringLiteral("monitor"), QStringLiteral("--folder"), text(folder), QStringLiteral("robto")});
+        LivePage page(folder, {QStringLiteral("robto")});
         device.say(R"({"device":"robot","id":"0x00008208","links":[]})");
-        QTRY_VERIFY2(terminal.screen().contains("no device 'robto' offers its status in "), terminal.screen().constData());
-        QVERIFY2(terminal.screen().contains("; there is robot"), terminal.screen().constData());
-        monitor.kill();
-        QVERIFY(monitor.waitForFinished());
+        QTRY_VERIFY2(page.screen().contains("no device 'robto' offers its status in "), page.screen().constData());
+        QVERIFY2(page.screen().contains("; there is robot"), page.screen().constData());
     }
 
     void theMonitorsSocketIsForItsUserAlone()
