@@ -208,7 +208,8 @@ protocol::EncodedMessage SimulatedModule::encode(const protocol::SessionMessage&
 
 void SimulatedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
 {
-    m_laneZero.push({encode(message, target), tasks::Rank::Safety, 0, std::nullopt, {}});
+    const auto rank = target.isBroadcast() ? tasks::Rank::Incident : tasks::Rank::Safety;
+    m_laneZero.push({encode(message, target), rank, 0, std::nullopt, {}});
 }
 
 void SimulatedModule::entered(const session::Entered& change)
