@@ -141,8 +141,11 @@ bool ScreenDesk::mayChange() const { return preferencesMayChange(m_models.permit
 void ScreenDesk::restore(int place)
 {
     const auto& layouts = m_book.layouts();
-    if (place < 0 || std::size_t(place) >= layouts.size())
+    if (place < 0 || std::size_t(place) >= layouts.size()) {
+        if (mayChange())
+            m_window.showView(View::Screens); // where it is said, and where one is saved
         return say(true, tr("There is no layout %1; F7 saves one.").arg(place + 1));
+    }
     choose(layouts[std::size_t(place)]);
 }
 

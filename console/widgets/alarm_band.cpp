@@ -1,13 +1,13 @@
 // What the alarm band offers to press, and what it is told to show.
 #include "widgets/alarm_band.hpp"
 
+#include "widgets/double_click.hpp"
 #include "widgets/flash_clock.hpp"
 #include "widgets/focus_return.hpp"
 #include "widgets/self_test_block.hpp"
 #include "widgets/theme.hpp"
 #include "widgets/touch_button.hpp"
 
-#include <QApplication>
 #include <QHBoxLayout>
 
 #include <algorithm>
@@ -96,13 +96,10 @@ void AlarmBand::makeMark()
     connect(&m_markedEnds, &QTimer::timeout, this, [this] { m_mark->setText(tr("Incident")); });
 }
 
-/// A double click is one wish.
 void AlarmBand::mark()
 {
-    if (m_marking.isValid() && m_marking.elapsed() < QApplication::doubleClickInterval())
-        return;
-    m_marking.start();
-    Q_EMIT markRequested();
+    if (!isDoubleClick(m_marking))
+        Q_EMIT markRequested();
 }
 
 void AlarmBand::showMarked()

@@ -331,8 +331,10 @@ private Q_SLOTS:
         QVERIFY(remove != nullptr);
         QTest::mouseClick(remove, Qt::LeftButton);
         QVERIFY(stage.desk->book().layouts().empty());
+        stage.window.showView(View::Cockpit);
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_1, Qt::ControlModifier);
         QVERIFY(stage.saidInTheLog(QStringLiteral("There is no layout 1")));
+        QVERIFY(stage.window.view() == View::Screens); // it is said where it is read
     }
 
     void armedScreensStayAndPicturesMayChangePlaces()
@@ -344,6 +346,8 @@ private Q_SLOTS:
         Q_EMIT stage.view->secondChosen(QStringLiteral("second"));
         QVERIFY(!stage.desk->second());
         QVERIFY(stage.saidInTheLog(QStringLiteral("stay as they are")));
+        QTest::keyClick(&stage.window, Qt::Key_9, Qt::ControlModifier); // there is none, and no view takes the keys for it
+        QVERIFY(stage.window.view() == View::Cockpit);
         QTest::keyClick(&stage.window, Qt::Key_F10);
         QVERIFY(stage.window.arrangement() == Arrangement::ReferenceBeside);
         QVERIFY(stage.cockpit.models.permit.phase() == PermitPhase::Armed);
