@@ -1,4 +1,4 @@
-// The pedal on its way out: repeated while it is down, so that a lost link or a hung screen ends the exposure.
+// The pedal on its way out: repeated while it is down, so that a lost link or a hung screen ends the exposure for good.
 #pragma once
 
 #include "model/instant.hpp"
@@ -24,6 +24,8 @@ public:
     void run();
 
 private:
+    bool send(const PedalOrder& order);
+
     liena::DistributedSystem& m_system;
     liena::DeviceId m_xray;
     LatestValue<PedalSnapshot> m_snapshot;

@@ -1,15 +1,20 @@
 // The last check before an exposure is asked for.
 #include "model/pedal_order.hpp"
 
+#include <utility>
+
 namespace console {
 
 std::optional<PedalOrder> PedalGate::compose(const PedalSnapshot& snapshot, Instant now)
 {
+    const bool begins = std::exchange(m_press, snapshot.press) != snapshot.press;
     if (snapshot.down && now - snapshot.guiTick > guiLimit)
         m_endedPress = snapshot.press;
     PedalOrder order{snapshot.down && snapshot.press != m_endedPress, snapshot.press, snapshot.pulseRate};
     if (order.pedal) {
         m_stopsLeft = stops;
+        if (begins) // under the press before, since what is heard up is spent
+            return PedalOrder{false, snapshot.press - 1, snapshot.pulseRate};
         return order;
     }
     if (m_stopsLeft == 0)

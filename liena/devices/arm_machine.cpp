@@ -42,7 +42,7 @@ void ArmMachine::interrupt(std::string_view reason)
     if (m_state != ArmState::Moving)
         return;
     m_reason = reason;
-    m_locked = true;
+    m_unlocked.clear();
     stop();
 }
 
@@ -53,14 +53,14 @@ bool ArmMachine::command(const ArmRequest& request, SteadyTime now)
     if (request.origin.classNumber() != static_cast<std::uint8_t>(DeviceClass::Brain))
         return refuse("only a cockpit commands the arm");
     if (!request.move) {
-        m_locked = false;
+        m_unlocked.insert(request.origin);
         stop();
         return true;
     }
     if (m_owner && *m_owner != request.origin)
         return refuse("another cockpit is moving it");
-    if (m_locked)
-        return refuse("it stopped by itself; send hold before the next move");
+    if (!m_unlocked.contains(request.origin))
+        return refuse("it stopped by itself, or the session is new; send hold before the next move");
     if (m_standBy)
         return refuse("the system stands by");
     if (!robotHolds(now))
@@ -87,13 +87,16 @@ void ArmMachine::sessionLost(DeviceId peer)
 {
     if (m_owner == peer)
         interrupt("the commanding cockpit's session is not open");
+    m_unlocked.erase(peer);
 }
 
 void ArmMachine::setStandBy(bool standsBy)
 {
     m_standBy = standsBy;
-    if (standsBy)
-        interrupt("the system stands by");
+    if (!standsBy)
+        return;
+    interrupt("the system stands by");
+    m_unlocked.clear();
 }
 
 void ArmMachine::step(SteadyTime now)

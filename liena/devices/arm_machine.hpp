@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace liena::devices {
@@ -31,11 +32,12 @@ struct ArmRequest {
 ///
 ///            move, robot holds, not locked
 ///   Hold ───────────────────────────────────► Moving
-///    ▲  locked: only a `hold` unlocks            │
+///    ▲  locked: only its own `hold` unlocks       │
 ///    │◄──────────────────────────────────────────┤ robot moves or is silent, session lost, stand-by, lease over: stop and lock
 ///    └◄──────────────────────────────────────────┘ hold, or the targets are reached
 ///
-/// After a stop that nobody asked for the stream of old commands must not set it going again: the arm then wants a `hold` first.
+/// After a stop that nobody asked for, after a stand-by and in a new session the stream of old commands must not set it going: the arm then
+/// wants a `hold` of that cockpit first.
 /// Joints slow down within their deceleration; the brakes close when they stand. Pure: time comes from the caller.
 class ArmMachine {
 public:
@@ -83,11 +85,11 @@ private:
     Joints m_targets;
     double m_speedScale = 0;
     std::optional<DeviceId> m_owner; ///< while moving
+    std::set<DeviceId> m_unlocked;   ///< the cockpits whose `hold` was heard since the last lock
     SteadyTime m_leaseEnd;
     std::optional<SteadyTime> m_robotHeld; ///< arrival of the newest report, if it said that the robot holds
     std::optional<SteadyTime> m_lastStep;
     bool m_standBy = false;
-    bool m_locked = false;
     std::uint64_t m_refused = 0;
     std::string_view m_reason;
 };

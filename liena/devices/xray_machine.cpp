@@ -41,13 +41,17 @@ bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
     if (!isCockpit(request.origin))
         return refuse("only a cockpit switches the beam");
     const auto seen = m_presses.find(request.origin);
-    const bool known = seen != m_presses.end() && seen->second == request.press;
+    const bool heardUp = seen != m_presses.end();
+    const bool known = heardUp && seen->second == request.press;
     if (!request.pedal || request.mode == AcquisitionMode::Stop) {
-        m_presses[request.origin] = request.press;
+        if (!request.pedal || heardUp)
+            m_presses[request.origin] = request.press;
         if (m_owner == request.origin)
             beamOff("the pedal was released");
         return true;
     }
+    if (!heardUp) // nobody knows how long it has been down, nor whether a foot is on it
+        return refuse("the pedal was not up in this session yet; release it and press again");
     if (m_standBy && request.mode == AcquisitionMode::Spin) {
         m_presses[request.origin] = request.press; // spent: the end of the stand-by must not turn the C-arm by itself
         if (m_owner == request.origin)
@@ -98,6 +102,7 @@ void XrayMachine::sessionLost(DeviceId peer)
 {
     if (m_owner == peer)
         beamOff("the session of the pedal's cockpit is not open");
+    m_presses.erase(peer);
     if (m_gantryOwner == peer)
         m_target = m_geometry;
 }

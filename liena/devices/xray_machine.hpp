@@ -51,14 +51,16 @@ struct Dose {
 
 /// The beam is on only while one cockpit's pedal is down, said again every 200 ms, in an open session.
 ///
-///              pedal down, a press not seen before, nobody else's pedal
+///              pedal heard up in this session, then down under another press, nobody else's pedal
 ///   Off ────────────────────────────────────────────────────────────────► On ◄─┐ pedal down, same press: lease renewed
 ///    ▲                                                                    │ └──┘
 ///    └────────────────────────────────────────────────────────────────────┘
 ///      pedal up, mode stop, 250 ms of silence, session lost, stand-by, stall
 ///
 /// However the beam ended, its press is spent: only a new press turns it on again, also in stand-by. The stand-by spends every press seen
-/// so far. A spin moves the C-arm: in stand-by its press is refused, and spent. Pure: time comes from the caller.
+/// so far. A pedal that was down before the session began, or while it was interrupted, turns nothing on: it has to be heard up first,
+/// which holds for a system and for a cockpit that were started anew, too. A spin moves the C-arm: in stand-by its press is refused, and
+/// spent. Pure: time comes from the caller.
 class XrayMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};
@@ -70,7 +72,9 @@ public:
     /// Where the C-arm goes; refused from others than cockpits, in stand-by, and while the beam of another cockpit is on.
     bool moveTo(DeviceId origin, const CArmGeometry& target);
 
+    /// The session of a device left Open, or was interrupted.
     void sessionLost(DeviceId peer);
+
     void setStandBy(bool standsBy);
     void interrupt(std::string_view reason);
 
@@ -105,7 +109,7 @@ private:
     double kermaPerPulse() const;
 
     std::optional<DeviceId> m_owner;             ///< of the pressed pedal
-    std::map<DeviceId, std::uint32_t> m_presses; ///< the newest press seen of each cockpit: spent unless it is the owner's
+    std::map<DeviceId, std::uint32_t> m_presses; ///< the newest of each cockpit heard up in its session: spent unless it is the owner's
     SteadyTime m_leaseEnd;
     std::optional<SteadyTime> m_lastTick;
     AcquisitionMode m_mode = AcquisitionMode::Stop;

@@ -54,12 +54,16 @@ public:
     void connect(liena::DistributedSystem& cockpit, liena::DeviceId xray)
     {
         QVERIFY(cockpit.subscribe("XrayFrame", [this](const liena::Message& message) {
+            m_pictures = true;
             pipeline.showFrame(xrayFrame(std::make_shared<const liena::Message>(message), Duration{}));
         }));
-        cockpit.every(std::chrono::milliseconds(100), [&cockpit, xray] {
+        cockpit.every(std::chrono::milliseconds(100), [this, &cockpit, xray] {
+            // Until pictures come the foot comes up again and again: a press counts only if it is heard from its beginning.
+            const bool down = m_pictures || ++m_repeats % 4 != 0;
             auto command = cockpit.command(xray, "AcquisitionCommand").value();
-            command.set("mode", "fluoroscopy").set("pulse_rate", 30.0).set("pedal", true).set("press", 1U);
+            command.set("mode", "fluoroscopy").set("pulse_rate", 30.0).set("pedal", down).set("press", m_press);
             (void)cockpit.send(xray, command);
+            m_press += down ? 0 : 1;
         });
     }
 
@@ -67,6 +71,9 @@ public:
     LiveImageView view{state};
     FramePipeline pipeline;
     std::optional<DisplayPicture> shown;
+    bool m_pictures = false; ///< these three are of the network thread
+    std::uint32_t m_repeats = 0;
+    std::uint32_t m_press = 1;
     TestDevice device; // last: its thread ends before what it feeds
 };
 

@@ -118,8 +118,11 @@ private:
         QVERIFY(system.subscribe("AcquisitionStatus", [this](const Message& message) { m_pulseRate = message.get<double>("pulse_rate"); }));
         system.every(std::chrono::milliseconds(50), [this, &system] {
             auto command = system.command(m_files.idOf("xray"), "AcquisitionCommand").value();
-            command.set("mode", "fluoroscopy").set("pulse_rate", askedRate).set("pedal", true).set("press", ++m_repeats / 100 + 1);
+            // The foot comes up now and then: a press counts only if it is heard from its beginning.
+            const bool down = ++m_repeats % 20 != 0;
+            command.set("mode", "fluoroscopy").set("pulse_rate", askedRate).set("pedal", down).set("press", m_press);
             (void)system.send(m_files.idOf("xray"), command);
+            m_press += down ? 0 : 1;
         });
     }
 
@@ -127,6 +130,7 @@ private:
     std::atomic<double> m_rate = -1;
     std::atomic<double> m_pulseRate = 0;
     std::uint32_t m_repeats = 0;
+    std::uint32_t m_press = 1;
     mutable std::mutex m_mutex;
     std::vector<Said> m_pictures;
     std::unique_ptr<XrayDevice> m_device;

@@ -5,6 +5,7 @@
 #include "device/picture.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace liena::lab {
 
@@ -62,6 +63,7 @@ bool CockpitPart::press(const std::string& name)
         return false;
     m_xray = xray != nullptr ? std::optional(xray->id) : std::nullopt;
     m_press += m_xray ? 1 : 0;
+    m_begins = m_xray.has_value();
     return true;
 }
 
@@ -74,7 +76,8 @@ void CockpitPart::repeatPedal(std::chrono::steady_clock::time_point now)
     auto message = m_system.command(*m_xray, "AcquisitionCommand");
     if (!message)
         return;
-    message.value().set("mode", 1).set("pulse_rate", 15.0).set("pedal", true).set("press", m_press);
+    const bool down = !std::exchange(m_begins, false);
+    message.value().set("mode", down ? 1 : 0).set("pulse_rate", 15.0).set("pedal", down).set("press", down ? m_press : m_press - 1);
     (void)m_system.send(*m_xray, std::move(message.value()));
 }
 

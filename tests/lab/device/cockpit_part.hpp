@@ -49,6 +49,7 @@ private:
     unsigned m_neutral = 0;         ///< commands with the pedal lifted that are still to come
     std::optional<DeviceId> m_xray; ///< whose pedal is down
     std::uint32_t m_press = 0;
+    bool m_begins = false; ///< the X-ray system has not heard yet that the pedal was up before this press
     std::chrono::steady_clock::time_point m_nextPedal;
 };
 

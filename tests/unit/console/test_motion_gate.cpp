@@ -114,11 +114,25 @@ private Q_SLOTS:
         QCOMPARE(softStart(1h), 1.0);
     }
 
+    void saysThatThePedalWasUpBeforeEachPress()
+    {
+        PedalGate gate;
+        for (const quint32 press : {5U, 6U}) { // also where the foot came up and went down again between two orders
+            const auto first = gate.compose({true, press, 15, start}, start);
+            QVERIFY(!first->pedal);
+            QCOMPARE(first->press, press - 1);
+            const auto second = gate.compose({true, press, 15, start}, start);
+            QVERIFY(second->pedal);
+            QCOMPARE(second->press, press);
+        }
+    }
+
     void repeatsThePedalWhileItIsDownAndThenStops()
     {
         PedalGate gate;
         QVERIFY(!gate.compose({false, 0, 15, start}, start));
         const PedalSnapshot down{true, 5, 15, start};
+        QVERIFY(!gate.compose(down, start)->pedal);
         for (int repeat = 0; repeat < 3; ++repeat)
             QVERIFY(gate.compose(down, start)->pedal);
         const PedalSnapshot up{false, 5, 15, start};
@@ -130,10 +144,46 @@ private Q_SLOTS:
     void exposureOfAHungScreenEndsAndStaysEnded()
     {
         PedalGate gate;
+        QVERIFY(!gate.compose({true, 5, 15, start}, start)->pedal);
         QVERIFY(gate.compose({true, 5, 15, start}, start + 200ms)->pedal);
         QVERIFY(!gate.compose({true, 5, 15, start}, start + 201ms)->pedal);
         QVERIFY(!gate.compose({true, 5, 15, start + 1s}, start + 1s)->pedal);
+        QVERIFY(!gate.compose({true, 6, 15, start + 1s}, start + 1s)->pedal);
         QVERIFY(gate.compose({true, 6, 15, start + 1s}, start + 1s)->pedal);
+    }
+
+    void aPressThatHungBeforeItBeganStaysEndedWhenItsStopIsRefused()
+    {
+        PedalGate gate;
+        gate.compose({true, 5, 15, start}, start);
+        QVERIFY(!gate.compose({true, 6, 15, start}, start + 201ms)->pedal);
+        gate.refused();
+        QVERIFY(!gate.compose({true, 6, 15, start + 1s}, start + 1s)->pedal);
+    }
+
+    void aPressThatWasHeldBeforeTheLinkOpensExposesNobody_data()
+    {
+        QTest::addColumn<int>("sent"); // orders until the link is lost
+        QTest::newRow("never open") << 0;
+        QTest::newRow("lost at the first order") << 1;
+        QTest::newRow("lost while it is repeated") << 5;
+    }
+
+    void aPressThatWasHeldBeforeTheLinkOpensExposesNobody()
+    {
+        QFETCH(int, sent);
+        PedalGate gate;
+        const PedalSnapshot held{true, 5, 15, start};
+        for (int order = 0; order < sent; ++order)
+            QVERIFY(gate.compose(held, start));
+        QVERIFY(gate.compose(held, start));
+        gate.refused();
+        for (int order = 0; order < 10; ++order) { // and now it is open again
+            const auto now = gate.compose(held, start);
+            QVERIFY(!now || !now->pedal);
+        }
+        QVERIFY(!gate.compose({true, 6, 15, start}, start)->pedal);
+        QVERIFY(gate.compose({true, 6, 15, start}, start)->pedal);
     }
 
     void newestValueCrossesThreadsWhole()

@@ -21,8 +21,10 @@ struct Rig {
     SteadyTime now = start;
     Joints goal{0.5, -0.6, 1.1, 0, 0.7, 0};
 
+    Rig() { hold(); }
+
     bool move(DeviceId origin = cockpit) { return arm.command({origin, true, goal, 1.0}, now); }
-    bool hold() { return arm.command({cockpit, false, {}, 0}, now); }
+    bool hold(DeviceId origin = cockpit) { return arm.command({origin, false, {}, 0}, now); }
 
     // One round of 5 ms: the robot's report, the cockpit's command, a step.
     void round(bool robotHolds = true, bool commanded = true)
@@ -142,6 +144,33 @@ private slots:
                 rig.round(true, false);
         rig.arm.setStandBy(false);
         rig.arm.robotReported(true, rig.now);
+        QVERIFY(!rig.move());
+        QCOMPARE(rig.arm.state(), ArmState::Hold);
+        QVERIFY(rig.hold());
+        QVERIFY(rig.move());
+    }
+
+    void streamOfBeforeTheSessionMovesNothing_data()
+    {
+        QTest::addColumn<int>("cause");
+        QTest::newRow("the arm was started anew") << 0;
+        QTest::newRow("session lost while it held") << 1;
+        QTest::newRow("stand-by while it held") << 2;
+    }
+
+    void streamOfBeforeTheSessionMovesNothing()
+    {
+        QFETCH(int, cause);
+        Rig rig;
+        if (cause == 0)
+            rig.arm = ArmMachine();
+        if (cause == 1)
+            rig.arm.sessionLost(cockpit);
+        rig.arm.setStandBy(cause == 2);
+        rig.arm.setStandBy(false);
+        rig.arm.robotReported(true, rig.now);
+        QVERIFY(!rig.move());
+        QVERIFY(rig.hold(otherCockpit)); // which says nothing of our hand
         QVERIFY(!rig.move());
         QCOMPARE(rig.arm.state(), ArmState::Hold);
         QVERIFY(rig.hold());
