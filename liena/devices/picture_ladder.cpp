@@ -88,6 +88,8 @@ double PictureLadder::load(std::size_t step) const
 bool PictureLadder::isPermitted(std::size_t step) const
 {
     const unsigned divisor = m_rungs[step].divisor;
+    if (fails(step))
+        return false;
     return divisor == 1 || m_askedRate / divisor >= leastRate;
 }
 
@@ -101,6 +103,19 @@ void PictureLadder::measured(SteadyTime now, const PictureRung& rung, std::size_
     const bool fades = cost.measured && share < cost.share && costOf(rung) == costOf(this->rung());
     cost.share += (share - cost.share) * (fades ? fading : 1);
     cost.measured = now;
+    cost.fails = false;
+}
+
+void PictureLadder::failed(SteadyTime now, const PictureRung& rung)
+{
+    Cost& cost = m_costs[costOf(rung)];
+    cost.measured = now;
+    cost.fails = true;
+}
+
+bool PictureLadder::works() const
+{
+    return std::any_of(m_costs.begin(), m_costs.end(), [](const Cost& cost) { return !cost.fails; });
 }
 
 std::optional<PictureRung> PictureLadder::toMeasure(SteadyTime now) const
@@ -108,7 +123,7 @@ std::optional<PictureRung> PictureLadder::toMeasure(SteadyTime now) const
     const std::size_t own = costOf(rung());
     for (std::size_t at = 0; at < m_costs.size(); ++at) {
         const Cost& cost = m_costs[at];
-        const bool old = !cost.measured || (at < own && now - *cost.measured > measureAgain);
+        const bool old = !cost.measured || ((at < own || cost.fails) && now - *cost.measured > measureAgain);
         if (at != own && old && cost.encoding != Encoding::Raw)
             return PictureRung{1, cost.encoding, cost.quality};
     }
@@ -119,8 +134,8 @@ bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const Pat
 {
     const std::size_t before = m_step;
     m_askedRate = askedRate;
-    while (!isPermitted(m_step))
-        --m_step; // at the lower rate that is asked for now it is the same, or less
+    if (!isPermitted(m_step))
+        leave(now);
     hear(now, viewers);
     const bool tooHeavy = m_rate && *m_rate < load(m_step) && now >= m_trialEnds;
     if (tooHeavy || m_withheld >= 2)
@@ -130,6 +145,22 @@ bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const Pat
     else if (now - m_watchBegan >= patience)
         endWatch(now);
     return m_step != before;
+}
+
+void PictureLadder::leave(SteadyTime now)
+{
+    if (!fails(m_step)) { // at the lower rate that is asked for now the next better one is the same, or less
+        m_step = above();
+        return;
+    }
+    const auto last = m_rungs.size();
+    std::size_t next = m_step + 1;
+    while (next < last && !isPermitted(next))
+        ++next;
+    m_step = next < last ? next : above();
+    m_climbed.reset(); // which says nothing of the way
+    m_trialEnds = now;
+    beginWatch(now);
 }
 
 void PictureLadder::hear(SteadyTime now, std::span<const PathReading> viewers)
@@ -189,15 +220,15 @@ std::size_t PictureLadder::lighter() const
 
 std::size_t PictureLadder::above() const
 {
-    std::size_t step = m_step;
-    while (step > 0 && !isPermitted(--step)) {
-    }
-    return step;
+    for (std::size_t step = m_step; step-- > 0;)
+        if (isPermitted(step))
+            return step;
+    return m_step;
 }
 
 bool PictureLadder::isSteady(SteadyTime now)
 {
-    if (m_step == 0 || !m_rate || *m_rate < load(above()) * leastHeadroom)
+    if (above() == m_step || !m_rate || *m_rate < load(above()) * leastHeadroom)
         m_steadySince.reset();
     else if (!m_steadySince)
         m_steadySince = now;
@@ -244,7 +275,7 @@ void PictureLadder::endWatch(SteadyTime now)
     m_trialEnds = now + trial;
 }
 
-bool PictureLadder::tellsNothing() const { return m_step > 0 && m_carriedRate && load(m_step) < *m_carriedRate * telling; }
+bool PictureLadder::tellsNothing() const { return above() < m_step && m_carriedRate && load(m_step) < *m_carriedRate * telling; }
 
 void PictureLadder::climbTo(std::size_t step, SteadyTime now)
 {

@@ -57,6 +57,9 @@ struct PathReading {
 /// Pictures that use next to nothing of the known rate do not show whether the way carries more by now, and with them it would never be
 /// known. Then the next better rung is tried for `trial` though the rate does not carry it, and that is a climb as any other.
 ///
+/// An encoding that fails is left at once, for the next lighter rung that works, and tried again each `measureAgain`, on pictures that are
+/// not sent in it.
+///
 /// Sizes are measured as pictures are encoded, assumed before. What is encoded only to be measured, toMeasure() says: each encoding once,
 /// and on a lower rung the better ones again, since the way up is judged by them. Of several viewers the worst decides. Pure: time comes
 /// from the caller.
@@ -84,6 +87,12 @@ public:
     /// What the newest picture came to in the encoding of `rung`, and what its pixels were before.
     void measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded);
 
+    /// The encoding of `rung` could not hold the newest picture: its rungs are left out until it is measured() again.
+    void failed(SteadyTime now, const PictureRung& rung);
+
+    /// Some rung is left whose encoding does not fail.
+    bool works() const;
+
     /// Whose encoding the newest picture is to be measured in, besides its own; mostly none.
     std::optional<PictureRung> toMeasure(SteadyTime now) const;
 
@@ -95,14 +104,17 @@ private:
     struct Cost {
         Encoding encoding = Encoding::Raw;
         unsigned quality = 0;
-        double share = 1; ///< of the bytes before encoding
-        std::optional<SteadyTime> measured;
+        double share = 1;                   ///< of the bytes before encoding
+        std::optional<SteadyTime> measured; ///< or found to fail
+        bool fails = false;
     };
 
     void declare(Reduction permitted);
     std::size_t costOf(const PictureRung& rung) const;
     double load(std::size_t step) const; ///< bytes per second
     bool isPermitted(std::size_t step) const;
+    bool fails(std::size_t step) const { return m_costs[costOf(m_rungs[step])].fails; }
+    void leave(SteadyTime now);
 
     void hear(SteadyTime now, std::span<const PathReading> viewers);
     void noteWithheld(SteadyTime now, std::uint64_t count);

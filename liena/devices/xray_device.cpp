@@ -81,6 +81,11 @@ void XrayDevice::withMachine(Use use)
     tellHold(holds);
 }
 
+void XrayDevice::endRun(std::string_view reason)
+{
+    withMachine([reason](XrayMachine& machine) { machine.interrupt(reason); });
+}
+
 void XrayDevice::tellBeam(bool before, bool after, std::string_view reason)
 {
     if (before == after)

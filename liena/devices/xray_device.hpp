@@ -61,16 +61,18 @@ private:
     /// the beam is on, to the others whether this device holds.
     template <typename Use>
     void withMachine(Use use);
+    void endRun(std::string_view reason);
     void tellBeam(bool before, bool after, std::string_view reason);
     void tellHold(bool holds);
 
     void takePictures();
     void takeOne(std::unique_lock<std::mutex>& lock);
     bool chooseRung();
-    void tellRung() const;
+    void tellRung();
     bool produce(const Exposure& exposure, std::uint64_t frame);
     Message compose(const Exposure& exposure, std::uint64_t frame, const EncodedPicture& pixels, Timestamp captured) const;
     bool deliver(Message message);
+    void encodingFails(const std::string& what);
     void measure(const PictureRung& rung, std::size_t unencoded);
     void complain(const std::string& what);
 
@@ -98,7 +100,8 @@ private:
     PictureLadder m_ladder;
     ViewerPaths m_paths;
     std::function<std::vector<LinkStatus>()> m_links;
-    double m_askedRate = 0; ///< for the present pulse
+    double m_askedRate = 0;        ///< for the present pulse
+    bool m_encodingFailed = false; ///< of the picture before
     Picture m_picture;
     Picture m_spare;
     std::string m_lastComplaint;

@@ -69,14 +69,15 @@ bool XrayDevice::chooseRung()
     return changed;
 }
 
-void XrayDevice::tellRung() const
+void XrayDevice::tellRung()
 {
+    const bool failed = std::exchange(m_encodingFailed, false);
     const std::string now = describe(m_ladder.rung(), m_askedRate);
     if (m_ladder.step() == 0)
         m_log(LogLevel::Info, "pictures as asked for again: " + now);
     else
         m_log(LogLevel::Warning, "pictures reduced to " + now + " (step " + std::to_string(m_ladder.step()) +
-                                     "): the way to those who look does not carry more");
+                                     (failed ? "): the encoding before failed" : "): the way to those who look does not carry more"));
 }
 
 bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
@@ -93,7 +94,7 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
     m_encoder.use(m_ladder.rung().encoding, m_ladder.rung().quality);
     const auto pixels = m_encoder.encode(m_picture);
     if (!pixels) {
-        complain(pixels.error().what);
+        encodingFails(pixels.error().what);
         return false;
     }
     m_ladder.measured(std::chrono::steady_clock::now(), m_ladder.rung(), pixels.value()->size(), unencoded);
@@ -101,6 +102,16 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
     if (other)
         measure(*other, unencoded);
     return sent;
+}
+
+// The next pulse is for another rung. Where none works, pulses would give dose and no picture: the run ends.
+void XrayDevice::encodingFails(const std::string& what)
+{
+    complain(what);
+    m_ladder.failed(std::chrono::steady_clock::now(), m_ladder.rung());
+    m_encodingFailed = m_ladder.works();
+    if (!m_ladder.works())
+        m_system.post([this] { endRun("pictures cannot be encoded"); });
 }
 
 Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const EncodedPicture& pixels, Timestamp captured) const
@@ -124,8 +135,12 @@ Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const
 void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
 {
     m_measuring.use(rung.encoding, rung.quality);
-    if (const auto pixels = m_measuring.encode(m_spare))
-        m_ladder.measured(std::chrono::steady_clock::now(), rung, pixels.value()->size(), unencoded);
+    const auto pixels = m_measuring.encode(m_spare);
+    const auto now = std::chrono::steady_clock::now();
+    if (pixels)
+        m_ladder.measured(now, rung, pixels.value()->size(), unencoded);
+    else
+        m_ladder.failed(now, rung);
 }
 
 // To those who look at pictures: the robot on the same network needs none.

@@ -17,6 +17,7 @@ constexpr std::uint16_t edge = 64;
 constexpr double askedRate = 30;
 constexpr double rawLoad = edge * edge * 2 * askedRate;
 constexpr int patience = 30000;
+constexpr unsigned impossible = 300; ///< of JPEG-LS, which has no more than 255
 
 /// Grey ramps of 12 bits.
 class Ramp : public ImageSource {
@@ -60,9 +61,12 @@ Said said(const Message& message)
 /// An X-ray system, and a cockpit that holds the pedal and keeps what it is told.
 class Theatre {
 public:
-    explicit Theatre(Reduction reduction)
+    explicit Theatre(Reduction reduction, Encoding encoding = Encoding::Raw, unsigned quality = 0)
         : m_files({reference::cockpit, reference::xray}, {"cockpit xray"}),
-          m_xray(m_files.settingsOf("xray"), [this, reduction](DistributedSystem& system) { build(system, reduction); }),
+          m_xray(m_files.settingsOf("xray"),
+                 [this, reduction, encoding, quality](DistributedSystem& system) {
+                     build(system, {std::make_unique<Ramp>(), encoding, quality, reduction, {}});
+                 }),
           m_cockpit(m_files.settingsOf("cockpit"), [this](DistributedSystem& system) { watch(system); })
     {
         (void)m_cockpit->openChannel(m_files.idOf("xray"));
@@ -89,13 +93,18 @@ public:
         return m_pictures.empty() ? std::nullopt : std::optional(m_pictures.back().rung);
     }
 
+    bool logged(std::string_view text) const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_log.find(text) != std::string::npos;
+    }
+
     double statedPulseRate() const { return m_pulseRate; }
     std::string story() const { return m_cockpit.story() + m_xray.story(); }
 
 private:
-    void build(DistributedSystem& system, Reduction reduction)
+    void build(DistributedSystem& system, XrayOptions options)
     {
-        XrayOptions options{std::make_unique<Ramp>(), Encoding::Raw, 0, reduction, {}};
         options.links = [this, &system] {
             auto links = system.links();
             const double rate = m_rate;
@@ -106,7 +115,10 @@ private:
             }
             return links;
         };
-        m_device = std::move(XrayDevice::create(system, std::move(options), [](const LogLine&) {}).value());
+        m_device = std::move(XrayDevice::create(system, std::move(options), [this](const LogLine& line) {
+                                 const std::lock_guard lock(m_mutex);
+                                 m_log.append(line.text) += '\n';
+                             }).value());
     }
 
     void watch(DistributedSystem& system)
@@ -133,6 +145,7 @@ private:
     std::uint32_t m_press = 1;
     mutable std::mutex m_mutex;
     std::vector<Said> m_pictures;
+    std::string m_log;
     std::unique_ptr<XrayDevice> m_device;
     TestDevice m_xray;
     TestDevice m_cockpit;
@@ -197,6 +210,22 @@ private slots:
             QVERIFY(picture.encoding != Encoding::Jpeg && encodingOf(picture) != Encoding::Jpeg);
             QCOMPARE(picture.quality, 0U);
         }
+    }
+
+    void leavesAnEncodingThatFails()
+    {
+        Theatre theatre(Reduction::Lossy, Encoding::JpegLs, impossible);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.pictures().size() >= 20, theatre.story().c_str(), patience);
+        for (const Said& picture : theatre.pictures())
+            QVERIFY(picture.rung >= 2 && picture.encoding == Encoding::Jpeg && encodingOf(picture) == Encoding::Jpeg);
+        QVERIFY(theatre.logged("the encoding before failed"));
+    }
+
+    void endsTheRunWhereNoEncodingWorks()
+    {
+        Theatre theatre(Reduction::None, Encoding::JpegLs, impossible);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be encoded"), theatre.story().c_str(), patience);
+        QVERIFY(theatre.pictures().empty());
     }
 
     void staysAsAskedWithoutPermissionToReduce()

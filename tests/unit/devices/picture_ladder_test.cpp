@@ -65,6 +65,49 @@ private slots:
         QCOMPARE(PictureLadder(Encoding::Raw, 0, Reduction::None).rungs().size(), std::size_t(1));
     }
 
+    void leavesOutAnEncodingThatFails()
+    {
+        Hand hand;
+        hand.ladder.failed(hand.now, {1, Encoding::JpegLs, 0});
+        QVERIFY(hand.see({{0.6e6, 0}})); // lossless at half the rate is assumed to need 0.45 MB/s
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossy 90"));
+        hand.ladder.failed(hand.now, hand.ladder.rung());
+        QVERIFY(hand.see({}));
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossy 75"));
+        QVERIFY(hand.ladder.works());
+    }
+
+    void triesAnEncodingThatFailedAgain()
+    {
+        Hand hand(PictureLadder(Encoding::JpegLs, 0, Reduction::Lossy));
+        const PictureRung asked = hand.ladder.rung();
+        for (const unsigned quality : {90U, 75U, 50U})
+            hand.ladder.measured(hand.now, {1, Encoding::Jpeg, quality}, 10'000, 100'000);
+        hand.ladder.failed(hand.now, asked);
+        QVERIFY(hand.see({{1e9, 0}}));
+        QCOMPARE(hand.ladder.step(), std::size_t(2));
+        QVERIFY(!hand.ladder.toMeasure(hand.now));
+        for (int count = 0; count < 60; ++count)
+            QVERIFY(!hand.see({{1e9, 0}})); // however much the way carries
+        QVERIFY(hand.ladder.toMeasure(hand.now) == asked);
+        hand.ladder.measured(hand.now, asked, 60'000, 100'000);
+        for (int count = 0; count < 20; ++count)
+            hand.see({{1e9, 0}});
+        QCOMPARE(hand.ladder.step(), std::size_t(0));
+    }
+
+    void staysWhereNoEncodingWorks()
+    {
+        Hand hand(PictureLadder(Encoding::JpegLs, 200, Reduction::Lossless));
+        hand.ladder.failed(hand.now, hand.ladder.rung());
+        QVERIFY(!hand.ladder.works());
+        for (int count = 0; count < 60; ++count)
+            hand.see({{count < 30 ? 1.0 : 1e9, 0}});
+        QCOMPARE(hand.ladder.step(), std::size_t(0));
+        hand.ladder.measured(hand.now, hand.ladder.rung(), 60'000, 100'000);
+        QVERIFY(hand.ladder.works());
+    }
+
     void goesDownAtOnceWhenKnownRateSaysSo()
     {
         Hand hand;
