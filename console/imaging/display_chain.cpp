@@ -49,6 +49,13 @@ Duration periodBetween(const XrayFrame& before, const XrayFrame& now)
     return std::max(announced, Duration(static_cast<Duration::rep>(now.captureNs - before.captureNs)));
 }
 
+/// A stored value stands for the same in both. The ladder of an X-ray system changes the depth within a run.
+bool hasSameValues(const XrayFrame& before, const XrayFrame& now)
+{
+    return before.acquisition == now.acquisition && before.source == now.source && before.bitsStored == now.bitsStored &&
+           before.intensity == now.intensity && before.photometric == now.photometric;
+}
+
 } // namespace
 
 QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture)
@@ -63,7 +70,7 @@ QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& set
     picture.about.pixels = {};
     picture.treatment = {};
     const bool goesOn = continues(frame);
-    if (!m_last || m_last->about.acquisition != frame.acquisition)
+    if (!m_last || !hasSameValues(m_last->about, frame))
         m_autoWindow.reset();
     m_automatic.reset();
     if (!goesOn) {
@@ -88,11 +95,10 @@ bool DisplayChain::continues(const XrayFrame& frame) const
         return false;
     const XrayFrame& before = m_last->about;
     const double brightness = brightnessOf(m_stored);
-    return before.acquisition == frame.acquisition && sameProjection(before.geometry, frame.geometry, resting) &&
+    return hasSameValues(before, frame) && sameProjection(before.geometry, frame.geometry, resting) &&
            before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
-           before.bitsStored == frame.bitsStored && before.intensity == frame.intensity && before.photometric == frame.photometric &&
-           before.mask == frame.mask && before.source == frame.source && frame.captureNs >= before.captureNs &&
-           periodBetween(before, frame) <= longestGap && std::abs(brightness - m_brightness) <= gainStep * std::max(m_brightness, 1.0);
+           before.mask == frame.mask && frame.captureNs >= before.captureNs && periodBetween(before, frame) <= longestGap &&
+           std::abs(brightness - m_brightness) <= gainStep * std::max(m_brightness, 1.0);
 }
 
 // It rises at once, since the latency must not wait, and falls slowly, since noise that comes and goes looks like something.

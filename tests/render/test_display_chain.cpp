@@ -1,25 +1,17 @@
 // Tests of the display chain as a whole: order, exactness without filters, when the filter begins anew, and how late it may be.
-#include "imaging/display_chain.hpp"
-#include "sample_frames.hpp"
+#include "chain_run.hpp"
 
 #include <QtTest>
 
 using namespace console;
 using namespace std::chrono_literals;
+using samples::flatFrame;
+using samples::rampFrame;
+using Run = samples::ChainRun;
 
 namespace {
 
-constexpr QSize size(64, 48);
-constexpr Duration plenty = 10s;
-
-// Every pixel the same; 15 pictures a second.
-std::shared_ptr<XrayFrame> flatFrame(quint32 number, std::uint16_t value, int bits = 12)
-{
-    auto frame = samples::frame(number, size, bits, PixelEncoding::Raw);
-    const std::vector<std::uint16_t> values(static_cast<std::size_t>(size.width() * size.height()), value);
-    frame->rate = 15;
-    return samples::withBytes(*frame, samples::encode(values, size, bits, PixelEncoding::Raw, 0));
-}
+constexpr QSize size = samples::chainSize;
 
 DisplaySettings filtered(int strength)
 {
@@ -27,18 +19,6 @@ DisplaySettings filtered(int strength)
     settings.noiseReduction = strength;
     return settings;
 }
-
-struct Run {
-    DisplayPicture show(const XrayFrame& frame, const DisplaySettings& settings, Duration room = plenty)
-    {
-        DisplayPicture picture;
-        refusal = chain.process(frame, settings, room, picture);
-        return picture;
-    }
-
-    DisplayChain chain;
-    QString refusal;
-};
 
 } // namespace
 
@@ -129,23 +109,9 @@ void TestDisplayChain::keepsWindowByHandWhenPicturesHaveFewerBits()
     settings.window = WindowChoice::Fixed;
     settings.fixed = {1900, 600};
     settings.fixedOn = {12, {2048, 2000}};
-    // From the dark to the bright end of what is sent, along each row.
-    const auto ramp = [](quint32 number, int bits, auto stored) {
-        auto frame = samples::frame(number, size, bits, PixelEncoding::Raw);
-        std::vector<std::uint16_t> values;
-        for (int i = 0; i < size.width() * size.height(); ++i)
-            values.push_back(static_cast<std::uint16_t>(std::lround(stored(1048 + 2000.0 * (i % size.width()) / size.width()))));
-        return samples::withBytes(*frame, samples::encode(values, size, bits, PixelEncoding::Raw, 0));
-    };
-    auto before = ramp(1, 12, [](double value) { return value; });
-    before->windowCentre = 2048;
-    before->windowWidth = 2000;
-    auto after = ramp(2, 8, [](double value) { return (value - 1048) / 2000 * 255; });
-    after->windowCentre = 128;
-    after->windowWidth = 256;
     Run run;
-    const QImage was = run.show(*before, settings).image;
-    const QImage is = run.show(*after, settings).image;
+    const QImage was = run.show(*rampFrame(1, 12), settings).image;
+    const QImage is = run.show(*rampFrame(2, 8), settings).image;
     for (int column = 0; column < size.width(); ++column) {
         const int difference = qGray(was.pixel(column, 3)) - qGray(is.pixel(column, 3));
         QVERIFY2(std::abs(difference) <= 4, qPrintable(QString::number(difference))); // a step of eight bits is 3.3 of the window
