@@ -176,12 +176,8 @@ void CockpitControl::expectPictures(Instant now)
 {
     const auto& xray = m_models.xray;
     const auto state = m_link.xray() ? m_models.sessions.state(*m_link.xray()) : LinkState::Closed;
-    const bool up = carriesMessages(state);
-    m_models.picture.setLinkUp(up);
-    const bool broken = !up && state != LinkState::Closed; // nobody can report that the beam is off
-    const bool beam = xray.beamOn() && (xray.fresh(now) || broken);
-    const double rate = beam && xray.status().value.pulseRate > 0 ? xray.status().value.pulseRate : xray.requestedRate();
-    m_models.picture.expect(xray.pedalDown() || beam ? rate : 0, now);
+    m_models.picture.setLinkUp(carriesMessages(state));
+    m_models.picture.expect(picturesDue(xray, state), now);
     m_link.setPedal({xray.pedalDown(), m_press, xray.requestedRate(), now});
 }
 

@@ -143,6 +143,15 @@ void XraySystemState::setPedal(bool down)
 
 void XraySystemState::setRequestedRate(double pulsesPerSecond) { m_requestedRate = std::clamp(pulsesPerSecond, 1.0, 30.0); }
 
+double picturesDue(const XraySystemState& xray, LinkState link)
+{
+    const bool beam = xray.beamOn() && link != LinkState::Closed;
+    if (!beam && !xray.pedalDown())
+        return 0;
+    const double reported = xray.status().value.pulseRate;
+    return beam && reported > 0 ? reported : xray.requestedRate();
+}
+
 ArmState::ArmState(QObject* parent) : QObject(parent) {}
 
 void ArmState::receive(const ArmStatus& status, Instant at)

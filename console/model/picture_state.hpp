@@ -111,7 +111,7 @@ public:
     /// Pictures should come now (beam on, pedal down, link open), so many a second; 0: nothing is expected.
     void expect(double perSecond, Instant now);
 
-    /// The link to the X-ray system does not carry pictures: what is shown is frozen whatever is expected.
+    /// The link to the X-ray system does not carry pictures: what should be live is frozen, however young.
     void setLinkUp(bool up);
 
     /// What the newest picture leaves of the limit for a temporal filter's delay and for the time that the picture will stand on the

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/aged.hpp"
+#include "model/link_state.hpp"
 
 #include <QObject>
 #include <QString>
@@ -90,5 +91,9 @@ private:
     bool m_pedal = false;
     double m_requestedRate = 15;
 };
+
+/// How many pictures should come each second; 0: none. They are due while the pedal is down here, and while the beam is on for all that is
+/// known: what was reported as on is so until it is reported as off, or its link is closed in order. No report that is late ends a run.
+double picturesDue(const XraySystemState& xray, LinkState link);
 
 } // namespace console
