@@ -49,6 +49,7 @@ private:
     int m_untilNextNoise = 0;
     double m_brightness = 0;
     double m_k = 1;
+    Duration m_delay{}; ///< of the last picture, by the filter
     TemporalFilter m_temporal;
     EdgeEnhancement m_edge;
     MultiScaleEnhancement m_multiScale;

@@ -53,18 +53,17 @@ double kOfStrength(int percent) { return 1 - strongest * std::clamp(percent, 0, 
 
 double strengthOfK(double k) { return std::clamp((1 - k) / strongest, 0.0, 1.0) * 100; }
 
-Duration filterDelay(double k, Duration framePeriod)
+Duration filterDelay(double k, Duration before, Duration framePeriod)
 {
-    if (!(k > 0) || k >= 1)
-        return Duration::zero();
-    return Duration(static_cast<Duration::rep>((1 - k) / k * static_cast<double>(framePeriod.count())));
+    const double share = std::clamp(1 - k, 0.0, 1.0);
+    return Duration(static_cast<Duration::rep>(share * static_cast<double>((before + framePeriod).count())));
 }
 
-double leastK(Duration room, Duration framePeriod)
+double leastK(Duration room, Duration before, Duration framePeriod)
 {
     if (room <= Duration::zero() || framePeriod <= Duration::zero())
         return 1;
-    return 1 / (1 + static_cast<double>(room.count()) / static_cast<double>(framePeriod.count()));
+    return std::max(1 - static_cast<double>(room.count()) / static_cast<double>((before + framePeriod).count()), 0.0);
 }
 
 double varianceShare(double k) { return k > 0 && k < 1 ? k / (2 - k) : 1; }

@@ -35,11 +35,12 @@ private:
 double kOfStrength(int percent);
 double strengthOfK(double k);
 
-/// How much later a slow movement appears: (1 − K)/K frames.
-Duration filterDelay(double k, Duration framePeriod);
+/// How much later a slow movement appears, when in the picture before, a period ago, it was `before` late: (1 − K)(before + period). Where
+/// K has stood for long, (1 − K)/K periods.
+Duration filterDelay(double k, Duration before, Duration framePeriod);
 
 /// The least K whose delay stays within `room`; 1 when there is none.
-double leastK(Duration room, Duration framePeriod);
+double leastK(Duration room, Duration before, Duration framePeriod);
 
 /// What is left of the noise's variance in still parts.
 double varianceShare(double k);

@@ -35,6 +35,8 @@ private Q_SLOTS:
     void losesNothingInTheFilters();
     void tellsDelayOfFilter();
     void keepsDelayWithinRoom();
+    void tellsWholeDelayWhileFilterWeakens_data();
+    void tellsWholeDelayWhileFilterWeakens();
     void weakensFilterAtOnceAndStrengthensItSlowly();
     void beginsFilterAnew_data();
     void beginsFilterAnew();
@@ -202,6 +204,34 @@ void TestDisplayChain::keepsDelayWithinRoom()
     // Every second picture only: the same delay is half as many frames.
     for (quint32 number = 62; number < 120; number += 2)
         QVERIFY(run.show(*flatFrame(number, 1000), filtered(100), 90ms).treatment.filterDelay <= 90ms + 1us);
+}
+
+void TestDisplayChain::tellsWholeDelayWhileFilterWeakens_data()
+{
+    QTest::addColumn<int>("strength");
+    QTest::addColumn<int>("roomMs");
+    QTest::newRow("a person weakens it") << 40 << 10'000;
+    QTest::newRow("the room shrinks") << 100 << 95;
+}
+
+/// The picture that is mixed in is as late as it was, whatever K is now.
+void TestDisplayChain::tellsWholeDelayWhileFilterWeakens()
+{
+    QFETCH(int, strength);
+    QFETCH(int, roomMs);
+    const double period = 1000.0 / 15;
+    Run run;
+    double before = 0;
+    for (quint32 number = 1; number <= 40; ++number)
+        before = milliseconds(run.show(*flatFrame(number, 1000), filtered(100)).treatment.filterDelay);
+    for (quint32 number = 41; number <= 44; ++number) {
+        const auto treatment = run.show(*flatFrame(number, 1000), filtered(strength), std::chrono::milliseconds(roomMs)).treatment;
+        const double delay = milliseconds(treatment.filterDelay);
+        QVERIFY(treatment.k > 0.5 && treatment.k < 1);
+        QVERIFY2(std::abs(delay - (1 - treatment.k) * (before + period)) < 1, qPrintable(QString::number(delay)));
+        QVERIFY2(delay <= roomMs - period + 1, qPrintable(QString::number(delay)));
+        before = delay;
+    }
 }
 
 void TestDisplayChain::weakensFilterAtOnceAndStrengthensItSlowly()

@@ -11,6 +11,15 @@ namespace {
 
 constexpr double sigma2 = 100;
 
+/// Where K has stood for long.
+Duration settledDelay(double k, Duration period)
+{
+    Duration delay{};
+    for (int frame = 0; frame < 100; ++frame)
+        delay = filterDelay(k, delay, period);
+    return delay;
+}
+
 cv::Mat flat(unsigned seed)
 {
     return samples::noisyPicture(
@@ -26,6 +35,7 @@ private Q_SLOTS:
     void reducesNoiseAsTheFormulaSays();
     void letsMovementThroughAtOnce();
     void followsSlowRampWithTheDelayThatIsReported();
+    void followsSlowRampWithTheDelayThatIsReportedWhileKChanges();
     void startsAnewAfterReset();
     void startsAnewForAnotherSize();
     void changesNothingAtK1();
@@ -96,7 +106,23 @@ void TestTemporalFilter::followsSlowRampWithTheDelayThatIsReported()
     }
     const double lag = 59 - static_cast<double>(picture.at<float>(2, 2));
     QVERIFY(std::abs(lag - 3) < 0.01);
-    QCOMPARE(filterDelay(k, 100ms), Duration(300ms));
+    QVERIFY(std::abs(milliseconds(settledDelay(k, 100ms)) - 300) < 0.001);
+}
+
+/// A K that rises rids the picture at once of a part of what is late only.
+void TestTemporalFilter::followsSlowRampWithTheDelayThatIsReportedWhileKChanges()
+{
+    TemporalFilter filter;
+    Duration delay{};
+    cv::Mat picture;
+    for (int frame = 0; frame < 40; ++frame) {
+        const double k = frame < 20 ? 0.25 : frame < 30 ? 0.7 : 0.4;
+        picture = cv::Mat(4, 4, CV_32FC1, cv::Scalar(frame));
+        filter.apply(picture, k, {0, 1e9});
+        delay = frame > 0 ? filterDelay(k, delay, 100ms) : Duration::zero();
+        const double lag = frame - static_cast<double>(picture.at<float>(2, 2));
+        QVERIFY2(std::abs(milliseconds(delay) - 100 * lag) < 0.5, qPrintable(QString::number(frame)));
+    }
 }
 
 void TestTemporalFilter::startsAnewAfterReset()
@@ -149,20 +175,22 @@ void TestTemporalFilter::tellsDelays()
     QFETCH(double, k);
     QFETCH(int, atFifteen);
     QFETCH(int, atSevenAndAHalf);
-    QCOMPARE(static_cast<int>(std::lround(milliseconds(filterDelay(k, fromMilliseconds(1000.0 / 15))))), atFifteen);
-    QCOMPARE(static_cast<int>(std::lround(milliseconds(filterDelay(k, fromMilliseconds(1000.0 / 7.5))))), atSevenAndAHalf);
+    QCOMPARE(static_cast<int>(std::lround(milliseconds(settledDelay(k, fromMilliseconds(1000.0 / 15))))), atFifteen);
+    QCOMPARE(static_cast<int>(std::lround(milliseconds(settledDelay(k, fromMilliseconds(1000.0 / 7.5))))), atSevenAndAHalf);
 }
 
 void TestTemporalFilter::keepsDelayWithinRoom()
 {
-    for (const auto room : {10ms, 67ms, 150ms, 400ms}) {
-        const double k = leastK(room, 66ms);
-        QVERIFY(k > 0 && k < 1);
-        QVERIFY(std::abs(milliseconds(filterDelay(k, 66ms)) - milliseconds(room)) < 0.01);
-    }
-    QCOMPARE(leastK(0ms, 66ms), 1.0);
-    QCOMPARE(leastK(-5ms, 66ms), 1.0);
-    QCOMPARE(leastK(50ms, 0ms), 1.0);
+    for (const auto before : {0ms, 200ms})
+        for (const auto room : {10ms, 50ms, 65ms}) {
+            const double k = leastK(room, before, 66ms);
+            QVERIFY(k > 0 && k < 1);
+            QVERIFY(std::abs(milliseconds(filterDelay(k, before, 66ms)) - milliseconds(room)) < 0.01);
+        }
+    QCOMPARE(leastK(300ms, 200ms, 66ms), 0.0); // there is room for more than can be
+    QCOMPARE(leastK(0ms, 10ms, 66ms), 1.0);
+    QCOMPARE(leastK(-5ms, 10ms, 66ms), 1.0);
+    QCOMPARE(leastK(50ms, 10ms, 0ms), 1.0);
     QCOMPARE(kOfStrength(0), 1.0);
     QCOMPARE(kOfStrength(100), 0.25);
     QCOMPARE(kOfStrength(1000), 0.25);
