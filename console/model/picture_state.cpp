@@ -142,10 +142,12 @@ void PictureState::notePainted(const PictureStamp& stamp)
         return;
     const auto taken = earliest(stamp);
     const bool young = taken && stamp.painted - *taken <= limit();
-    const bool gap = !m_newest || stamp.painted - m_newest->painted > limit() || m_newest->acquisition != stamp.acquisition;
+    const auto before = shownAtEarliest(); // where that passed the limit, the picture was frozen until now
+    const bool gap =
+        !m_newest || stamp.painted - before.value_or(m_newest->painted) > limit() || m_newest->acquisition != stamp.acquisition;
     if (gap || !young)
         m_liveSince = stamp.painted;
-    const PictureReduction before = m_newest ? m_newest->reduction : PictureReduction();
+    const PictureReduction reductionBefore = m_newest ? m_newest->reduction : PictureReduction();
     const double rateBefore = expectedRate();
     m_newest = stamp;
     noteRate(rateBefore, stamp.painted);
@@ -155,7 +157,7 @@ void PictureState::notePainted(const PictureStamp& stamp)
     while (m_paints.front() < stamp.painted - 2 * rateWindow)
         m_paints.pop_front();
     Q_EMIT painted(stamp.frame);
-    if (before != stamp.reduction)
+    if (reductionBefore != stamp.reduction)
         Q_EMIT reductionChanged(stamp.reduction);
 }
 

@@ -1,4 +1,4 @@
-// A run of pictures: whether any are due, and what stands there when none are.
+// A run of pictures: whether any are due, what stands there when none are, and for how long they were live.
 #include "model/picture_state.hpp"
 #include "model/xray_state.hpp"
 
@@ -93,6 +93,34 @@ private Q_SLOTS:
         state.expect(0, start + 66ms);
         state.setLinkUp(false);
         QCOMPARE(state.reading(start + 5s).condition, PictureCondition::Held);
+    }
+
+    void aPictureThatIsFrozenBeforeEachNextOneIsLiveForNoTime_data()
+    {
+        QTest::addColumn<int>("ageMs");
+        QTest::addColumn<bool>("isUnbroken");
+        QTest::newRow("never frozen") << 117 << true; // 117 + 133 is the limit
+        QTest::newRow("frozen for 8 ms of 133") << 125 << false;
+        QTest::newRow("frozen for most of the time") << 200 << false;
+    }
+
+    /// The limit is passed between two pictures, though neither is too old when it is painted.
+    void aPictureThatIsFrozenBeforeEachNextOneIsLiveForNoTime()
+    {
+        QFETCH(int, ageMs);
+        QFETCH(bool, isUnbroken);
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(7.5, start);
+        auto at = start;
+        for (quint32 frame = 1; at <= start + 3s; ++frame, at += 133ms) {
+            state.notePainted(stamp(frame, at, std::chrono::milliseconds(ageMs)));
+            QCOMPARE(state.reading(at).condition, PictureCondition::Live);
+            QCOMPARE(state.reading(at + 132ms).condition == PictureCondition::Live, ageMs + 132 <= 250);
+        }
+        const auto last = at - 133ms;
+        QVERIFY(state.reading(last).atRate);
+        QCOMPARE(state.reading(last).liveFor, isUnbroken ? Duration(last - start) : Duration::zero());
     }
 };
 
