@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace console {
 
@@ -56,6 +57,12 @@ bool hasSameValues(const XrayFrame& before, const XrayFrame& now)
            before.intensity == now.intensity && before.photometric == now.photometric;
 }
 
+/// Taken after the other, and so soon that what is seen goes on.
+bool comesNext(const XrayFrame& before, const XrayFrame& now)
+{
+    return now.captureNs >= before.captureNs && periodBetween(before, now) <= longestGap;
+}
+
 } // namespace
 
 QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture)
@@ -70,7 +77,8 @@ QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& set
     picture.about.pixels = {};
     picture.treatment = {};
     const bool goesOn = continues(frame);
-    if (!m_last || !hasSameValues(m_last->about, frame))
+    // Its edges go on from those of the picture before only where a person saw that one in them.
+    if (!m_automatic || !hasSameValues(m_last->about, frame) || !comesNext(m_last->about, frame))
         m_autoWindow.reset();
     m_automatic.reset();
     if (!goesOn) {
@@ -97,7 +105,7 @@ bool DisplayChain::continues(const XrayFrame& frame) const
     const double brightness = brightnessOf(m_stored);
     return hasSameValues(before, frame) && sameProjection(before.geometry, frame.geometry, resting) &&
            before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
-           before.mask == frame.mask && frame.captureNs >= before.captureNs && periodBetween(before, frame) <= longestGap &&
+           before.mask == frame.mask && comesNext(before, frame) &&
            std::abs(brightness - m_brightness) <= gainStep * std::max(m_brightness, 1.0);
 }
 
@@ -169,10 +177,14 @@ const cv::Mat& DisplayChain::enhanced(const DisplaySettings& settings, DisplayPi
     return m_quantised;
 }
 
-GreyWindow DisplayChain::automaticWindow(const Shutter& shutter)
+GreyWindow DisplayChain::automaticWindow(ShutterShape shape)
 {
+    if (std::exchange(m_automaticShutter, shape) != shape) {
+        m_autoWindow.reset();
+        m_automatic.reset();
+    }
     if (!m_automatic)
-        m_automatic = m_autoWindow.next(m_stored, shutter);
+        m_automatic = m_autoWindow.next(m_stored, Shutter(shape, {m_stored.cols, m_stored.rows}));
     return *m_automatic;
 }
 
@@ -200,7 +212,7 @@ GreyWindow DisplayChain::chosenWindow(const DisplaySettings& settings, bool& isA
         break;
     }
     isAutomatic = true;
-    return automaticWindow(shutter);
+    return automaticWindow(settings.shutter);
 }
 
 bool DisplayChain::draw(const DisplaySettings& settings, DisplayPicture& picture)

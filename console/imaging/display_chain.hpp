@@ -37,7 +37,7 @@ private:
     bool continues(const XrayFrame& frame) const;
     double chosenK(int strength, Duration room, Duration period);
     GreyWindow chosenWindow(const DisplaySettings& settings, bool& isAutomatic);
-    GreyWindow automaticWindow(const Shutter& shutter);
+    GreyWindow automaticWindow(ShutterShape shape);
 
     cv::Mat m_incoming;  ///< what a refused frame leaves behind is never shown
     cv::Mat m_stored;    ///< as sent
@@ -55,7 +55,8 @@ private:
     MultiScaleEnhancement m_multiScale;
     WindowLevelTable m_table;
     AutoWindow m_autoWindow;
-    std::optional<GreyWindow> m_automatic; ///< of the present picture
+    std::optional<GreyWindow> m_automatic;                ///< of the present picture, once it was shown so
+    ShutterShape m_automaticShutter = ShutterShape::None; ///< inside which that is
     ImagePool m_pool;
     std::optional<DisplayPicture> m_last;     ///< without its image
     std::optional<DisplayPicture> m_previous; ///< the one before it
