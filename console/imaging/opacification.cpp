@@ -93,10 +93,11 @@ QImage vesselLayer(const Roadmap& roadmap)
 
 bool Opacification::endsWith(const XrayFrame& frame) const
 {
-    return m_count > 0 &&
-           (m_first.acquisition != frame.acquisition || m_first.rows != frame.rows || m_first.columns != frame.columns ||
-            m_first.bitsStored != frame.bitsStored || m_first.photometric != frame.photometric || m_first.intensity != frame.intensity ||
-            m_first.imagerPixelSpacing != frame.imagerPixelSpacing || !sameProjection(m_first.geometry, frame.geometry));
+    // An X-ray system that was started anew counts its runs and pictures from the first again.
+    return m_count > 0 && (m_first.acquisition != frame.acquisition || frame.frame <= m_lastFrame || m_first.source != frame.source ||
+                           m_first.rows != frame.rows || m_first.columns != frame.columns || m_first.bitsStored != frame.bitsStored ||
+                           m_first.photometric != frame.photometric || m_first.intensity != frame.intensity ||
+                           m_first.imagerPixelSpacing != frame.imagerPixelSpacing || !sameProjection(m_first.geometry, frame.geometry));
 }
 
 Opacification Opacification::copy() const
@@ -123,6 +124,7 @@ void Opacification::take(const cv::Mat& stored, const XrayFrame& frame)
     cv::resize(stored, small, coarser(stored.size(), vesselEdge), 0, 0, cv::INTER_AREA);
     small.convertTo(m_coarse, CV_32F);
     m_lastNs = frame.captureNs;
+    m_lastFrame = frame.frame;
     ++m_count;
     if (m_count <= maskPictures) {
         if (m_count == 1)

@@ -52,6 +52,7 @@ private:
 
     XrayFrame m_first; ///< without pixels
     quint64 m_lastNs = 0;
+    quint32 m_lastFrame = 0;
     int m_count = 0;
     cv::Mat m_coarse; ///< CV_32FC1, the newest
     cv::Mat m_mask;   ///< sum of the first

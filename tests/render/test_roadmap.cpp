@@ -82,6 +82,8 @@ private Q_SLOTS:
     void nothingIsSeenBehindABlade();
     void aRunThatIsTooShortIsNone();
     void anotherProjectionBeginsAnew();
+    void runsThatShareOnlyTheirNumberAreTwo();
+    void anotherSourceBeginsAnew();
     void thePatientsMovementIsMeasured();
     void aPatientWhoLiesStillHasNotMovedHoweverOftenOneLooks();
     void noiseHasNotMoved();
@@ -165,6 +167,31 @@ void TestRoadmap::anotherProjectionBeginsAnew()
     QVERIFY(run.endsWith(turned));
     run.take(picture(5, {}), turned);
     QVERIFY(!run.roadmap());
+}
+
+/// The X-ray system was started anew between them, and counts from the first again. What stands elsewhere since is no vessel.
+void TestRoadmap::runsThatShareOnlyTheirNumberAreTwo()
+{
+    RoadmapMaker maker;
+    takeRun(maker, {}, 0);
+    Scene wire;
+    wire.contrast = 1; // from the first picture on: nothing becomes darker in this run
+    for (quint32 number = 1; number <= 20; ++number) {
+        auto later = frame(100 + number, wire);
+        later.captureNs += 60'000'000'000ULL;
+        maker.take(picture(5000 + number, wire), later);
+    }
+    QVERIFY(!maker.make());
+}
+
+void TestRoadmap::anotherSourceBeginsAnew()
+{
+    Opacification run;
+    takeRun(run, {}, 1);
+    auto recorded = frame(200, {});
+    QVERIFY(!run.endsWith(recorded));
+    recorded.source = PictureSource::Live;
+    QVERIFY(run.endsWith(recorded));
 }
 
 void TestRoadmap::thePatientsMovementIsMeasured()
