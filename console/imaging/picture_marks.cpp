@@ -22,12 +22,13 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::PictureMarks)
 };
 
-// What the filter does and not only what was asked of it: it may be bounded by the latency, or just have begun.
+// What the filter does and not only what was asked of it: it may be bounded by the latency, or just have begun. Of a picture that stands it
+// cannot be weakened.
 QString noiseWords(int asked, const PictureTreatment& treatment)
 {
     const long present = std::lround(strengthOfK(treatment.k));
     if (present >= asked)
-        return Text::tr("noise %1 %").arg(asked);
+        return Text::tr("noise %1 %").arg(present);
     return treatment.filterIsBounded ? Text::tr("noise %1 of %2 %, for latency").arg(present).arg(asked)
                                      : Text::tr("noise %1 of %2 %").arg(present).arg(asked);
 }

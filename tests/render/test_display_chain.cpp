@@ -1,5 +1,6 @@
 // Tests of the display chain as a whole: order, exactness without filters, when the filter begins anew, and how late it may be.
 #include "chain_run.hpp"
+#include "imaging/picture_marks.hpp"
 
 #include <QtTest>
 
@@ -312,6 +313,11 @@ void TestDisplayChain::takesFilterAwayAndNeverPretendsIt()
     QVERIFY(run.chain.redraw({}, redrawn));
     QCOMPARE(redrawn.treatment.k, 1.0);
     QCOMPARE(qGray(redrawn.image.pixel(3, 3)), samples::linearGrey(1040, 2048, 4096));
+    QVERIFY(run.chain.redraw(filtered(10), redrawn)); // it cannot be weakened any more
+    QCOMPARE(redrawn.treatment.k, shown.treatment.k);
+    const long strength = std::lround(strengthOfK(shown.treatment.k));
+    QVERIFY(strength > 10);
+    QVERIFY2(treatmentLine(redrawn).contains(QStringLiteral("noise %1 %").arg(strength)), qPrintable(treatmentLine(redrawn)));
     Run other;
     other.show(*flatFrame(1, 1000), {});
     QVERIFY(other.chain.redraw(filtered(60), redrawn));
