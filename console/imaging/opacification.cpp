@@ -175,6 +175,8 @@ std::optional<QPointF> Opacification::displacement(const Roadmap& roadmap) const
 {
     if (m_count == 0 || m_first.rows != roadmap.about.rows || m_first.columns != roadmap.about.columns)
         return std::nullopt;
+    if (roadmap.background.rows < 2 || roadmap.background.cols < 2)
+        return std::nullopt; // OpenCV has no window for a single row, and throws
     const cv::Mat now = detail(attenuation(m_coarse, m_first), roadmap.background.size());
     cv::Mat window;
     cv::createHanningWindow(window, now.size(), CV_32F);

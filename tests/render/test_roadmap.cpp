@@ -87,6 +87,7 @@ private Q_SLOTS:
     void thePatientsMovementIsMeasured();
     void aPatientWhoLiesStillHasNotMovedHoweverOftenOneLooks();
     void noiseHasNotMoved();
+    void aPictureOfFewRowsTellsNoMovement();
     void theLastRunWithContrastCounts();
     void whatIsForgottenServesNoMore();
     void comparesOnlyWhatIsWatched();
@@ -238,6 +239,26 @@ void TestRoadmap::noiseHasNotMoved()
     Opacification now;
     now.take(stored, frame(500, {}, 2));
     QVERIFY(!now.displacement(before.roadmap().value()));
+}
+
+/// Made coarser, nothing is left of it but one row.
+void TestRoadmap::aPictureOfFewRowsTellsNoMovement()
+{
+    const cv::Mat strip = cv::repeat(picture(77, {}).rowRange(0, 8), 1, 16);
+    Opacification run;
+    for (quint32 number = 1; number <= 20; ++number) {
+        auto about = frame(number, {});
+        about.rows = strip.rows;
+        about.columns = strip.cols;
+        cv::Mat stored = strip.clone();
+        if (number > 6)
+            stored.colRange(800, 1200) *= 0.8;
+        run.take(stored, about);
+    }
+    const auto roadmap = run.roadmap();
+    QVERIFY(roadmap);
+    QCOMPARE(roadmap->background.rows, 1);
+    QVERIFY(!run.displacement(*roadmap));
 }
 
 void TestRoadmap::theLastRunWithContrastCounts()
