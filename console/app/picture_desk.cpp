@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <initializer_list>
 
 namespace console {
 
@@ -141,6 +142,9 @@ void PictureDesk::connectRoadmap()
     connect(&m_models.xray, &XraySystemState::statusChanged, this, [this] {
         const auto& status = m_models.xray.status();
         m_models.roadmap.noteTable(status.value.geometry.table, *status.received);
+        for (PictureCanvas* view : std::initializer_list<PictureCanvas*>{m_live, m_reference, m_copy.data()})
+            if (view)
+                view->noteTable(status.value.geometry.table);
     });
     connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
     connect(&roadmap, &RoadmapState::changed, this, [this] {

@@ -2,6 +2,7 @@
 #include "imaging/measurement.hpp"
 
 #include "imaging/display_picture.hpp"
+#include "model/roadmap_state.hpp"
 
 #include <QCoreApplication>
 #include <QtMath>
@@ -26,6 +27,24 @@ bool sameView(const XrayFrame& a, const XrayFrame& b)
 {
     return a.rows == b.rows && a.columns == b.columns && a.imagerPixelSpacing == b.imagerPixelSpacing &&
            sameProjection(a.geometry, b.geometry);
+}
+
+/// By how much the table carried the patient from one place to the other, in the scene's frame.
+QVector3D movement(const std::array<double, 3>& from, const std::array<double, 3>& to)
+{
+    const auto along = [&](std::size_t axis) { return static_cast<float>(to.at(axis) - from.at(axis)); };
+    return toScene({along(0), -along(2), along(1)});
+}
+
+/// Negated, so that a number that is none counts as a movement.
+bool isBeyond(double millimetres) { return !(std::abs(millimetres) <= RoadmapState::tableTolerance); }
+
+bool moved(const QVector3D& way) { return isBeyond(way.x()) || isBeyond(way.y()) || isBeyond(way.z()); }
+
+/// Along the beam: that changes how much larger its shadow is.
+bool movedInDepth(const QVector3D& way, const XrayGeometry& geometry)
+{
+    return isBeyond(QVector3D::dotProduct(way, axesOf(geometry.primaryAngle, geometry.secondaryAngle).beam));
 }
 
 } // namespace
@@ -108,6 +127,7 @@ void Measurement::nextCatheter()
 {
     if (m_catheterWidth <= 0) {
         m_catheterWidth = pixels().value_or(0);
+        m_catheterTable = m_table;
         m_french = m_catheterWidth > 0 ? smallestCatheter : 0;
     } else if (++m_french > largestCatheter) {
         m_catheterWidth = 0;
@@ -128,12 +148,35 @@ void Measurement::follow(const XrayFrame& frame)
         clear();
         m_catheterWidth = 0;
     }
+    // Drawn anew with other settings it is the same picture, of the same place.
+    const bool another =
+        !m_frame || m_frame->frame != frame.frame || m_frame->acquisition != frame.acquisition || m_frame->captureNs != frame.captureNs;
+    if (another && m_reportedTable)
+        moveTable(*m_reportedTable, frame.geometry);
     const bool holds = m_frame && (!m_points.empty() || m_catheterWidth > 0);
     const XrayGeometry geometry = holds ? m_frame->geometry : frame.geometry; // a C-arm that creeps is to be noticed
     m_frame = frame;
     m_frame->geometry = geometry;
     m_frame->owner.reset();
     m_frame->pixels = {};
+}
+
+// What is first reported stood so before.
+void Measurement::noteTable(const std::array<double, 3>& table)
+{
+    if (!m_reportedTable)
+        m_table = m_catheterTable = table;
+    m_reportedTable = table;
+}
+
+void Measurement::moveTable(const std::array<double, 3>& table, const XrayGeometry& geometry)
+{
+    if (moved(movement(m_table, table)))
+        clear();
+    if (movedInDepth(movement(m_catheterTable, table), geometry))
+        m_catheterWidth = 0;
+    if (m_points.empty()) // a table that creeps is to be noticed
+        m_table = table;
 }
 
 } // namespace console

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 
 namespace console {
@@ -40,6 +41,9 @@ public:
     void resetView();
     void clearMeasurement();
     void nextCatheter();
+
+    /// As `Measurement` has it.
+    void noteTable(const std::array<double, 3>& table) { m_measurement.noteTable(table); }
 
     /// What became of a button that was pressed: at the foot of the pane for some seconds.
     void tell(const QString& what);

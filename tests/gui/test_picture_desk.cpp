@@ -258,6 +258,21 @@ private Q_SLOTS:
         QVERIFY2(roadmap.isValid(), qPrintable(desk.reference->told()));
     }
 
+    void nothingThatWasMeasuredStandsOverAnotherPlace()
+    {
+        Desk desk;
+        desk.moveTable(0);
+        QVERIFY(desk.send(1));
+        desk.desk.display().nextMeasureMode();
+        for (const double share : {0.3, 0.6})
+            QTest::mouseClick(desk.live, Qt::LeftButton, {}, (QPointF(desk.live->rect().bottomRight()) * share).toPoint());
+        QVERIFY(desk.send(2));
+        QVERIFY(!desk.live->measurement().points().empty());
+        desk.moveTable(10);
+        QVERIFY(desk.send(3));
+        QVERIFY(desk.live->measurement().points().empty());
+    }
+
     void aCopyOnAnotherScreenBeginsAsThePaneIs()
     {
         Desk desk;

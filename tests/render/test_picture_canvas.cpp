@@ -88,8 +88,6 @@ private Q_SLOTS:
     void saysZoomAndScalesTheBar();
     void measuresDistanceByMouse();
     void measuresAngleByKeys();
-    void forgetsMeasurementInAnotherProjection();
-    void calibratesByCatheter();
     void showsFocus();
 };
 
@@ -327,61 +325,6 @@ void TestPictureCanvas::measuresAngleByKeys()
     QVERIFY(pane.window.left.isEmpty());
     QTest::keyClick(pane.view, Qt::Key_M);
     QCOMPARE(pane.view->measurement().mode(), MeasureMode::Off);
-}
-
-void TestPictureCanvas::forgetsMeasurementInAnotherProjection()
-{
-    Measurement measurement;
-    measurement.setMode(MeasureMode::Distance);
-    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
-    measurement.follow(*frame);
-    measurement.add({0, 0});
-    measurement.add({30, 40});
-    frame->frame = 2;
-    measurement.follow(*frame);
-    QCOMPARE(measurement.pixels(), std::optional(50.0));
-    for (const double tremble : {0.01, -0.01, 0.2}) {
-        frame->geometry.secondaryAngle = tremble;
-        measurement.follow(*frame);
-        QVERIFY(!measurement.points().empty());
-    }
-    frame->geometry.secondaryAngle = 0.6; // from where the points were set, however small each step was
-    measurement.follow(*frame);
-    QVERIFY(measurement.points().empty());
-    measurement.add({0, 0});
-    frame->geometry.secondaryAngle = 10;
-    measurement.follow(*frame);
-    QVERIFY(measurement.points().empty());
-    frame->geometry = {};
-    measurement.follow(*frame);
-    measurement.add({0, 0});
-    measurement.add({30, 40});
-    QCOMPARE(measurement.text(), QStringLiteral("50 px (uncalibrated)"));
-}
-
-void TestPictureCanvas::calibratesByCatheter()
-{
-    Measurement measurement;
-    measurement.setMode(MeasureMode::Distance);
-    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
-    measurement.follow(*frame);
-    measurement.nextCatheter(); // nothing was measured
-    QCOMPARE(measurement.calibration().kind, CalibrationKind::Geometry);
-    measurement.add({0, 0});
-    measurement.add({8, 0});
-    for (int french = 4; french <= 8; ++french) {
-        measurement.nextCatheter();
-        QCOMPARE(measurement.calibration(), calibrationBy(french, 8));
-        QCOMPARE(measurement.text(), QStringLiteral("%1 mm (%2 F catheter)").arg(french / 3.0, 0, 'f', 1).arg(french));
-    }
-    measurement.add({0, 0});
-    measurement.add({0, 30});
-    QCOMPARE(measurement.text(), QStringLiteral("10.0 mm (8 F catheter)"));
-    measurement.nextCatheter();
-    QCOMPARE(measurement.calibration().kind, CalibrationKind::Geometry);
-    QCOMPARE(calibrationBy(8, 0).kind, CalibrationKind::None);
-    QCOMPARE(calibrationBy(0, 8).kind, CalibrationKind::None);
-    QVERIFY(!angleAt({1, 1}, {1, 1}, {2, 2}));
 }
 
 void TestPictureCanvas::showsFocus()

@@ -1,0 +1,185 @@
+// Tests of what is measured on a picture: what its millimetres are of, and when it is forgotten.
+#include "imaging/measurement.hpp"
+#include "sample_frames.hpp"
+
+#include <QtTest>
+
+using namespace console;
+
+namespace {
+
+constexpr QSize frameSize(640, 520);
+
+// A distance of 20 px on a picture; then the next picture, with the table elsewhere.
+struct Measured {
+    Measured()
+    {
+        measurement.noteTable({5, 6, 7});
+        measurement.setMode(MeasureMode::Distance);
+        measurement.follow(*frame);
+        measure();
+    }
+
+    void measure()
+    {
+        measurement.clear();
+        measurement.add({100, 100});
+        measurement.add({120, 100});
+    }
+
+    void moveTable(const std::array<double, 3>& table)
+    {
+        measurement.noteTable(table);
+        ++frame->frame;
+        measurement.follow(*frame);
+    }
+
+    CalibrationKind kind() const { return measurement.calibration().kind; }
+
+    std::shared_ptr<XrayFrame> frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+    Measurement measurement;
+};
+
+} // namespace
+
+class TestMeasurement : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void forgetsInAnotherProjection();
+    void forgetsPointsWhenTheTableMoves_data();
+    void forgetsPointsWhenTheTableMoves();
+    void forgetsCatheterWhenThePatientComesNearerToTheSource();
+    void belongsToThePictureThatStands();
+    void noticesATableThatCreeps();
+    void calibratesByCatheter();
+};
+
+void TestMeasurement::forgetsInAnotherProjection()
+{
+    Measurement measurement;
+    measurement.setMode(MeasureMode::Distance);
+    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+    measurement.follow(*frame);
+    measurement.add({0, 0});
+    measurement.add({30, 40});
+    frame->frame = 2;
+    measurement.follow(*frame);
+    QCOMPARE(measurement.pixels(), std::optional(50.0));
+    for (const double tremble : {0.01, -0.01, 0.2}) {
+        frame->geometry.secondaryAngle = tremble;
+        measurement.follow(*frame);
+        QVERIFY(!measurement.points().empty());
+    }
+    frame->geometry.secondaryAngle = 0.6; // from where the points were set, however small each step was
+    measurement.follow(*frame);
+    QVERIFY(measurement.points().empty());
+    measurement.add({0, 0});
+    frame->geometry.secondaryAngle = 10;
+    measurement.follow(*frame);
+    QVERIFY(measurement.points().empty());
+    frame->geometry = {};
+    measurement.follow(*frame);
+    measurement.add({0, 0});
+    measurement.add({30, 40});
+    QCOMPARE(measurement.text(), QStringLiteral("50 px (uncalibrated)"));
+}
+
+void TestMeasurement::forgetsPointsWhenTheTableMoves_data()
+{
+    QTest::addColumn<double>("lateral");
+    QTest::addColumn<double>("longitudinal");
+    QTest::addColumn<double>("height");
+    QTest::addColumn<bool>("keeps");
+    QTest::newRow("sideways") << 3.0 << 6.0 << 7.0 << false;
+    QTest::newRow("lengthwise") << 5.0 << 8.0 << 7.0 << false;
+    QTest::newRow("up") << 5.0 << 6.0 << 87.0 << false;
+    QTest::newRow("no number") << qQNaN() << 6.0 << 7.0 << false;
+    QTest::newRow("trembles") << 5.5 << 5.5 << 7.5 << true;
+}
+
+void TestMeasurement::forgetsPointsWhenTheTableMoves()
+{
+    QFETCH(double, lateral);
+    QFETCH(double, longitudinal);
+    QFETCH(double, height);
+    QFETCH(bool, keeps);
+    Measured on;
+    on.moveTable({lateral, longitudinal, height});
+    QCOMPARE(!on.measurement.points().empty(), keeps);
+    on.measure();
+    on.moveTable({lateral, longitudinal, height}); // what was set there stands there
+    QCOMPARE(!on.measurement.points().empty(), !qIsNaN(lateral));
+}
+
+/// That is the height while the C-arm is upright, and the side while it is turned by a right angle.
+void TestMeasurement::forgetsCatheterWhenThePatientComesNearerToTheSource()
+{
+    for (const bool turned : {false, true}) {
+        Measured on;
+        if (turned)
+            on.frame->geometry.primaryAngle = 90;
+        on.measurement.follow(*on.frame);
+        on.measure();
+        on.measurement.nextCatheter();
+        QCOMPARE(on.measurement.calibration(), calibrationBy(4, 20));
+        on.moveTable(turned ? std::array<double, 3>{5, 60, 87} : std::array<double, 3>{90, 60, 7.5});
+        QVERIFY(on.measurement.points().empty());
+        QCOMPARE(on.measurement.calibration(), calibrationBy(4, 20));
+        on.measure();
+        on.moveTable(turned ? std::array<double, 3>{6.5, 60, 87} : std::array<double, 3>{90, 60, 8.5});
+        QCOMPARE(on.kind(), CalibrationKind::Geometry);
+    }
+}
+
+/// It shows the patient where the table was; the next one does not, also when it was measured on meanwhile.
+void TestMeasurement::belongsToThePictureThatStands()
+{
+    Measured on;
+    on.measurement.noteTable({5, 6, 87});
+    on.measurement.follow(*on.frame); // drawn anew
+    QCOMPARE(on.measurement.pixels(), std::optional(20.0));
+    on.measure();
+    on.measurement.nextCatheter();
+    on.moveTable({5, 6, 87});
+    QVERIFY(on.measurement.points().empty());
+    QCOMPARE(on.kind(), CalibrationKind::Geometry);
+}
+
+void TestMeasurement::noticesATableThatCreeps()
+{
+    Measured on;
+    for (const double step : {0.5, 0.9}) {
+        on.moveTable({5 + step, 6, 7});
+        QVERIFY(!on.measurement.points().empty());
+    }
+    on.moveTable({6.2, 6, 7});
+    QVERIFY(on.measurement.points().empty());
+}
+
+void TestMeasurement::calibratesByCatheter()
+{
+    Measurement measurement;
+    measurement.setMode(MeasureMode::Distance);
+    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+    measurement.follow(*frame);
+    measurement.nextCatheter(); // nothing was measured
+    QCOMPARE(measurement.calibration().kind, CalibrationKind::Geometry);
+    measurement.add({0, 0});
+    measurement.add({8, 0});
+    for (int french = 4; french <= 8; ++french) {
+        measurement.nextCatheter();
+        QCOMPARE(measurement.calibration(), calibrationBy(french, 8));
+        QCOMPARE(measurement.text(), QStringLiteral("%1 mm (%2 F catheter)").arg(french / 3.0, 0, 'f', 1).arg(french));
+    }
+    measurement.add({0, 0});
+    measurement.add({0, 30});
+    QCOMPARE(measurement.text(), QStringLiteral("10.0 mm (8 F catheter)"));
+    measurement.nextCatheter();
+    QCOMPARE(measurement.calibration().kind, CalibrationKind::Geometry);
+    QCOMPARE(calibrationBy(8, 0).kind, CalibrationKind::None);
+    QCOMPARE(calibrationBy(0, 8).kind, CalibrationKind::None);
+    QVERIFY(!angleAt({1, 1}, {1, 1}, {2, 2}));
+}
+
+QTEST_APPLESS_MAIN(TestMeasurement)
+#include "test_measurement.moc"
