@@ -70,7 +70,7 @@ QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
     const QString result = m_measurement.text();
     const QString request = tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.wanted());
     const QRect first = plates.add(result.isEmpty() ? request : result, place, Qt::AlignHCenter | Qt::AlignTop);
-    if (m_measurement.pixels() && m_measurement.calibration().kind != CalibrationKind::Catheter)
+    if (m_measurement.pixels() && !m_measurement.isCatheter())
         plates.add(tr("Right button or B: it is the width of a catheter of 4 F to 8 F"), {place.x(), first.bottom() + 1},
                    Qt::AlignHCenter | Qt::AlignTop);
     plates.paint(painter);

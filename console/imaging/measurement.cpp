@@ -125,10 +125,13 @@ QString Measurement::text() const
 
 void Measurement::nextCatheter()
 {
-    if (m_catheterWidth <= 0) {
-        m_catheterWidth = pixels().value_or(0);
+    const double width = pixels().value_or(0);
+    if (!(width > 0))
+        return;
+    if (!isCatheter()) {
+        m_catheterWidth = width;
         m_catheterTable = m_table;
-        m_french = m_catheterWidth > 0 ? smallestCatheter : 0;
+        m_french = smallestCatheter;
     } else if (++m_french > largestCatheter) {
         m_catheterWidth = 0;
         m_french = 0;

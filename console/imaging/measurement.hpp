@@ -58,8 +58,12 @@ public:
     /// Empty until complete. An angle is that of the shadows in the picture's plane, and says so.
     QString text() const;
 
-    /// The distance just measured is the width of a catheter: of 4 F, at the next call of 5 F, … 8 F, and then of none.
+    /// The distance that stands is the width of a catheter: of 4 F, at the next call of 5 F, … 8 F, and then of none. Another distance
+    /// begins with 4 F again, whatever catheter was measured before. Without a distance it does nothing.
     void nextCatheter();
+
+    /// The distance that stands is the one that calibrates.
+    bool isCatheter() const { return m_catheterWidth > 0 && pixels() == m_catheterWidth; }
 
     /// That of the catheter, else that of the geometry.
     PixelCalibration calibration() const;

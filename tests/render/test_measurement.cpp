@@ -52,6 +52,7 @@ private Q_SLOTS:
     void belongsToThePictureThatStands();
     void noticesATableThatCreeps();
     void calibratesByCatheter();
+    void takesTheDistanceThatStandsForTheCatheter();
 };
 
 void TestMeasurement::forgetsInAnotherProjection()
@@ -174,11 +175,38 @@ void TestMeasurement::calibratesByCatheter()
     measurement.add({0, 0});
     measurement.add({0, 30});
     QCOMPARE(measurement.text(), QStringLiteral("10.0 mm (8 F catheter)"));
-    measurement.nextCatheter();
+    QVERIFY(!measurement.isCatheter());
+    measurement.add({20, 0});
+    measurement.add({28, 0});
+    QVERIFY(measurement.isCatheter());
+    measurement.nextCatheter(); // after the largest there is none
     QCOMPARE(measurement.calibration().kind, CalibrationKind::Geometry);
     QCOMPARE(calibrationBy(8, 0).kind, CalibrationKind::None);
     QCOMPARE(calibrationBy(0, 8).kind, CalibrationKind::None);
     QVERIFY(!angleAt({1, 1}, {1, 1}, {2, 2}));
+}
+
+/// Measured once more, and better; and never of a distance that is not on the screen.
+void TestMeasurement::takesTheDistanceThatStandsForTheCatheter()
+{
+    Measured on;
+    for (int french = 4; french <= 6; ++french)
+        on.measurement.nextCatheter();
+    QCOMPARE(on.measurement.calibration(), calibrationBy(6, 20));
+    on.measurement.add({100, 100});
+    on.measurement.nextCatheter(); // one point is no distance
+    QCOMPARE(on.measurement.calibration(), calibrationBy(6, 20));
+    on.measurement.add({124, 100});
+    on.measurement.nextCatheter();
+    QCOMPARE(on.measurement.calibration(), calibrationBy(4, 24));
+    on.measurement.nextCatheter();
+    QCOMPARE(on.measurement.calibration(), calibrationBy(5, 24));
+    on.measurement.setMode(MeasureMode::Angle);
+    on.measurement.add({0, 0});
+    on.measurement.add({10, 0});
+    on.measurement.add({10, 10});
+    on.measurement.nextCatheter();
+    QCOMPARE(on.measurement.calibration(), calibrationBy(5, 24));
 }
 
 QTEST_APPLESS_MAIN(TestMeasurement)
