@@ -53,6 +53,8 @@ QString exportWords(const Snapshot& snapshot)
         words << word(snapshot.condition);
     if (picture.about.source != PictureSource::Live)
         words << word(picture.about.source);
+    if (const PictureReduction reduction = reductionOf(picture.about); reduction.stands())
+        words << line(reduction);
     words << Text::tr("picture of %1").arg(clockTime(picture.about.captureNs));
     return words.join(QStringLiteral("  "));
 }

@@ -86,13 +86,7 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
         if (isRoadmap && (m_condition == PictureCondition::Frozen || m_condition == PictureCondition::Unknown))
             paintStaleVeil(painter, area);
         TextPlates plates(overlayFont());
-        const int gap = plates.gap();
-        const QRect top = plates.add(head(), fitted(larger(plates.font(), headFactor), {head()}, area.width() - 4 * gap),
-                                     area.topLeft() + QPoint(gap, gap), Qt::AlignLeft | Qt::AlignTop);
-        const QRect taken = plates.add(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), {top.left(), top.bottom() + 1},
-                                       Qt::AlignLeft | Qt::AlignTop);
-        if (!m_place.isEmpty())
-            plates.add(m_place, {top.left(), taken.bottom() + 1}, Qt::AlignLeft | Qt::AlignTop);
+        placeWords(plates, area);
         placeSides(plates, area, *m_picture);
         const QRect bar = placeScale(plates, area, *m_picture, 1 / viewport().zoom());
         placeFacts(plates, area, bar, *m_picture, viewport().zoom());
@@ -103,6 +97,24 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
     paintDashedFrame(painter, rect());
     if (hasFocus())
         paintFocusFrame(painter, rect());
+}
+
+/// What it is and when it was taken; below that how it was reduced, which shows in it for good, and its place.
+void ReferenceImageView::placeWords(TextPlates& plates, const QRect& area) const
+{
+    const int gap = plates.gap();
+    const int room = area.width() - 4 * gap;
+    const QRect top = plates.add(head(), fitted(larger(plates.font(), headFactor), {head()}, room), area.topLeft() + QPoint(gap, gap),
+                                 Qt::AlignLeft | Qt::AlignTop);
+    QPoint below(top.left(), top.bottom() + 1);
+    const auto place = [&](const QString& text, const QFont& font) {
+        below.setY(plates.add(text, font, below, Qt::AlignLeft | Qt::AlignTop).bottom() + 1);
+    };
+    place(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), plates.font());
+    if (const QString reduced = line(reductionOf(m_picture->about)); !reduced.isEmpty())
+        place(reduced, fitted(plates.font(), {reduced}, room));
+    if (!m_place.isEmpty())
+        place(m_place, plates.font());
 }
 
 /// REVIEW, and SIMULATED or RECORDED when it is that; LIVE is never said here.
@@ -128,9 +140,12 @@ void ReferenceImageView::paintNothingYet(QPainter& painter)
 
 void ReferenceImageView::describe()
 {
-    setAccessibleDescription(
-        m_picture ? tr("%1; the picture was taken at %2. It is not the live picture.").arg(head(), clockTime(m_picture->about.captureNs))
-                  : tr("No reference picture yet."));
+    if (!m_picture)
+        return setAccessibleDescription(tr("No reference picture yet."));
+    const QString words =
+        tr("%1; the picture was taken at %2. It is not the live picture.").arg(head(), clockTime(m_picture->about.captureNs));
+    const PictureReduction reduction = reductionOf(m_picture->about);
+    setAccessibleDescription(reduction.stands() ? tr("%1 %2.").arg(words, line(reduction)) : words);
 }
 
 } // namespace console

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "imaging/picture_canvas.hpp"
+#include "imaging/text_plates.hpp"
 
 #include <optional>
 
@@ -44,6 +45,7 @@ protected:
 
 private:
     QString head() const;
+    void placeWords(TextPlates& plates, const QRect& area) const;
     void paintNothingYet(QPainter& painter);
     void describe();
 

@@ -86,6 +86,23 @@ void putIdentity(DcmDataset& dataset, const CaptureSeries& series)
         dataset.insertEmptyElement(tag);
 }
 
+/// PS3.3, C.7.6.1.1.5: what was lossy once is so for good. Of a recorded picture nobody here knows what it went through before.
+void putLossy(DcmDataset& dataset, const XrayFrame& about)
+{
+    if (!about.isLossy()) {
+        if (about.source != PictureSource::Recorded)
+            put(dataset, DCM_LossyImageCompression, QStringLiteral("00"));
+        return;
+    }
+    put(dataset, DCM_LossyImageCompression, QStringLiteral("01"));
+    put(dataset, DCM_LossyImageCompressionMethod,
+        about.encoding == PixelEncoding::Jpeg ? QStringLiteral("ISO_10918_1") : QStringLiteral("ISO_14495_1"));
+    if (about.encodedBytes > 0) {
+        const double raw = static_cast<double>(about.rows) * about.columns * (about.bitsStored > 8 ? 2 : 1);
+        put(dataset, DCM_LossyImageCompressionRatio, QString::number(raw / static_cast<double>(about.encodedBytes), 'g', 4));
+    }
+}
+
 // Descriptions that other systems sort by are English whatever the screen speaks.
 void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
 {
@@ -108,6 +125,7 @@ void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
     put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
     put(dataset, DCM_QualityControlImage, about.source == PictureSource::Live ? QStringLiteral("NO") : QStringLiteral("YES"));
+    putLossy(dataset, about);
     if (about.imagerPixelSpacing > 0) {
         const QString spacing = QString::number(about.imagerPixelSpacing, 'g', 10);
         put(dataset, DCM_ImagerPixelSpacing, spacing + QLatin1Char('\\') + spacing);

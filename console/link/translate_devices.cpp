@@ -173,6 +173,7 @@ std::shared_ptr<const XrayFrame> xrayFrame(std::shared_ptr<const liena::Message>
         frame->ageUncertainty = clockUncertainty;
     }
     frame->pixels = m.get<std::span<const std::byte>>("pixels");
+    frame->encodedBytes = frame->pixels.size();
     frame->owner = std::move(message);
     return frame;
 }

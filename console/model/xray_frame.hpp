@@ -60,9 +60,12 @@ struct XrayFrame {
     double rate = 0;      ///< per second; 0 = not said
     double askedRate = 0; ///< per second; 0 = not said
     PixelEncoding askedEncoding = PixelEncoding::Raw;
+    std::size_t encodedBytes = 0; ///< that came of it; stays when `pixels` are let go; 0 = unknown
 
     quint64 captureNs = 0; ///< Unix time of the X-ray system
     Instant arrival;       ///< here, last byte
+
+    bool isLossy() const { return encoding == PixelEncoding::Jpeg || (encoding == PixelEncoding::JpegLs && quality > 0); }
 
     /// From the pulse's end to `arrival`, both clocks compared; nothing while the clock offset is unknown.
     std::optional<Duration> ageAtArrival;

@@ -4351,6 +4351,10 @@
         <translation>%1；图像拍摄于 %2。这不是实时图像。</translation>
     </message>
     <message>
+        <source>%1 %2.</source>
+        <translation>%1 %2。</translation>
+    </message>
+    <message>
         <source>No reference picture yet.</source>
         <translation>尚无参考图像。</translation>
     </message>

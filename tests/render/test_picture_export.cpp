@@ -1,55 +1,19 @@
 // Tests of saved pictures: read back with another reader, whole or not at all, and saying what they are.
 #include "imaging/file_writing.hpp"
-#include "imaging/picture_export.hpp"
 #include "imaging/picture_saver.hpp"
-#include "sample_frames.hpp"
+#include "saved_picture.hpp"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
-
 #include <csignal>
 #include <sys/resource.h>
 
 using namespace console;
+using namespace console::saved;
 
 namespace {
-
-constexpr QSize size(301, 201); // odd: DICOM pads
-
-DisplayPicture picture(PictureRole role = PictureRole::Review)
-{
-    DisplayPicture picture;
-    picture.about = *samples::frame(17, size, 8, PixelEncoding::Raw);
-    picture.about.acquisition = 3;
-    picture.role = role;
-    picture.window = {128, 256};
-    picture.image = QImage(size, QImage::Format_RGB32);
-    for (int y = 0; y < size.height(); ++y)
-        for (int x = 0; x < size.width(); ++x)
-            picture.image.setPixel(x, y, qRgb((x + y) % 256, (x + y) % 256, (x + y) % 256));
-    return picture;
-}
-
-QString valueOf(DcmDataset& dataset, const DcmTagKey& tag)
-{
-    OFString value;
-    dataset.findAndGetOFStringArray(tag, value);
-    return QString::fromUtf8(value.c_str());
-}
-
-QByteArray pixelsOf(const QString& path)
-{
-    DcmFileFormat file;
-    const Uint8* pixels = nullptr;
-    unsigned long count = 0;
-    if (file.loadFile(path.toLocal8Bit().constData()).bad() || file.getDataset()->findAndGetUint8Array(DCM_PixelData, pixels, &count).bad())
-        return {};
-    return {reinterpret_cast<const char*>(pixels), static_cast<qsizetype>(count)};
-}
 
 // While it lives no file of this process grows beyond so many bytes: a disk that is full.
 class FullDisk {

@@ -49,6 +49,7 @@ private Q_SLOTS:
     void hasDashedFrameAndItsWord();
     void saysWhatItIsInLargeLetters();
     void neverSaysLive();
+    void saysThatThePictureWasReduced();
     void vesselsLieOverRoadmapsOnly();
     void roadmapIsAsFrozenAsTheLivePicture();
     void holdsLastPictureOfRun();
@@ -166,6 +167,29 @@ void TestReferenceImage::neverSaysLive()
             if (source != PictureSource::Live)
                 QVERIFY(view.accessibleDescription().contains(word(source)));
         }
+}
+
+/// Where the live pane has forgotten it: the pixels are the same.
+void TestReferenceImage::saysThatThePictureWasReduced()
+{
+    ReferenceImageView view;
+    view.resize(420, 400);
+    for (const PictureRole role : {PictureRole::Hold, PictureRole::Review, PictureRole::Roadmap}) {
+        DisplayPicture picture = pictureWith(role, 1);
+        view.showPicture(picture);
+        view.grab();
+        const QRegion asAskedFor = view.overlayRegion();
+        picture.about.rung = 9;
+        picture.about.rate = 7.5;
+        picture.about.askedRate = 15;
+        picture.about.encoding = PixelEncoding::Jpeg;
+        picture.about.quality = 50;
+        view.showPicture(picture);
+        view.grab();
+        QVERIFY(!(view.overlayRegion() - asAskedFor).isEmpty());
+        QVERIFY2(view.accessibleDescription().endsWith(QStringLiteral("REDUCED 7.5 of 15 /s, lossy 50.")),
+                 qPrintable(view.accessibleDescription()));
+    }
 }
 
 void TestReferenceImage::vesselsLieOverRoadmapsOnly()

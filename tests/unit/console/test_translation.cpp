@@ -193,6 +193,7 @@ private Q_SLOTS:
         QVERIFY(!watch.expired());
         QCOMPARE(frame->pixels.data(), watch.lock()->get<std::span<const std::byte>>("pixels").data());
         QCOMPARE(frame->pixels.size(), std::size_t(32));
+        QCOMPARE(frame->encodedBytes, std::size_t(32));
         QCOMPARE(frame->frame, 3U);
         QCOMPARE(frame->source, PictureSource::Recorded);
         QCOMPARE(frame->rows, 4);

@@ -1,0 +1,76 @@
+// Tests of what a saved DICOM picture says of its pixels.
+#include "saved_picture.hpp"
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace console;
+using namespace console::saved;
+
+class TestSecondaryCapture : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void saysWhatWasLostOnTheWay_data();
+    void saysWhatWasLostOnTheWay();
+};
+
+void TestSecondaryCapture::saysWhatWasLostOnTheWay_data()
+{
+    QTest::addColumn<PixelEncoding>("encoding");
+    QTest::addColumn<int>("quality");
+    QTest::addColumn<int>("rung");
+    QTest::addColumn<PictureSource>("source");
+    QTest::addColumn<QStringList>("lossy"); // whether, how, by how much
+    QTest::addColumn<QString>("words");
+    const auto none = QString();
+    const QString jpeg = QStringLiteral("ISO_10918_1");
+    const QString ls = QStringLiteral("ISO_14495_1");
+    const auto row = [](const char* name, PixelEncoding encoding, int quality, int rung, PictureSource source, const QStringList& lossy,
+                        const char* words) {
+        QTest::newRow(name) << encoding << quality << rung << source << lossy << QString::fromLatin1(words);
+    };
+    using enum PixelEncoding;
+    using enum PictureSource;
+    row("raw", Raw, 0, 0, Live, {QStringLiteral("00"), none, none}, "");
+    row("lossless", JpegLs, 0, 0, Live, {QStringLiteral("00"), none, none}, "");
+    row("fewer", Raw, 0, 1, Live, {QStringLiteral("00"), none, none}, "REDUCED 7.5 of 15 /s, raw");
+    row("recorded", Raw, 0, 0, Recorded, {none, none, none}, "");
+    row("near", JpegLs, 2, 0, Simulated, {QStringLiteral("01"), ls, QStringLiteral("10")}, "");
+    row("lossy", Jpeg, 50, 9, Live, {QStringLiteral("01"), jpeg, QStringLiteral("10")}, "REDUCED 7.5 of 15 /s, lossy 50");
+    row("lossy before", Jpeg, 90, 0, Recorded, {QStringLiteral("01"), jpeg, QStringLiteral("10")}, "");
+}
+
+void TestSecondaryCapture::saysWhatWasLostOnTheWay()
+{
+    QFETCH(PixelEncoding, encoding);
+    QFETCH(int, quality);
+    QFETCH(int, rung);
+    QFETCH(PictureSource, source);
+    QFETCH(QStringList, lossy);
+    QFETCH(QString, words);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    DisplayPicture sent = picture();
+    sent.about.encoding = encoding;
+    sent.about.quality = quality;
+    sent.about.source = source;
+    sent.about.rung = rung;
+    sent.about.rate = 7.5;
+    sent.about.askedRate = 15;
+    sent.about.rows = 200; // of one byte
+    sent.about.columns = 300;
+    sent.about.encodedBytes = 6000;
+    QCOMPARE(saveSecondaryCapture({sent}, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    DcmDataset& dataset = *file.getDataset();
+    const QStringList said{valueOf(dataset, DCM_LossyImageCompression), valueOf(dataset, DCM_LossyImageCompressionMethod),
+                           valueOf(dataset, DCM_LossyImageCompressionRatio)};
+    QCOMPARE(said, lossy);
+    const QString comments = valueOf(dataset, DCM_ImageComments);
+    QVERIFY2(words.isEmpty() ? !comments.contains(QStringLiteral("REDUCED")) : comments.contains(words), qPrintable(comments));
+    QCOMPARE(exportWords({sent}).contains(QStringLiteral("REDUCED")), !words.isEmpty()); // in the pixels and below the PNG
+}
+
+QTEST_MAIN(TestSecondaryCapture)
+#include "test_secondary_capture.moc"
