@@ -44,9 +44,9 @@ struct CaptureSeries {
     static CaptureSeries begin();
 };
 
-/// The picture as it is displayed, 8 bits, DICOM PS3.3 A.8.1. What it is, and what was measured on it, stands in its pixels and in its
-/// attributes; of the patient they say that nobody has checked the name. A picture that is not from the X-ray system's live beam is marked
-/// as one for quality control.
+/// The picture as it is displayed, 8 bits a sample, DICOM PS3.3 A.8.1: grey, or RGB where a roadmap's vessels are painted into it. What it
+/// is, and what was measured on it, stands in its pixels and in its attributes; of the patient they say that nobody has checked the name. A
+/// picture that is not from the X-ray system's live beam is marked as one for quality control.
 QString saveSecondaryCapture(const Snapshot& snapshot, const QString& path, const CaptureSeries& series = CaptureSeries::begin());
 
 } // namespace console

@@ -27,9 +27,11 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::PictureExport)
 };
 
-// What the picture is stands in its pixels: whoever looks at it without the attributes must see it, too.
+// What the picture is stands in its pixels: whoever looks at it without the attributes must see it, too. Only a picture with colour in it
+// keeps its colours: in grey the painted vessels of a roadmap could not be told from the patient's.
 QImage withWords(const Snapshot& snapshot)
 {
+    const bool isGrey = snapshot.picture.image.allGray();
     QImage image = snapshot.picture.image.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
     QFont font;
@@ -42,7 +44,7 @@ QImage withWords(const Snapshot& snapshot)
         plates.add(measured, measuredPlace(image.rect()), Qt::AlignHCenter | Qt::AlignTop);
     }
     plates.paint(painter);
-    return image.convertToFormat(QImage::Format_Grayscale8);
+    return image.convertToFormat(isGrey ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
 }
 
 void put(DcmDataset& dataset, const DcmTagKey& tag, const QString& value) { dataset.putAndInsertString(tag, value.toUtf8().constData()); }
@@ -138,29 +140,34 @@ void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
     }
 }
 
-void putPixels(DcmDataset& dataset, const QImage& grey)
+/// `image` as `withWords()` made it.
+void putPixels(DcmDataset& dataset, const QImage& image)
 {
-    dataset.putAndInsertUint16(DCM_SamplesPerPixel, 1);
-    put(dataset, DCM_PhotometricInterpretation, QStringLiteral("MONOCHROME2"));
-    dataset.putAndInsertUint16(DCM_Rows, static_cast<Uint16>(grey.height()));
-    dataset.putAndInsertUint16(DCM_Columns, static_cast<Uint16>(grey.width()));
+    const bool isGrey = image.format() == QImage::Format_Grayscale8;
+    const int samples = isGrey ? 1 : 3;
+    dataset.putAndInsertUint16(DCM_SamplesPerPixel, static_cast<Uint16>(samples));
+    put(dataset, DCM_PhotometricInterpretation, isGrey ? QStringLiteral("MONOCHROME2") : QStringLiteral("RGB"));
+    if (!isGrey)
+        dataset.putAndInsertUint16(DCM_PlanarConfiguration, 0);
+    dataset.putAndInsertUint16(DCM_Rows, static_cast<Uint16>(image.height()));
+    dataset.putAndInsertUint16(DCM_Columns, static_cast<Uint16>(image.width()));
     dataset.putAndInsertUint16(DCM_BitsAllocated, 8);
     dataset.putAndInsertUint16(DCM_BitsStored, 8);
     dataset.putAndInsertUint16(DCM_HighBit, 7);
     dataset.putAndInsertUint16(DCM_PixelRepresentation, 0);
     std::vector<Uint8> pixels;
-    pixels.reserve(static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()) + 1);
-    for (int row = 0; row < grey.height(); ++row)
-        pixels.insert(pixels.end(), grey.constScanLine(row), grey.constScanLine(row) + grey.width());
+    pixels.reserve(static_cast<std::size_t>(image.sizeInBytes()) + 1);
+    for (int row = 0; row < image.height(); ++row)
+        pixels.insert(pixels.end(), image.constScanLine(row), image.constScanLine(row) + samples * image.width());
     if (pixels.size() % 2 != 0)
         pixels.push_back(0);
     dataset.putAndInsertUint8Array(DCM_PixelData, pixels.data(), static_cast<unsigned long>(pixels.size()));
 }
 
 // In memory first: the disk is written by the one way that is whole or not at all.
-QByteArray encoded(DcmFileFormat& file, std::size_t pixels)
+QByteArray encoded(DcmFileFormat& file, std::size_t pixelBytes)
 {
-    std::vector<char> room(pixels + roomForAttributes);
+    std::vector<char> room(pixelBytes + roomForAttributes);
     DcmOutputBufferStream stream(room.data(), static_cast<offile_off_t>(room.size()));
     file.transferInit();
     const OFCondition written = file.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr, EGL_recalcGL);
@@ -181,14 +188,14 @@ QString saveSecondaryCapture(const Snapshot& snapshot, const QString& path, cons
 {
     if (snapshot.picture.image.isNull())
         return Text::tr("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
-    const QImage grey = withWords(snapshot);
+    const QImage image = withWords(snapshot);
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();
     putIdentity(dataset, series);
     putPatient(dataset, snapshot.patient);
     putFacts(dataset, snapshot);
-    putPixels(dataset, grey);
-    const QByteArray bytes = encoded(file, static_cast<std::size_t>(grey.width()) * static_cast<std::size_t>(grey.height()));
+    putPixels(dataset, image);
+    const QByteArray bytes = encoded(file, static_cast<std::size_t>(image.sizeInBytes()));
     if (bytes.isEmpty())
         return Text::tr("%1 cannot be written: the picture could not be encoded as DICOM. Save it as PNG.").arg(path);
     return writeWhole(bytes, path);

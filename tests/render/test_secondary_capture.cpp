@@ -1,4 +1,5 @@
 // Tests of what a saved DICOM picture says of its pixels.
+#include "imaging/pane_colours.hpp"
 #include "saved_picture.hpp"
 
 #include <QTemporaryDir>
@@ -12,6 +13,7 @@ class TestSecondaryCapture : public QObject {
 private Q_SLOTS:
     void saysWhatWasLostOnTheWay_data();
     void saysWhatWasLostOnTheWay();
+    void keepsTheColourOfVessels();
 };
 
 void TestSecondaryCapture::saysWhatWasLostOnTheWay_data()
@@ -70,6 +72,41 @@ void TestSecondaryCapture::saysWhatWasLostOnTheWay()
     const QString comments = valueOf(dataset, DCM_ImageComments);
     QVERIFY2(words.isEmpty() ? !comments.contains(QStringLiteral("REDUCED")) : comments.contains(words), qPrintable(comments));
     QCOMPARE(exportWords({sent}).contains(QStringLiteral("REDUCED")), !words.isEmpty()); // in the pixels and below the PNG
+}
+
+/// All other pictures stay grey, whatever colour their words have.
+void TestSecondaryCapture::keepsTheColourOfVessels()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    for (const bool vessels : {false, true}) {
+        Snapshot snapshot{picture(PictureRole::Roadmap)};
+        snapshot.measurement.setMode(MeasureMode::Distance);
+        snapshot.measurement.add({10, 60});
+        snapshot.measurement.add({90, 60});
+        if (vessels)
+            snapshot.picture.image.setPixelColor(200, 100, pane_colours::roadmap);
+        QCOMPARE(saveSecondaryCapture(snapshot, path), QString());
+        DcmFileFormat file;
+        QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+        DcmDataset& dataset = *file.getDataset();
+        const std::size_t samples = vessels ? 3 : 1;
+        QCOMPARE(valueOf(dataset, DCM_SamplesPerPixel).toULong(), static_cast<unsigned long>(samples));
+        QCOMPARE(valueOf(dataset, DCM_PhotometricInterpretation), vessels ? QStringLiteral("RGB") : QStringLiteral("MONOCHROME2"));
+        QCOMPARE(valueOf(dataset, DCM_PlanarConfiguration), vessels ? QStringLiteral("0") : QString());
+        const QByteArray pixels = pixelsOf(path);
+        const auto pixelAt = [&](int x, int y) {
+            const auto samplesBefore = static_cast<qsizetype>(samples) * (y * size.width() + x);
+            return pixels.mid(samplesBefore, static_cast<qsizetype>(samples));
+        };
+        QCOMPARE(pixels.size(), static_cast<qsizetype>(samples) * size.width() * size.height() + 1); // odd: with a byte behind
+        if (vessels) {
+            const QColor violet = pane_colours::roadmap;
+            QCOMPARE(pixelAt(200, 100), QByteArray().append(char(violet.red())).append(char(violet.green())).append(char(violet.blue())));
+        }
+        QCOMPARE(pixelAt(201, 100), QByteArray(static_cast<qsizetype>(samples), char(301 % 256)));
+        QCOMPARE(pixelAt(300, 200), QByteArray(static_cast<qsizetype>(samples), char(500 % 256)));
+    }
 }
 
 QTEST_MAIN(TestSecondaryCapture)
