@@ -72,7 +72,11 @@ QFont PictureCanvas::overlayFont() const
 void PictureCanvas::followPicture(const DisplayPicture& picture)
 {
     m_measurement.follow(picture.about);
+    const double zoom = m_viewport.zoom();
+    m_viewport = viewport();
     update();
+    if (m_viewport.zoom() != zoom)
+        Q_EMIT viewChanged();
 }
 
 void PictureCanvas::zoomBy(double factor)
@@ -222,8 +226,11 @@ bool PictureCanvas::takeMeasureKey(int key)
                                           std::clamp<double>(moved.y(), view.target().top(), view.target().bottom())));
         update();
     } else if (key == Qt::Key_5) {
-        m_cursor = cursor;
-        addPoint(cursor);
+        const bool isSeen = view.target().contains(view.toPane(cursor).toPoint());
+        m_cursor = isSeen ? cursor : view.toPicture(view.target().center()); // first to where a person sees it
+        if (isSeen)
+            addPoint(cursor);
+        update();
     } else if (key == Qt::Key_Delete || key == Qt::Key_Backspace) {
         clearMeasurement();
     } else if (key == Qt::Key_B) {

@@ -56,7 +56,7 @@ protected:
     /// What stands in the pane; null for nothing.
     virtual const DisplayPicture* shown() const = 0;
 
-    /// The subclass tells of each picture before it paints it.
+    /// The subclass tells of each picture when shown() gives it, and before it paints it. One of another size is shown whole.
     void followPicture(const DisplayPicture& picture);
     void paintShown(QPainter& painter) const;
 

@@ -4,6 +4,7 @@
 #include "imaging/picture_overlay.hpp"
 #include "sample_frames.hpp"
 
+#include <QSignalSpy>
 #include <QWheelEvent>
 #include <QtTest>
 
@@ -41,9 +42,9 @@ struct Pane {
         window.show();
     }
 
-    bool send(quint32 number)
+    bool send(quint32 number, QSize size = frameSize)
     {
-        auto frame = samples::frame(number, frameSize, 12, PixelEncoding::Raw);
+        auto frame = samples::frame(number, size, 12, PixelEncoding::Raw);
         frame->arrival = std::chrono::steady_clock::now();
         const quint64 before = pipeline.counts().shown;
         pipeline.showFrame(frame);
@@ -86,8 +87,10 @@ private Q_SLOTS:
     void zoomsAboutTheMouse();
     void neverPansBeyondThePicture();
     void saysZoomAndScalesTheBar();
+    void showsAPictureOfAnotherSizeWhole();
     void measuresDistanceByMouse();
     void measuresAngleByKeys();
+    void setsNoPointWhereNobodySeesIt();
     void showsFocus();
 };
 
@@ -277,6 +280,25 @@ void TestPictureCanvas::saysZoomAndScalesTheBar()
     QVERIFY(QLineF(corner, QPointF(pane.view->pictureRect().topLeft())).length() < 1);
 }
 
+/// And who shows the zoom beside it is told; it does not come back by itself with the first size.
+void TestPictureCanvas::showsAPictureOfAnotherSizeWhole()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    pane.view->zoomBy(2);
+    QSignalSpy changed(pane.view, &PictureCanvas::viewChanged);
+    QVERIFY(pane.send(2)); // of the same size it stays
+    QCOMPARE(pane.view->viewport().zoom(), 2.0);
+    QCOMPARE(changed.count(), 0);
+    QVERIFY(pane.send(3, frameSize / 2));
+    QCOMPARE(pane.view->viewport().zoom(), 1.0);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(pane.send(4));
+    QCOMPARE(pane.view->viewport().zoom(), 1.0);
+    QCOMPARE(pane.view->viewport().part(), QRectF(QPointF(0, 0), QSizeF(frameSize)));
+    QCOMPARE(changed.count(), 1);
+}
+
 void TestPictureCanvas::measuresDistanceByMouse()
 {
     Pane pane;
@@ -325,6 +347,35 @@ void TestPictureCanvas::measuresAngleByKeys()
     QVERIFY(pane.window.left.isEmpty());
     QTest::keyClick(pane.view, Qt::Key_M);
     QCOMPARE(pane.view->measurement().mode(), MeasureMode::Off);
+}
+
+/// A cursor that is out of sight comes back first.
+void TestPictureCanvas::setsNoPointWhereNobodySeesIt()
+{
+    Pane pane;
+    QVERIFY(pane.send(1));
+    QTest::keyClick(pane.view, Qt::Key_M);
+    const auto goToCorner = [&pane] {
+        for (int i = 0; i < 300; ++i) {
+            QTest::keyClick(pane.view, Qt::Key_6);
+            QTest::keyClick(pane.view, Qt::Key_2);
+        }
+    };
+    const auto seen = [&pane] { return pane.view->viewport().part().contains(pane.view->measurement().points().back()); };
+    const auto setPoints = [&pane] {
+        QTest::keyClick(pane.view, Qt::Key_5);
+        return pane.view->measurement().points().size();
+    };
+    goToCorner();
+    QVERIFY(pane.send(2, frameSize / 2));
+    QCOMPARE(setPoints(), std::size_t(0));
+    QCOMPARE(setPoints(), std::size_t(1));
+    QVERIFY(seen());
+    goToCorner();
+    pane.view->zoomBy(4); // about the middle
+    QCOMPARE(setPoints(), std::size_t(1));
+    QCOMPARE(setPoints(), std::size_t(2));
+    QVERIFY(seen());
 }
 
 void TestPictureCanvas::showsFocus()
