@@ -43,7 +43,9 @@ constexpr auto monitorFooter =
     "whose latency is smaller than its uncertainty is as fast as can be told. MISSED counts heartbeats; UDP says whether the datagram "
     "path\n"
     "works both ways (if not, heartbeats and motion commands use TCP alone). docs/OPERATING.md says what each cause means.\n\n"
-    "A device that says nothing for 3 s, as it is frozen or hangs, is named instead of its links; --once does not wait longer.\n\n"
+    "A device that says nothing for 3 s, as it is frozen or hangs, is named instead of its links; --once does not wait longer.\n"
+    "Without --once the monitor goes on until Ctrl-C. A device that has gone is named (where no page is drawn, once on the\n"
+    "error output), and watched again when it is back; so is one that is started later.\n\n"
     "Examples:\n"
     "  liena monitor                        all devices of this user on this computer\n"
     "  liena monitor robot 0x40018208       some of them, by name or id\n"
@@ -53,17 +55,19 @@ constexpr auto monitorFooter =
 using Clock = std::chrono::steady_clock;
 
 constexpr int linesForOnce = 2;
-constexpr std::chrono::seconds longestSilence{3}; // a device speaks each second
+constexpr std::chrono::seconds longestSilence{3};         // a device speaks each second
+constexpr std::chrono::milliseconds betweenAttaches{500}; // a device that lets nobody in is not asked without end
 constexpr std::size_t longestLine = 1024UL * 1024UL;
 
 /// One device that is watched.
 struct Watched {
-    int socket = -1; ///< -1: its program takes no connection
+    int socket = -1; ///< -1: its program takes no connection, or has gone
     std::string id;
     Clock::time_point heard = Clock::now();
     std::string received;
     std::string line; ///< the newest whole one
     int lines = 0;
+    bool gone = false; ///< it ended the connection, and has said nothing since
     JsonValue status;
 };
 
@@ -83,12 +87,10 @@ public:
     {
         attach();
         if (m_watched.empty()) {
-            fmt::print(stderr,
-                       "liena monitor: no device offers its status in {}. Start one as this user, or name its folder with --folder\n",
-                       m_options.folder);
+            fmt::print(stderr, "liena monitor: {}", noneText());
             return 1;
         }
-        while (!m_watched.empty() && turn()) {
+        while ((!m_options.once || !m_watched.empty()) && turn()) {
         }
         tellUnknown();
         if (m_options.once)
@@ -97,8 +99,15 @@ public:
     }
 
 private:
+    std::string noneText() const
+    {
+        return fmt::format("no device offers its status in {}. Start one as this user, or name its folder with --folder\n",
+                           m_options.folder);
+    }
+
     void attach()
     {
+        m_attached = Clock::now();
         std::error_code failure;
         for (const auto& entry : std::filesystem::directory_iterator(m_options.folder, failure))
             if (entry.path().extension() == ".sock")
@@ -114,10 +123,13 @@ private:
         const int socket = connectTo(file.string(), failure);
         // A frozen program's waiting list is full: it is there all the same, and has to be named.
         if (socket < 0 && failure != EAGAIN) {
-            m_watched.erase(file.string());
+            if (known != m_watched.end() && !known->second.gone)
+                m_watched.erase(known);
             return;
         }
         auto& one = m_watched[file.string()];
+        if (one.gone && socket >= 0)
+            one.heard = Clock::now(); // its silence begins anew
         one.socket = socket;
         one.id = "0x" + file.stem().string();
     }
@@ -157,8 +169,8 @@ private:
             tellUnknown();
         if (m_options.once && allShown())
             return false;
-        if (m_live)
-            attach(); // devices that were started since
+        if (!m_options.once && Clock::now() - m_attached >= betweenAttaches)
+            attach(); // devices that were started since, or again
         return true;
     }
 
@@ -172,7 +184,10 @@ private:
             return;
         if (count <= 0 || one.received.size() > longestLine) {
             ::close(socket);
-            m_watched.erase(at);
+            if (m_options.once)
+                m_watched.erase(at);
+            else
+                markGone(one);
             return;
         }
         one.received.append(bytes, static_cast<std::size_t>(count));
@@ -183,6 +198,15 @@ private:
         }
     }
 
+    void markGone(Watched& one)
+    {
+        one.socket = -1;
+        one.received.clear();
+        if (!m_live && !one.gone && isWanted(one))
+            fmt::print(stderr, "liena monitor: {}", gonePage(one.status, one.id));
+        one.gone = true;
+    }
+
     void take(Watched& one)
     {
         auto status = JsonValue::parse(one.line);
@@ -190,6 +214,7 @@ private:
             return;
         one.status = std::move(*status);
         one.heard = Clock::now();
+        one.gone = false;
         ++one.lines;
         // The first line has no rates yet: who asks once gets the second.
         if (!isWanted(one) || (m_options.once && one.lines != linesForOnce))
@@ -254,7 +279,7 @@ private:
         return text;
     }
 
-    /// Once: where nothing is drawn, no device is attached later.
+    /// Once: where nothing is drawn, a device that comes later is heard.
     void tellUnknown()
     {
         if (m_live || m_unknownTold)
@@ -266,6 +291,8 @@ private:
 
     static std::string pageOf(const Watched& one)
     {
+        if (one.gone && (one.socket < 0 || !isSilent(one)))
+            return gonePage(one.status, one.id) + '\n';
         if (isSilent(one))
             return silentPage(one.status, one.id, silenceOf(one)) + '\n';
         return one.status.isNull() ? std::string() : monitorPage(one.status) + '\n';
@@ -277,7 +304,7 @@ private:
         for (const auto& [file, one] : m_watched)
             if (isWanted(one))
                 page += pageOf(one);
-        page += unknownText();
+        page += m_watched.empty() ? noneText() : unknownText();
         page += "Ctrl-C ends the monitor; the devices do not notice.\n";
         fmt::print("{}", page);
         std::fflush(stdout);
@@ -287,6 +314,7 @@ private:
     bool m_live;
     bool m_seen = false;
     bool m_unknownTold = false;
+    Clock::time_point m_attached{};
     std::map<std::string, Watched> m_watched;
 };
 

@@ -114,6 +114,12 @@ std::string auditLine(const JsonValue& audit)
                        printable(audit["head"].text()));
 }
 
+std::string nameOf(const JsonValue& status, const std::string& id)
+{
+    const auto name = printable(status["device"].text());
+    return name.empty() ? printable(id) : fmt::format("{} ({})", name, printable(id));
+}
+
 } // namespace
 
 std::string monitorPage(const JsonValue& status)
@@ -132,9 +138,14 @@ std::string monitorPage(const JsonValue& status)
 
 std::string silentPage(const JsonValue& status, const std::string& id, std::chrono::seconds silence)
 {
-    const auto name = printable(status["device"].text());
-    return fmt::format("{}  SAYS NOTHING for {} s: its program is stopped or hangs, and its links are not known\n",
-                       name.empty() ? printable(id) : fmt::format("{} ({})", name, printable(id)), silence.count());
+    return fmt::format("{}  SAYS NOTHING for {} s: its program is stopped or hangs, and its links are not known\n", nameOf(status, id),
+                       silence.count());
+}
+
+std::string gonePage(const JsonValue& status, const std::string& id)
+{
+    return fmt::format("{}  HAS GONE: its program has ended, or lets nobody else watch; it is watched again when it is back\n",
+                       nameOf(status, id));
 }
 
 } // namespace liena::tools

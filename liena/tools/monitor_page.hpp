@@ -15,4 +15,7 @@ std::string monitorPage(const JsonValue& status);
 /// socket's name; the status is null when it never spoke.
 std::string silentPage(const JsonValue& status, const std::string& id, std::chrono::seconds silence);
 
+/// In its place when the device has ended the connection.
+std::string gonePage(const JsonValue& status, const std::string& id);
+
 } // namespace liena::tools

@@ -9,6 +9,8 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <optional>
+
 #include <fcntl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -194,6 +196,54 @@ private Q_SLOTS:
         QTRY_VERIFY2(page.screen().contains("cockpit       open"), page.screen().constData());
         QTRY_VERIFY2(page.screen().contains("robot (0x00008208)  SAYS NOTHING for "), page.screen().constData());
         QVERIFY2(!page.screen().contains("cockpit       open"), page.screen().constData());
+    }
+
+    /// The robot is the only one: with it everything that is watched goes.
+    void theMonitorGoesOnWhenItsDeviceRestarts()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto settings = system.settingsOf("robot");
+        std::optional<TestDevice> robot(std::in_place, settings);
+        QProcess monitor;
+        monitor.start(lienaProgram,
+                      {QStringLiteral("monitor"), QStringLiteral("--json"), QStringLiteral("--folder"), text(settings.status)});
+        QByteArray lines;
+        QByteArray errors;
+        const auto heard = [&](const QByteArray& in, const char* part) {
+            lines += monitor.readAllStandardOutput();
+            errors += monitor.readAllStandardError();
+            return in.count(part);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(heard(lines, "\"software\":") > 0, 20000);
+        robot.reset();
+        QTRY_VERIFY_WITH_TIMEOUT(heard(errors, "robot (0x00008208)  HAS GONE") > 0, 20000);
+        lines.clear();
+        robot.emplace(settings);
+        QTRY_VERIFY_WITH_TIMEOUT(heard(lines, "\"software\":") > 1, 20000); // one may be from before
+        QCOMPARE(errors.count("HAS GONE"), 1);                              // while it was away, too
+        QCOMPARE(monitor.state(), QProcess::Running);
+        monitor.kill();
+        QVERIFY(monitor.waitForFinished());
+    }
+
+    void theLivePageShowsWhoHasGone()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto settings = system.settingsOf("robot");
+        std::optional<TestDevice> robot(std::in_place, settings);
+        Terminal terminal;
+        QProcess monitor;
+        monitor.setStandardOutputFile(terminal.name());
+        monitor.start(lienaProgram, {QStringLiteral("monitor"), QStringLiteral("--folder"), text(settings.status)});
+        QTRY_VERIFY2(terminal.screen().contains("cockpit       closed"), terminal.screen().constData());
+        robot.reset();
+        QTRY_VERIFY2(terminal.screen().contains("robot (0x00008208)  HAS GONE"), terminal.screen().constData());
+        QVERIFY2(!terminal.screen().contains("cockpit       closed"), terminal.screen().constData());
+        robot.emplace(settings);
+        QTRY_VERIFY2(terminal.screen().contains("cockpit       closed"), terminal.screen().constData());
+        QVERIFY2(!terminal.screen().contains("HAS GONE"), terminal.screen().constData());
+        monitor.kill();
+        QVERIFY(monitor.waitForFinished());
     }
 
     void theMonitorSaysThatNobodyHasAName()

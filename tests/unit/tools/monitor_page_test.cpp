@@ -118,6 +118,14 @@ private slots:
         QVERIFY(tools::silentPage({}, "0x40018208", 7s).starts_with("0x40018208  SAYS NOTHING"));
     }
 
+    void aDeviceThatHasGoneIsNamedAndItsLinksAreNotShown()
+    {
+        const auto page = tools::gonePage(tools::JsonValue::parse(lineOf(loaded())).value(), "0x40018208");
+        QVERIFY2(page.starts_with("cockpit (0x40018208)  HAS GONE"), page.c_str());
+        QVERIFY2(!contains(page, "open"), page.c_str());
+        QVERIFY(tools::gonePage({}, "0x40018208").starts_with("0x40018208  HAS GONE"));
+    }
+
     void namesOfPeersMoveNoCursor()
     {
         const auto page = tools::monitorPage(tools::JsonValue::parse("{\"links\":[{\"peer\":\"a\\u001b[2Jb\"}]}").value());
