@@ -45,7 +45,10 @@ std::string latencyRow(std::string_view name, const ProbeFigures& figures)
 std::string verdictLine(const JudgedFigure& judged)
 {
     const auto& kind = kindOf(judged.figure);
-    const auto value = judged.value ? fmt::format("{:.3g} {}", *judged.value, kind.unit) : std::string("-");
+    const auto limit = judged.limits && judged.verdict == Verdict::NoGo ? std::optional(judged.limits->caution)
+                       : judged.limits                                  ? std::optional(judged.limits->go)
+                                                                        : std::nullopt;
+    const auto value = judged.value ? fmt::format("{} {}", numberText(*judged.value, limit), kind.unit) : std::string("-");
     const auto limits = judged.limits ? fmt::format("{} {:g} / {:g} {}", kind.leastWanted ? "from" : "up to", judged.limits->go,
                                                     judged.limits->caution, kind.unit)
                                       : std::string("no limit");

@@ -150,8 +150,9 @@ std::string latencyPlot(const BenchSubject& subject, const LineProfile& profile,
         svg += curveLine(curve, range);
         svg += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"3\"/>", left, y - 4, left + 24,
                            y - 4, curve.colour);
-        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}: 99 % within {:.3g} ms, most {:.3g} ms</text>\n", left + 32, y, curve.name,
-                           static_cast<double>(curve.latencies->quantile(0.99)) / 1e6, static_cast<double>(curve.latencies->max()) / 1e6);
+        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}: 99 % within {} ms, most {} ms</text>\n", left + 32, y, curve.name,
+                           numberText(static_cast<double>(curve.latencies->quantile(0.99)) / 1e6),
+                           numberText(static_cast<double>(curve.latencies->max()) / 1e6));
         y += 20;
     }
     return svg + "</svg>\n";

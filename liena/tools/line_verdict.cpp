@@ -153,10 +153,11 @@ JudgedFigure judgeFigure(const FigureKind& kind, const Measurement& measurement,
     const auto within = [&](double limit) { return kind.leastWanted ? *judged.value >= limit : *judged.value <= limit; };
     const auto found = within(judged.limits->go) ? Verdict::Go : within(judged.limits->caution) ? Verdict::Caution : Verdict::NoGo;
     judged.verdict = std::max(judged.verdict, found);
-    if (found != Verdict::Go)
-        judged.reason =
-            fmt::format("{:.3g} {} is {} {:g} {}{}{}", *judged.value, kind.unit, kind.leastWanted ? "less than" : "more than",
-                        found == Verdict::NoGo ? judged.limits->caution : judged.limits->go, kind.unit, why.empty() ? "" : "; ", why);
+    if (found == Verdict::Go)
+        return judged;
+    const double limit = found == Verdict::NoGo ? judged.limits->caution : judged.limits->go;
+    judged.reason = fmt::format("{} {} is {} {:g} {}{}{}", numberText(*judged.value, limit), kind.unit,
+                                kind.leastWanted ? "less than" : "more than", limit, kind.unit, why.empty() ? "" : "; ", why);
     return judged;
 }
 
@@ -173,6 +174,16 @@ std::string_view wordOf(Verdict verdict)
         break;
     }
     return "NO-GO";
+}
+
+std::string numberText(double value, std::optional<double> limit)
+{
+    const auto other = limit ? fmt::format("{:g}", *limit) : std::string();
+    constexpr int mostDigits = 15; // what a double keeps
+    auto text = fmt::format("{:.3g}", value);
+    for (int digits = 4; digits <= mostDigits && (text == other || text.find("e+") != std::string::npos); ++digits)
+        text = fmt::format("{:.{}g}", value, digits);
+    return text;
 }
 
 const PhaseFigures* phaseOf(const Measurement& measurement, std::string_view name)

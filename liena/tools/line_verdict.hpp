@@ -38,6 +38,10 @@ struct LineVerdict {
     std::vector<JudgedFigure> figures; ///< in the order of the table of figures
 };
 
+/// Three digits, or as many as it takes to write it without an exponent and to tell it from `limit`: 99.88 is not "99.9", which 99.9 would
+/// be as well.
+std::string numberText(double value, std::optional<double> limit = std::nullopt);
+
 /// What of a measurement is a figure; nothing when it was not measured, `why` says the reason then.
 std::optional<double> valueOf(Figure figure, const Measurement& measurement, std::string& why);
 

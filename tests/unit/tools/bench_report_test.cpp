@@ -54,6 +54,18 @@ private Q_SLOTS:
             QVERIFY2(text.find(part) != std::string::npos, (std::string(part) + "\n" + text).c_str());
     }
 
+    void noNumberHasAnExponent()
+    {
+        auto measurement = goodLine();
+        measurement.phases[3].images = figures({15, 0, 524'288}, 200, 1'240'000'000);
+        const auto text = textOf(measurement);
+        QVERIFY2(text.find("1240 ms is more than 100 ms") != std::string::npos, text.c_str());
+        const auto svg = latencyPlot(subject, strictProfile(), judge(measurement, strictProfile()), measurement);
+        QVERIFY2(svg.find("images, until heard: 99 % within 1240 ms, most 1240 ms") != std::string::npos, svg.c_str());
+        for (const auto& shown : {text, svg})
+            QVERIFY2(shown.find("e+") == std::string::npos, shown.c_str());
+    }
+
     void theBudgetIsSaid()
     {
         auto measurement = goodLine();

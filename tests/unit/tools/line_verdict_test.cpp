@@ -45,6 +45,8 @@ const std::vector<Spoiled>& spoiled()
          "95.2 % is less than 99 %"},
         {"commands withheld beside images", [](Measurement& m) { of(m, 3).prompt.withheld = 2500; }, Figure::CommandsCarried, Verdict::NoGo,
          "50 % is less than 90 %"},
+        {"just below", [](Measurement& m) { of(m, 0).prompt.echoed = 2474; }, Figure::CommandsCarried, Verdict::Caution,
+         "98.96 % is less than 99 %"},
         {"no commands", [](Measurement& m) { of(m, 0).prompt = of(m, 3).prompt = {}; }, Figure::CommandsCarried, Verdict::Caution,
          "not measured"},
         {"thin", [](Measurement& m) { of(m, 4).images.echoed = 150; }, Figure::ImageRate, Verdict::Caution, "less than 20 MB/s"},
@@ -92,6 +94,18 @@ private Q_SLOTS:
         QCOMPARE(wordOf(judged.verdict).data(), wordOf(row.verdict).data());
         QVERIFY2(judged.reason.find(row.reason) != std::string::npos, judged.reason.c_str());
         QVERIFY(verdict.verdict >= judged.verdict);
+    }
+
+    void aNumberIsToldFromItsLimitAndHasNoExponent()
+    {
+        QCOMPARE(numberText(99.88, 99.9), std::string("99.88"));
+        QCOMPARE(numberText(10.04, 10), std::string("10.04"));
+        QCOMPARE(numberText(1.4321, 10), std::string("1.43"));
+        QCOMPARE(numberText(1240, 200), std::string("1240"));
+        QCOMPARE(numberText(1000.4, 1000), std::string("1000.4"));
+        QCOMPARE(numberText(999.7), std::string("999.7"));
+        QCOMPARE(numberText(100, 100), std::string("100"));
+        QCOMPARE(numberText(0.1, 0.1), std::string("0.1"));
     }
 
     void whatHasNoLimitDecidesNothing()
