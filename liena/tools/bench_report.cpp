@@ -38,7 +38,7 @@ std::string latencyRow(std::string_view name, const ProbeFigures& figures)
     const auto& all = figures.roundTrip;
     auto line = fmt::format("  {:<26}", name);
     for (const double fraction : {0.5, 0.9, 0.99, 0.999, 0.9999})
-        line += right(latency(all.quantile(fraction)), 9);
+        line += right(all.tells(fraction) ? latency(all.quantile(fraction)) : "-", 9);
     return line + right(latency(all.max()), 9) + right(std::to_string(figures.echoed), 9) + "\n";
 }
 

@@ -116,6 +116,15 @@ std::string limitLines(const Range& range, const LineProfile& profile)
     return svg;
 }
 
+/// Empty where there are too few.
+std::string within(const LatencyHistogram& latencies)
+{
+    constexpr double fraction = 0.99;
+    if (!latencies.tells(fraction))
+        return {};
+    return fmt::format("99 % within {} ms, ", numberText(static_cast<double>(latencies.quantile(fraction)) / 1e6));
+}
+
 std::string curveLine(const Curve& curve, const Range& range)
 {
     std::string points;
@@ -150,8 +159,7 @@ std::string latencyPlot(const BenchSubject& subject, const LineProfile& profile,
         svg += curveLine(curve, range);
         svg += fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"3\"/>", left, y - 4, left + 24,
                            y - 4, curve.colour);
-        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}: 99 % within {} ms, most {} ms</text>\n", left + 32, y, curve.name,
-                           numberText(static_cast<double>(curve.latencies->quantile(0.99)) / 1e6),
+        svg += fmt::format("<text x=\"{}\" y=\"{}\">{}: {}most {} ms</text>\n", left + 32, y, curve.name, within(*curve.latencies),
                            numberText(static_cast<double>(curve.latencies->max()) / 1e6));
         y += 20;
     }

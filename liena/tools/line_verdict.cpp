@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace liena::tools {
 
@@ -13,12 +14,28 @@ double milliseconds(std::uint64_t ns) { return static_cast<double>(ns) / 1e6; }
 
 double secondsOf(const ProbeFigures& figures) { return std::chrono::duration<double>(figures.spent).count(); }
 
-std::optional<double> roundTrip(const ProbeFigures& figures, std::string& why)
+void add(std::string& why, const std::string& more)
+{
+    if (!more.empty())
+        why += (why.empty() ? "" : "; ") + more;
+}
+
+/// Of fewer, one alone is more than the share that may be worse: that there is none tells nothing.
+std::string tooFew(double percent, std::uint64_t count, std::string_view what)
+{
+    const double needed = std::ceil(100 / (100 - percent) - 1e-6);
+    if (static_cast<double>(count) >= needed)
+        return {};
+    return fmt::format("{:g} % needs {:.0f} {}, not {}: measure for longer", percent, needed, what, count);
+}
+
+std::optional<double> roundTrip(const ProbeFigures& figures, std::string_view what, std::string& why)
 {
     if (figures.echoed == 0) {
         why = "no echo came back";
         return std::nullopt;
     }
+    add(why, tooFew(99, figures.roundTrip.count(), what));
     return milliseconds(figures.roundTrip.quantile(0.99));
 }
 
@@ -65,6 +82,7 @@ std::optional<double> jitterOf(const Measurement& measurement, std::string& why)
         (void)lossOf(measurement, why);
         return std::nullopt;
     }
+    add(why, tooFew(99.9, phase->packets.roundTrip.count(), "packets"));
     return milliseconds(phase->packets.roundTrip.quantile(0.999) - phase->packets.roundTrip.least());
 }
 
@@ -127,10 +145,27 @@ std::optional<double> besideImages(Figure figure, const Measurement& measurement
         why = fmt::format("measured with {:.1f} images a second, which is what the budget allows, not {:.1f}", phase->images.perSecond,
                           phase->images.asked.perSecond);
     if (figure == Figure::RoundTripBesideImages)
-        return roundTrip(phase->prompt, why);
+        return roundTrip(phase->prompt, "commands", why);
     if (figure == Figure::ImagesCarried)
         return carried(phase->images);
-    return roundTrip(phase->images, why);
+    return roundTrip(phase->images, "images", why);
+}
+
+/// The rule of three is not for these: what TCP carries is not lost now and then, it is withheld where the line is too narrow, and goes on
+/// being so.
+std::string tooFewDue(Figure figure, const Measurement& measurement, double limit)
+{
+    const auto due = [](const ProbeFigures& figures) { return figures.sent + figures.withheld; };
+    const double percent = std::min(limit, 99.9); // no number tells 100 %
+    if (figure == Figure::ImagesCarried) {
+        const auto* phase = phaseOf(measurement, phases::besideImages);
+        return phase != nullptr ? tooFew(percent, due(phase->images), "images") : std::string();
+    }
+    std::optional<std::uint64_t> least;
+    for (const auto name : {phases::paced, phases::besideImages})
+        if (const auto* phase = phaseOf(measurement, name); phase != nullptr && due(phase->prompt) > 0)
+            least = std::min(least.value_or(due(phase->prompt)), due(phase->prompt));
+    return least ? tooFew(percent, *least, "commands") : std::string();
 }
 
 JudgedFigure judgeFigure(const FigureKind& kind, const Measurement& measurement, const LineProfile& profile)
@@ -143,6 +178,9 @@ JudgedFigure judgeFigure(const FigureKind& kind, const Measurement& measurement,
         judged.limits = limits->second;
     if (kind.figure == Figure::Loss && judged.value == 0.0 && judged.limits)
         why = tooFewPackets(measurement, judged.limits->go);
+    const bool isShare = kind.figure == Figure::CommandsCarried || kind.figure == Figure::ImagesCarried;
+    if (isShare && judged.limits && judged.value && *judged.value >= judged.limits->go)
+        add(why, tooFewDue(kind.figure, measurement, judged.limits->go));
     judged.reason = why;
     if (!judged.limits)
         return judged;
@@ -199,7 +237,7 @@ std::optional<double> valueOf(Figure figure, const Measurement& measurement, std
     case Figure::RoundTrip: {
         const auto* phase = phaseOf(measurement, phases::paced);
         why = phase != nullptr ? "" : "commands were not measured";
-        return phase != nullptr ? roundTrip(phase->prompt, why) : std::nullopt;
+        return phase != nullptr ? roundTrip(phase->prompt, "commands", why) : std::nullopt;
     }
     case Figure::Jitter:
         return jitterOf(measurement, why);

@@ -30,6 +30,9 @@ public:
     /// The least value that `fraction` of the records do not exceed, rounded up to its bucket's end; 0 when nothing was recorded.
     std::uint64_t quantile(double fraction) const;
 
+    /// Whether so many were recorded that this quantile is more than just the greatest of them: 100 for 99 %.
+    bool tells(double fraction) const { return static_cast<double>(m_count) * (1 - fraction) > 1 - 1e-9; }
+
     /// Calls `tell(value, count)` for each bucket that is not empty, in order; `value` is its end, or the greatest that was recorded.
     /// Recording these values again gives the same quantiles.
     template <typename Tell>

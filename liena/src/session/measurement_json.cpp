@@ -2,6 +2,8 @@
 #include "liena/json_line.hpp"
 #include "liena/measurement.hpp"
 
+#include <cmath>
+
 namespace liena {
 
 namespace {
@@ -9,10 +11,11 @@ namespace {
 std::string percentiles(const LatencyHistogram& latencies)
 {
     const auto us = [](std::uint64_t ns) { return static_cast<double>(ns) / 1000; };
+    const auto percentile = [&](double fraction) { return latencies.tells(fraction) ? us(latencies.quantile(fraction)) : std::nan(""); };
     JsonLine json;
     json.add("least", us(latencies.least()));
-    json.add("p50", us(latencies.quantile(0.5))).add("p90", us(latencies.quantile(0.9))).add("p99", us(latencies.quantile(0.99)));
-    json.add("p99_9", us(latencies.quantile(0.999))).add("p99_99", us(latencies.quantile(0.9999)));
+    json.add("p50", percentile(0.5)).add("p90", percentile(0.9)).add("p99", percentile(0.99));
+    json.add("p99_9", percentile(0.999)).add("p99_99", percentile(0.9999));
     return json.add("max", us(latencies.max())).text();
 }
 

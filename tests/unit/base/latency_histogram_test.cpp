@@ -16,6 +16,18 @@ private Q_SLOTS:
         QCOMPARE(histogram.quantile(0.99), std::uint64_t{0});
     }
 
+    void tellsAQuantileFromTheGreatestByCount()
+    {
+        LatencyHistogram histogram;
+        QVERIFY(!histogram.tells(0.5));
+        histogram.record(5, 99);
+        QVERIFY(histogram.tells(0.9) && !histogram.tells(0.99));
+        histogram.record(5);
+        QVERIFY(histogram.tells(0.99) && !histogram.tells(0.999));
+        histogram.record(5, 9900);
+        QVERIFY(histogram.tells(0.9999) && !histogram.tells(1));
+    }
+
     void isExactBelow64()
     {
         LatencyHistogram histogram;

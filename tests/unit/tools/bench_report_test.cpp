@@ -50,8 +50,28 @@ private Q_SLOTS:
     {
         const auto text = textOf(goodLine());
         for (const char* part :
-             {"commands, paced", "2.0", "commands at most", "20000 a second", "images at most", "52.4 MB/s", "75 of 75 that were due"})
+             {"commands, paced", "2.0", "commands at most", "20000 a second", "images at most", "52.4 MB/s", "105 of 105 that were due"})
             QVERIFY2(text.find(part) != std::string::npos, (std::string(part) + "\n" + text).c_str());
+    }
+
+    void aPercentileOfTooFewIsNone()
+    {
+        auto measurement = goodLine();
+        measurement.phases[0].prompt = figures({100}, 500, 2'000'000);
+        const auto text = textOf(measurement);
+        const auto row = text.substr(text.find("  commands, paced"));
+        QCOMPARE(QString::fromStdString(row.substr(0, row.find('\n'))).simplified(),
+                 QStringLiteral("commands, paced 2.00 ms 2.00 ms 2.00 ms - - 2.00 ms 500"));
+        const auto json = JsonValue::parse(toJson(measurement));
+        QVERIFY(json);
+        const auto roundTrip = (*json)["phases"].items().front()["prompt"]["round_trip_us"];
+        QCOMPARE(roundTrip["p99"].numberOr(0), 2000.0);
+        QVERIFY(roundTrip["p99_9"].isNull() && roundTrip["p99_99"].isNull());
+        QCOMPARE(roundTrip["max"].numberOr(0), 2000.0);
+        measurement.phases[3].images = figures({15, 0, 524'288}, 10, 20'000'000);
+        const auto svg = latencyPlot(subject, strictProfile(), judge(measurement, strictProfile()), measurement);
+        QVERIFY2(svg.find("images, until heard: most 20 ms") != std::string::npos, svg.c_str());
+        QVERIFY2(svg.find("commands, idle: 99 % within 2 ms, most 2 ms") != std::string::npos, svg.c_str());
     }
 
     void noNumberHasAnExponent()

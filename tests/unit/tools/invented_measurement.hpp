@@ -26,7 +26,7 @@ inline Measurement goodLine()
         {phases::backToBack, figures({0, 1}, 1250, 2'000'000), {}, {}},
         {phases::messages, figures({0, 256}, 100'000, 9'000'000), {}, {}},
         {phases::besideImages, figures(commands, 2500, 3'000'000), figures(commands, 2500, 2'900'000),
-         figures({15, 0, 524'288}, 75, 20'000'000)},
+         figures({15, 0, 524'288}, 105, 20'000'000)},
         {phases::images, {}, {}, figures({0, 3, 524'288}, 500, 60'000'000)},
     };
     return measurement;

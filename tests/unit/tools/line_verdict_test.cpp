@@ -53,10 +53,37 @@ const std::vector<Spoiled>& spoiled()
         {"too thin", [](Measurement& m) { of(m, 4).images.echoed = 0; }, Figure::ImageRate, Verdict::NoGo, "no image arrived"},
         {"limited", [](Measurement& m) { of(m, 4).images.limited = true; }, Figure::ImageRate, Verdict::Caution, "budget"},
         {"left out", [](Measurement& m) { m.phases.pop_back(); }, Figure::ImageRate, Verdict::Caution, "fills the line"},
-        {"withheld", [](Measurement& m) { of(m, 3).images.withheld = 25; }, Figure::ImagesCarried, Verdict::NoGo, "75 % is less than 90 %"},
+        {"withheld", [](Measurement& m) { of(m, 3).images.withheld = 35; }, Figure::ImagesCarried, Verdict::NoGo, "75 % is less than 90 %"},
         {"old images", [](Measurement& m) { of(m, 3).images.roundTrip.record(70'000'000, 5); }, Figure::ImageDelivery, Verdict::Caution,
          "more than 50 ms"},
         {"fewer images", [](Measurement& m) { of(m, 3).images.limited = true; }, Figure::ImageDelivery, Verdict::Caution, "budget allows"},
+        {"few images",
+         [](Measurement& m) {
+             of(m, 3).images = figures({15, 0, 524'288}, 75, 20'000'000);
+         },
+         Figure::ImageDelivery, Verdict::Caution, "99 % needs 100 images, not 75"},
+        {"few images due",
+         [](Measurement& m) {
+             of(m, 3).images = figures({15, 0, 524'288}, 1, 20'000'000);
+         },
+         Figure::ImagesCarried, Verdict::Caution, "99 % needs 100 images, not 1:"},
+        {"few images, and slow",
+         [](Measurement& m) {
+             of(m, 3).images = figures({15, 0, 524'288}, 10, 200'000'000);
+         },
+         Figure::ImageDelivery, Verdict::NoGo, "200 ms is more than 100 ms; 99 % needs 100 images, not 10"},
+        {"few commands", [](Measurement& m) { of(m, 0).prompt = figures({500}, 99, 2'000'000); }, Figure::RoundTrip, Verdict::Caution,
+         "99 % needs 100 commands, not 99"},
+        {"just enough commands", [](Measurement& m) { of(m, 0).prompt = figures({500}, 100, 2'000'000); }, Figure::RoundTrip, Verdict::Go,
+         ""},
+        {"few commands beside images", [](Measurement& m) { of(m, 3).prompt = figures({500}, 50, 2'000'000); },
+         Figure::RoundTripBesideImages, Verdict::Caution, "99 % needs 100 commands, not 50"},
+        {"few commands due", [](Measurement& m) { of(m, 3).prompt = figures({500}, 50, 2'000'000); }, Figure::CommandsCarried,
+         Verdict::Caution, "99 % needs 100 commands, not 50"},
+        {"few packets for jitter", [](Measurement& m) { of(m, 0).packets = figures({500}, 999, 1'900'000); }, Figure::Jitter,
+         Verdict::Caution, "99.9 % needs 1000 packets, not 999"},
+        {"just enough packets for jitter", [](Measurement& m) { of(m, 0).packets = figures({500}, 1000, 1'900'000); }, Figure::Jitter,
+         Verdict::Go, ""},
         {"nothing back", [](Measurement& m) { of(m, 0).prompt.echoed = 0; }, Figure::RoundTrip, Verdict::Caution, "no echo"},
     };
     return all;
