@@ -61,8 +61,8 @@ std::string verdictLine(const JudgedFigure& judged)
 std::optional<double> mostCommands(const Measurement& measurement)
 {
     const auto* phase = phaseOf(measurement, phases::messages);
-    if (phase == nullptr || phase->prompt.spent.count() <= 0)
-        return std::nullopt;
+    if (phase == nullptr || phase->prompt.limited || phase->prompt.spent.count() <= 0)
+        return std::nullopt; // the budget's rate is none of the line
     return static_cast<double>(phase->prompt.echoed) / std::chrono::duration<double>(phase->prompt.spent).count();
 }
 

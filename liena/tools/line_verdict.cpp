@@ -122,13 +122,27 @@ std::optional<double> carried(const ProbeFigures& figures)
     return due > 0 ? std::optional(100.0 * static_cast<double>(figures.echoed) / static_cast<double>(due)) : std::nullopt;
 }
 
+/// A round trip is one at any rate; that the line carries commands is told only of the rate at which they were sent.
+std::string slowedCommands(const ProbeFigures& figures)
+{
+    if (!figures.limited)
+        return {};
+    return fmt::format(
+        "measured with {} commands a second, which is what the budget allows, not {}: measure while the devices are at rest, "
+        "or say with --commands that fewer are enough",
+        numberText(figures.perSecond, figures.asked.perSecond), numberText(figures.asked.perSecond));
+}
+
 std::optional<double> commandsCarried(const Measurement& measurement, std::string& why)
 {
     std::optional<double> least;
     for (const auto name : {phases::paced, phases::besideImages})
         if (const auto* phase = phaseOf(measurement, name))
-            if (const auto share = carried(phase->prompt))
+            if (const auto share = carried(phase->prompt)) {
                 least = std::min(least.value_or(*share), *share);
+                if (why.empty())
+                    why = slowedCommands(phase->prompt);
+            }
     if (!least)
         why = "commands were not measured";
     return least;

@@ -49,10 +49,9 @@ Result<MeasureOrder> MeasureOrder::parse(std::string_view line)
 
 MeasurementPlan MeasureOrder::plan() const
 {
-    constexpr double mostPackets = 100;
     const std::chrono::seconds whole(seconds);
     const ProbeStream commands{static_cast<double>(commandsPerSecond), 0, commandBytes};
-    const ProbeStream packets{std::min<double>(commandsPerSecond, mostPackets), 0, commandBytes};
+    const auto& packets = commands; // the two share what is granted in equal parts: with fewer, the commands would be slowed
     return {{"paced", whole, commands, packets, {}}, {"beside-images", whole, commands, packets, {imagesPerSecond, 0, imageBytes}}};
 }
 

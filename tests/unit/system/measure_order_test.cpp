@@ -20,6 +20,7 @@ private Q_SLOTS:
         for (const auto& phase : plan) {
             QCOMPARE(phase.duration, std::chrono::nanoseconds(std::chrono::seconds(20)));
             QCOMPARE(phase.prompt.perSecond, 500.0);
+            QCOMPARE(phase.packets.perSecond, 500.0); // an equal part of what is asked for: nothing is slowed where nothing has a limit
             QCOMPARE(phase.prompt.bytes, 32U);
             QCOMPARE(phase.packets.bytes, 32U);
             for (const auto* stream : {&phase.prompt, &phase.packets, &phase.images})

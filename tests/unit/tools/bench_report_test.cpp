@@ -54,6 +54,17 @@ private Q_SLOTS:
             QVERIFY2(text.find(part) != std::string::npos, (std::string(part) + "\n" + text).c_str());
     }
 
+    void theBudgetsRateIsNoThroughput()
+    {
+        auto measurement = goodLine();
+        measurement.phases[2].prompt.limited = true;
+        const auto text = textOf(measurement);
+        QVERIFY2(text.find("commands at most") == std::string::npos, text.c_str());
+        const auto json = JsonValue::parse(benchJson(subject, strictProfile(), judge(measurement, strictProfile()), measurement));
+        QVERIFY(json && (*json)["throughput"]["commands_per_second"].isNull());
+        QVERIFY(!(*json)["throughput"]["images_mb_per_second"].isNull());
+    }
+
     void aPercentileOfTooFewIsNone()
     {
         auto measurement = goodLine();

@@ -84,6 +84,15 @@ const std::vector<Spoiled>& spoiled()
          Verdict::Caution, "99.9 % needs 1000 packets, not 999"},
         {"just enough packets for jitter", [](Measurement& m) { of(m, 0).packets = figures({500}, 1000, 1'900'000); }, Figure::Jitter,
          Verdict::Go, ""},
+        {"fewer commands",
+         [](Measurement& m) {
+             of(m, 0).prompt.limited = true;
+             of(m, 0).prompt.perSecond = 100;
+         },
+         Figure::CommandsCarried, Verdict::Caution, "measured with 100 commands a second, which is what the budget allows, not 500"},
+        {"fewer commands beside images", [](Measurement& m) { of(m, 3).prompt.limited = true; }, Figure::CommandsCarried, Verdict::Caution,
+         "budget allows"},
+        {"the round trip of fewer commands", [](Measurement& m) { of(m, 0).prompt.limited = true; }, Figure::RoundTrip, Verdict::Go, ""},
         {"nothing back", [](Measurement& m) { of(m, 0).prompt.echoed = 0; }, Figure::RoundTrip, Verdict::Caution, "no echo"},
     };
     return all;
