@@ -5,6 +5,8 @@
 #include "monitor_command.hpp"
 #include "pki_command.hpp"
 #include "probe_command.hpp"
+#include "refusal.hpp"
+#include "report_file.hpp"
 #include "sets_command.hpp"
 
 #include <liena/version.hpp>
@@ -38,6 +40,9 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : wrongUse;
     }
+    // What is short waits in the library's buffer until here.
+    if (const auto written = liena::tools::flushOutput(); !written)
+        return liena::tools::refuse(app.get_subcommands().front()->get_name(), written.error().what);
     return exitCode;
 }
 

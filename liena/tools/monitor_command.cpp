@@ -2,6 +2,8 @@
 #include "monitor_command.hpp"
 
 #include "monitor_page.hpp"
+#include "refusal.hpp"
+#include "report_file.hpp"
 
 #include <liena/device_id.hpp>
 #include <liena/log.hpp>
@@ -50,7 +52,8 @@ constexpr auto monitorFooter =
     "  liena monitor                        all devices of this user on this computer\n"
     "  liena monitor robot 0x40018208       some of them, by name or id\n"
     "  liena monitor --json --once | jq '.links[] | {peer, state}'\n\n"
-    "Exit codes: 0 a device was seen, 1 none was there, 2 wrong use of the command line.";
+    "Exit codes: 0 a device was seen, 1 none was there or the output was not written, 2 wrong use of the\n"
+    "command line.";
 
 using Clock = std::chrono::steady_clock;
 
@@ -92,6 +95,8 @@ public:
         }
         while ((!m_options.once || !m_watched.empty()) && turn()) {
         }
+        if (!m_written)
+            return refuse("monitor", m_written.error().what);
         tellUnknown();
         if (m_options.once)
             tellSilent();
@@ -167,7 +172,7 @@ private:
             draw(); // without news, too: a silence is some
         else
             tellUnknown();
-        if (m_options.once && allShown())
+        if (!m_written || (m_options.once && allShown()))
             return false;
         if (!m_options.once && Clock::now() - m_attached >= betweenAttaches)
             attach(); // devices that were started since, or again
@@ -220,11 +225,8 @@ private:
         if (!isWanted(one) || (m_options.once && one.lines != linesForOnce))
             return;
         m_seen = true;
-        if (m_options.json)
-            fmt::print("{}\n", one.line);
-        else if (!m_live)
-            fmt::print("{}\n", monitorPage(one.status));
-        std::fflush(stdout);
+        if (!m_live && m_written) // a log that has holes is none: what is not written ends the monitor
+            m_written = printReport((m_options.json ? one.line : monitorPage(one.status)) + '\n');
     }
 
     bool isWanted(const Watched& one) const
@@ -313,6 +315,7 @@ private:
     MonitorOptions m_options;
     bool m_live;
     bool m_seen = false;
+    Result<void> m_written = ok();
     bool m_unknownTold = false;
     Clock::time_point m_attached{};
     std::map<std::string, Watched> m_watched;

@@ -104,4 +104,11 @@ Result<void> printReport(std::string_view content)
     return error == 0 ? Result<void>(ok()) : notWritten("the report", error);
 }
 
+Result<void> flushOutput()
+{
+    const int error = std::fflush(stdout) != 0 ? errno : std::ferror(stdout) != 0 ? EIO : 0; // why an earlier part failed is not kept
+    std::clearerr(stdout);
+    return error == 0 ? Result<void>(ok()) : notWritten("the output", error);
+}
+
 } // namespace liena::tools

@@ -18,4 +18,7 @@ Result<void> tryReport(const std::filesystem::path& file);
 /// On standard output; an error when it did not get there.
 Result<void> printReport(std::string_view content);
 
+/// Whether all that was printed before got to standard output; what did not is told once.
+Result<void> flushOutput();
+
 } // namespace liena::tools

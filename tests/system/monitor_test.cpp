@@ -246,6 +246,21 @@ private Q_SLOTS:
         QVERIFY(monitor.waitForFinished());
     }
 
+    void aLogThatIsNotWrittenEndsTheMonitor()
+    {
+        TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});
+        const auto settings = system.settingsOf("robot");
+        TestDevice robot(settings);
+        QProcess monitor;
+        monitor.setStandardOutputFile(QStringLiteral("/dev/full"));
+        monitor.start(lienaProgram,
+                      {QStringLiteral("monitor"), QStringLiteral("--json"), QStringLiteral("--folder"), text(settings.status)});
+        const auto full = outcomeOf(monitor); // without --once
+        QCOMPARE(full.status, 1);
+        QVERIFY2(full.errors.contains(QStringLiteral("liena monitor: the report was not written: ")), qPrintable(full.errors));
+        QVERIFY2(full.errors.contains(QStringLiteral("make room on the disk")), qPrintable(full.errors));
+    }
+
     void theMonitorSaysThatNobodyHasAName()
     {
         TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});

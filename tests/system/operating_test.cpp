@@ -153,6 +153,19 @@ private Q_SLOTS:
         QVERIFY(probe(system, "scalpel").errors.contains(QStringLiteral("scalpel")));
     }
 
+    /// What is shorter than a buffer is written at the end only.
+    void whatIsNotWrittenIsNoSuccess()
+    {
+        const QStringList check{QStringLiteral("check"), QStringLiteral(LIENA_SOURCE_DIR "/resources/devices/vascular-robot.xml")};
+        QCOMPARE(runLiena(check).status, 0);
+        QProcess process;
+        process.setStandardOutputFile(QStringLiteral("/dev/full"));
+        process.start(lienaProgram, check);
+        const auto full = outcomeOf(process);
+        QCOMPARE(full.status, 1);
+        QVERIFY2(full.errors.contains(QStringLiteral("liena check: the output was not written: ")), qPrintable(full.errors));
+    }
+
     void theAuditCommandNamesTheAlteredLine()
     {
         TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"});

@@ -7,9 +7,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <stdexcept>
 
 namespace liena::lab {
 
@@ -66,6 +69,9 @@ std::vector<Fault> chosenFaults(const Options& options)
     return faults;
 }
 
+/// Asked before what takes long; what stands in the file is kept until there is something new.
+bool canWrite(const std::string& file) { return static_cast<bool>(std::ofstream(file, std::ios::app)); }
+
 bool runFaults(const Options& options)
 {
     Campaign campaign(options.campaign);
@@ -75,8 +81,11 @@ bool runFaults(const Options& options)
         rows.push_back(campaign.run(fault));
         printRow(rows.back());
     }
-    if (!options.json.empty())
-        std::ofstream(options.json) << toJson(rows);
+    if (!options.json.empty()) {
+        std::ofstream file(options.json);
+        if (!(file << toJson(rows) << std::flush))
+            throw std::runtime_error(options.json + " was not written: " + std::strerror(errno));
+    }
     return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.holds(); });
 }
 
@@ -122,6 +131,10 @@ int run(const Options& options)
         return listFaults();
     if (options.spin > 0)
         return spin(options.spin);
+    if (!options.json.empty() && !canWrite(options.json)) {
+        std::fprintf(stderr, "lab: %s cannot be written: %s\n", options.json.c_str(), std::strerror(errno));
+        return 2;
+    }
     if (::geteuid() != 0) {
         std::fputs("lab: this must be run as root: it makes network namespaces and TAP devices of its own\n", stderr);
         return 2;
