@@ -48,6 +48,18 @@ int listFaults()
     return 0;
 }
 
+/// Empty for a fault's name; else what is said of it. A run of none would say that everything held.
+std::string refuseUnknown(const std::string& name)
+{
+    std::string names;
+    for (const auto& fault : allFaults()) {
+        if (fault.name == name)
+            return {};
+        names += (names.empty() ? "" : ", ") + fault.name;
+    }
+    return "no fault is called " + name + "; there are " + names;
+}
+
 /// Looks at the clock itself: nothing that would stop it may need the processor that it takes.
 int spin(int milliseconds)
 {
@@ -107,7 +119,7 @@ bool runAll(const Options& options)
 
 void addOptions(CLI::App& app, Options& options)
 {
-    app.add_option("--fault", options.faults, "only these; see --list");
+    app.add_option("--fault", options.faults, "only these; see --list")->check(refuseUnknown);
     app.add_option("--repetitions", options.campaign.repetitions, "of each fault")->check(CLI::Range(1, 100'000));
     app.add_option("--seed", options.campaign.seed, "of every random decision");
     app.add_option("--json", options.json, "write the rows to this file as well");
@@ -165,7 +177,8 @@ int main(int argc, char** argv)
         options.study.keep = options.campaign.keep;
         return liena::lab::run(options);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error);
+        constexpr int wrongUse = 2;
+        return app.exit(error) == 0 ? 0 : wrongUse;
     } catch (const std::exception& failure) {
         std::fprintf(stderr, "lab: %s\n", failure.what());
         return 1;
