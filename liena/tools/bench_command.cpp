@@ -187,8 +187,9 @@ int bench(BenchOptions& options)
     const BenchSubject subject{subjects.value().topology.name(), subjects.value().from.name, subjects.value().to.name, wayOf(options)};
     const auto report = options.json ? benchJson(subject, profile.value(), verdict, measurement) + "\n"
                                      : benchText(subject, profile.value(), verdict, measurement);
+    const auto printed = printReport(report); // first: the plot's place may be a pipe that nobody reads
     const auto drawn = options.svg.empty() ? ok() : writeReport(options.svg, latencyPlot(subject, profile.value(), verdict, measurement));
-    if (const auto printed = printReport(report); !printed)
+    if (!printed)
         return refuse("bench", printed.error().what);
     if (!drawn)
         return refuse("bench", drawn.error().what);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 
 #include <poll.h>
 #include <sys/eventfd.h>
@@ -18,15 +17,18 @@ BenchWatch::BenchWatch() : m_bell(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)), m_s
     sigemptyset(&ends);
     sigaddset(&ends, SIGINT);
     sigaddset(&ends, SIGTERM);
-    ::pthread_sigmask(SIG_BLOCK, &ends, nullptr);
+    ::pthread_sigmask(SIG_BLOCK, &ends, &m_before);
     m_signals = ::signalfd(-1, &ends, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 
-/// The signals stay blocked: one that came late must not end the program before its report.
 BenchWatch::~BenchWatch()
 {
+    signalfd_siginfo late;
+    while (::read(m_signals, &late, sizeof late) == sizeof late) {
+    }
     ::close(m_bell);
     ::close(m_signals);
+    ::pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
 }
 
 void BenchWatch::ring() { ::eventfd_write(m_bell, 1); }

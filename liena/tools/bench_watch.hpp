@@ -2,10 +2,12 @@
 #pragma once
 
 #include <chrono>
+#include <csignal>
 
 namespace liena::tools {
 
-/// While it lives, SIGINT and SIGTERM are orders to end; make it before any thread. Waiting is for one thread.
+/// While it lives, SIGINT and SIGTERM are orders to end; make it before any thread. Waiting is for the thread that made it, and its end is.
+/// Then a signal that came too late for wait() is forgotten: it must not end the program before its report. The next one ends it again.
 class BenchWatch {
 public:
     BenchWatch();
@@ -23,6 +25,7 @@ public:
 private:
     int m_bell;
     int m_signals;
+    sigset_t m_before{}; ///< what was blocked
 };
 
 } // namespace liena::tools

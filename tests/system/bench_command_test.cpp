@@ -14,6 +14,8 @@
 #include <atomic>
 #include <latch>
 
+#include <sys/stat.h>
+
 using namespace liena;
 using namespace liena::test;
 using Kind = SessionEvent::Kind;
@@ -280,6 +282,24 @@ private Q_SLOTS:
         QVERIFY2(refused.status == 1 && refused.errors.contains(QStringLiteral("robot refuses to be measured")), qPrintable(said(refused)));
         QTRY_VERIFY(robot.heard(Kind::Closed));
         QVERIFY(!harmed(robot));
+    }
+
+    /// The figures are there before the plot waits for its reader, and who does not want to wait ends it.
+    void aPlotThatNobodyReadsHoldsNothingBack()
+    {
+        Stage stage;
+        const auto pipe = text(stage.system.folder() / "line.svg");
+        QCOMPARE(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+        QProcess process;
+        process.start(lienaProgram, stage.bench({QStringLiteral("--local"), QStringLiteral("--svg"), pipe}));
+        QByteArray output;
+        const auto isReported = [&] { return (output += process.readAllStandardOutput()).contains("CARRIED"); };
+        QTRY_VERIFY2_WITH_TIMEOUT(isReported(), output.constData(), longestToolRun);
+        QVERIFY2(output.startsWith("GO: "), output.constData());
+        QCOMPARE(process.state(), QProcess::Running);
+        process.terminate();
+        QVERIFY(process.waitForFinished(longestToolRun));
+        QCOMPARE(process.exitStatus(), QProcess::CrashExit); // by the signal
     }
 
     void aFullDiskForTheReportIsSaid()
