@@ -18,7 +18,14 @@ namespace {
 
 constexpr std::size_t longestFile = 65536;
 constexpr std::uint32_t largestImage = 8U << 20U;
-constexpr double mostPerSecond = 10000;
+
+/// As the options of the same names take them, and what a running device is asked with --live.
+struct RateBounds {
+    double least;
+    double most;
+};
+constexpr RateBounds commandBounds{1, 10000};
+constexpr RateBounds frameBounds{0.1, 1000};
 
 using Words = std::vector<std::string_view>;
 
@@ -52,11 +59,11 @@ std::string knownFigures()
 }
 
 /// Nothing when the line was understood; else what to write.
-std::optional<std::string> takeRate(const Words& words, double& rate)
+std::optional<std::string> takeRate(const Words& words, RateBounds bounds, double& rate)
 {
     const auto value = words.size() == 3 && words[2] == "/s" ? numberFrom(words[1]) : std::nullopt;
-    if (!value || *value <= 0 || *value > mostPerSecond)
-        return fmt::format("write `{} 15 /s`: a rate above 0 and up to {:.0f}", words[0], mostPerSecond);
+    if (!value || *value < bounds.least || *value > bounds.most)
+        return fmt::format("write `{} 15 /s`: a rate from {:g} to {:g}", words[0], bounds.least, bounds.most);
     rate = *value;
     return std::nullopt;
 }
@@ -96,9 +103,9 @@ std::optional<std::string> takeLimits(const Words& words, LineProfile& profile)
 std::optional<std::string> takeLine(const Words& words, LineProfile& profile)
 {
     if (words[0] == "commands")
-        return takeRate(words, profile.commandsPerSecond);
+        return takeRate(words, commandBounds, profile.commandsPerSecond);
     if (words[0] == "frames")
-        return takeRate(words, profile.framesPerSecond);
+        return takeRate(words, frameBounds, profile.framesPerSecond);
     if (words[0] == "image")
         return takeImage(words, profile);
     if (words[0] != "title")

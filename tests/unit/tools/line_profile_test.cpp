@@ -67,6 +67,10 @@ private Q_SLOTS:
         row("image-rate 10 MB/s 20 MB/s", "exchange them");
         row("loss 0.1 % 1 %", "is there twice");
         row("commands 0 /s", "write `commands 15 /s`");
+        row("commands 0.4 /s", "a rate from 1 to 10000"); // which a running device does not take
+        row("commands 10001 /s", "a rate from 1 to 10000");
+        row("frames 0.05 /s", "a rate from 0.1 to 1000");
+        row("frames 2000 /s", "a rate from 0.1 to 1000");
         row("frames 15", "write `frames 15 /s`");
         row("image 9 MiB", "at most 8 MiB");
         row("image", "write `image 1.5 MiB`");
