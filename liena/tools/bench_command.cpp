@@ -46,6 +46,7 @@ constexpr auto benchFooter =
     "  (no flag)  takes the place of A, with A's certificate, and opens a session with the running device B. For before a procedure:\n"
     "             A's own program must not run, here or elsewhere; other devices that are linked to A may open sessions with it. All are\n"
     "             closed in order at the end and on Ctrl-C; but a line that breaks meanwhile is a loss for B, and it stands by.\n"
+    "             Where others use B, its budget holds as with --live.\n"
     "  --live     asks the running device A of this user to measure inside its own session with B, within the budget of both devices\n"
     "             (when commands or images flow: 200 probes and 4 MB a second, at most a tenth of what the path is known to carry\n"
     "             now, and 250 kB a second until that is known).\n"
@@ -148,10 +149,10 @@ Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, con
     auto& settings = options.settings;
     settings.software = "liena bench";
     settings.log = stderrLog(LogLevel::Error);
-    settings.measuring.inUse = settings.measuring.atRest; // what comes from the peer's side must not limit this end
+    settings.measuring.inUse =
+        settings.measuring.atRest; // what comes from the peer's side must not limit this end; a path in use is shared as ever
     settings.measuring.inUse.longest = std::chrono::hours(1);
     settings.measuring.atRest.longest = std::chrono::hours(1);
-    settings.measuring.share = 1;
     auto measured = measureAsDevice({settings, subjects.to.name, std::chrono::seconds(10)}, plan);
     if (!measured && measured.error().code == Errc::AddressUnavailable)
         return fail(Errc::AddressUnavailable,

@@ -72,6 +72,15 @@ bool harmed(const TestDevice& device)
     return device.heard(Kind::Lost) || device.heard(Kind::Interrupted) || device.heard(Kind::StandByBegan);
 }
 
+/// Twenty a second, so that both ends are in use.
+void commandsTo(DeviceId robot, DistributedSystem& system, std::atomic<int>& sent)
+{
+    system.every(std::chrono::milliseconds(50), [&system, &sent, robot] {
+        auto command = system.command(robot, "GripperCommand");
+        sent += command && system.send(robot, std::move(command.value())) ? 1 : 0;
+    });
+}
+
 QString said(const ToolOutcome& outcome) { return QString::number(outcome.status) + QLatin1Char('\n') + outcome.output + outcome.errors; }
 
 } // namespace
@@ -138,6 +147,22 @@ private Q_SLOTS:
         QCOMPARE(words(arm.state(stage.robotId)), words(SessionState::Open));
     }
 
+    void inTheDevicesPlaceItTakesATenthOfWhatADeviceInUseCanSpare()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        std::atomic<int> sent = 0;
+        TestDevice arm(stage.system.settingsOf("arm"), [&](DistributedSystem& system) { commandsTo(stage.robotId, system, sent); });
+        QVERIFY(arm->openChannel(stage.robotId));
+        QTRY_VERIFY(!robot.messages("GripperCommand").empty());
+        const auto found = runLiena(stage.bench({QStringLiteral("--json")}));
+        const auto measurement = QJsonDocument::fromJson(found.output.toUtf8()).object()["measurement"].toObject();
+        QVERIFY2(measurement["in_use"].toBool(), qPrintable(said(found)));
+        const auto bulk = measurement["limits"].toObject()["bulk_bytes_per_second"].toDouble(-1);
+        QVERIFY2(bulk > 0 && bulk <= 250'000, qPrintable(said(found))); // nothing had filled the path before
+        QVERIFY2(!harmed(robot) && !harmed(arm), robot.story().c_str());
+    }
+
     void insideALiveSession()
     {
         Stage stage;
@@ -145,12 +170,7 @@ private Q_SLOTS:
         auto settings = stage.system.settingsOf("cockpit");
         settings.measureOnRequest = true;
         std::atomic<int> sent = 0;
-        TestDevice cockpit(settings, [&](DistributedSystem& system) {
-            system.every(std::chrono::milliseconds(50), [&] {
-                auto command = system.command(stage.robotId, "GripperCommand");
-                sent += command && system.send(stage.robotId, std::move(command.value())) ? 1 : 0;
-            });
-        });
+        TestDevice cockpit(settings, [&](DistributedSystem& system) { commandsTo(stage.robotId, system, sent); });
         const auto early = runLiena(stage.bench({QStringLiteral("--live")}));
         QVERIFY2(early.status == 1 && early.errors.contains(QStringLiteral("closed")), qPrintable(said(early)));
         QVERIFY(cockpit->openChannel(stage.robotId));
