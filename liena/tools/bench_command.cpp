@@ -49,7 +49,7 @@ constexpr auto benchFooter =
     "             Where others use B, its budget holds as with --live.\n"
     "  --live     asks the running device A of this user to measure inside its own session with B, within the budget of both devices\n"
     "             (when commands or images flow: 200 probes and 4 MB a second, at most a tenth of what the path is known to carry\n"
-    "             now, and 250 kB a second until that is known).\n"
+    "             now, and 250 kB a second until that is known; one measurement of a device at a time).\n"
     "             Of commands and images at a rate beyond that it gives no go: ask with --commands, --frames and --image for what the\n"
     "             budget allows. A must have been started with --measure-on-request.\n"
     "  --local    runs A and B here, on loopback: what this computer and the software cost without a line. Needs no certificates.\n\n"
@@ -149,8 +149,8 @@ Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, con
     auto& settings = options.settings;
     settings.software = "liena bench";
     settings.log = stderrLog(LogLevel::Error);
-    settings.measuring.inUse =
-        settings.measuring.atRest; // what comes from the peer's side must not limit this end; a path in use is shared as ever
+    // What comes from the peer's side must not limit this end; of a path in use it takes its share as ever.
+    settings.measuring.inUse = settings.measuring.atRest;
     settings.measuring.inUse.longest = std::chrono::hours(1);
     settings.measuring.atRest.longest = std::chrono::hours(1);
     auto measured = measureAsDevice({settings, subjects.to.name, std::chrono::seconds(10)}, plan);

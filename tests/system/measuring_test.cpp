@@ -85,6 +85,27 @@ MeasurementPlan everything()
             {"images", 200ms, {}, {}, {0, 2, 1'000'000}}};
 }
 
+/// How measurements failed, in the order of their ends; empty for those that did not.
+class Failures {
+public:
+    DistributedSystem::MeasurementHandler add()
+    {
+        return [this](const Measurement& measurement) {
+            const std::lock_guard lock(m_mutex);
+            m_all.push_back(measurement.failure);
+        };
+    }
+    std::vector<std::string> all() const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_all;
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::vector<std::string> m_all;
+};
+
 /// A command that is guarded, twenty a second.
 void commandsFrom(DistributedSystem& cockpit, DeviceId robot, std::atomic<int>& sent)
 {
@@ -227,6 +248,46 @@ private Q_SLOTS:
         const auto all = static_cast<std::size_t>(sent.load());
         QTRY_VERIFY(pair.robot->messages("GripperCommand").size() >= all); // each of them arrived
         QVERIFY2(pair.isOpen() && pair.untouched(), pair.story().c_str());
+    }
+
+    void aDeviceInUseHasOneLineMeasuredAtATime()
+    {
+        TestSystem system({reference::cockpit, reference::robot, reference::arm}, {"cockpit robot", "arm robot"});
+        const auto cockpitId = system.idOf("cockpit");
+        const auto robotId = system.idOf("robot");
+        const auto armId = system.idOf("arm");
+        std::atomic<int> sent = 0;
+        Failures asked;
+        Failures ofTheRobot;
+        TestDevice robot(system.settingsOf("robot"));
+        TestDevice arm(system.settingsOf("arm"));
+        TestDevice cockpit(system.settingsOf("cockpit"), [&](DistributedSystem& own) { commandsFrom(own, robotId, sent); });
+        QVERIFY(arm->openChannel(robotId));
+        QVERIFY(cockpit->openChannel(robotId));
+        QTRY_VERIFY(!robot.messages("GripperCommand").empty());
+        QTRY_VERIFY(arm.state(robotId) == SessionState::Open && robot.state(armId) == SessionState::Open);
+        QTRY_VERIFY(robot.state(cockpitId) == SessionState::Open);
+        const auto isTold = [](const Failures& failures, std::size_t place, const char* words) {
+            const auto all = failures.all();
+            return place < all.size() && all[place].find(words) != std::string::npos;
+        };
+
+        QVERIFY(robot->measure(cockpitId, {paced(60s)}, ofTheRobot.add()));
+        QVERIFY(robot->measure(armId, {paced(100ms)}, asked.add())); // one that asks asks no second
+        QTRY_VERIFY(isTold(asked, 0, "its line to cockpit is being measured"));
+        QVERIFY(arm->measure(robotId, {paced(100ms)}, asked.add())); // and answers none
+        QTRY_VERIFY(isTold(asked, 1, "robot refuses to be measured: this device is in use, and its line to cockpit is being measured"));
+        QVERIFY(ofTheRobot.all().empty());
+        robot->stopMeasuring(cockpitId);
+        QTRY_VERIFY(isTold(ofTheRobot, 0, "it was stopped"));
+
+        const auto before = arm->links().front().bytesReceived;
+        QVERIFY(arm->measure(robotId, {paced(60s)}, asked.add()));         // one that answers asks for none
+        QTRY_VERIFY(arm->links().front().bytesReceived > before + 20'000); // the robot answers
+        QVERIFY(robot->measure(cockpitId, {paced(100ms)}, ofTheRobot.add()));
+        QTRY_VERIFY(isTold(ofTheRobot, 1, "its line to arm is being measured"));
+        arm->stopMeasuring(robotId);
+        QTRY_VERIFY(isTold(asked, 2, "it was stopped"));
     }
 
     void aDeviceThatComesIntoUseEndsIt()

@@ -95,7 +95,8 @@ public:
 
     /// Measures the line to a peer inside its open session, within Settings::measuring of both ends; `done` hears the figures on the
     /// network thread, in the order of the calls. What is sent waits behind every command, and nothing of it can end the session. NotOpen
-    /// unless the session is Open: not when it is Suspect, either. One at a time: `done` of a second one hears at once that it failed, as
+    /// unless the session is Open: not when it is Suspect, either. One at a time for each peer, and while a device is in use one on all its
+    /// sessions, which a peer may have asked for: `done` of a second one hears at once that it failed and which line is being measured, as
     /// it hears all that goes wrong later (Measurement::failure). When stop() comes first it may never be called.
     Result<void> measure(DeviceId peer, MeasurementPlan plan, MeasurementHandler done);
     void stopMeasuring(DeviceId peer);

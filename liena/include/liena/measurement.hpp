@@ -22,7 +22,8 @@ struct MeasuringLimits {
 };
 
 /// What a device lets measurements take, its own and those of its peers. It is in use while commands, safety messages or images of its
-/// applications were sent or delivered within the last ten seconds, on any of its sessions. A measurement ends when that begins.
+/// applications were sent or delivered within the last ten seconds, on any of its sessions. A measurement ends when that begins, and
+/// while it lasts one line of the device is measured at a time, by whichever end: the budget is not each measurement's.
 struct MeasuringBudget {
     bool allowed = true;
     MeasuringLimits atRest;

@@ -44,6 +44,11 @@ std::uint64_t shareOfPath(std::uint64_t bulkBytesPerSecond, const MeasuringBudge
     return lower(bulkBytesPerSecond, std::max<std::uint64_t>(1, static_cast<std::uint64_t>(share)));
 }
 
+std::string oneAtATime(std::string_view line)
+{
+    return "this device is in use, and its line to " + std::string(line) + " is being measured: one at a time, wait until that is over";
+}
+
 void Allowance::restart(double perSecond, Instant now)
 {
     m_perSecond = perSecond;
@@ -60,7 +65,8 @@ bool Allowance::isLeft(Instant now)
     return m_left > 0;
 }
 
-MeasureAnswer MeasuredRun::answer(const protocol::MeasureRequest& request, const MeasuringBudget& budget, bool inUse, Instant now)
+MeasureAnswer MeasuredRun::answer(const protocol::MeasureRequest& request, const MeasuringBudget& budget, bool inUse, Instant now,
+                                  std::string_view measured)
 {
     if (request.durationMs == 0) {
         if (request.run == m_run)
@@ -69,8 +75,10 @@ MeasureAnswer MeasuredRun::answer(const protocol::MeasureRequest& request, const
     }
     if (!budget.allowed || request.run == 0)
         return refusal(request.run, MeasureVerdict::NotAllowed, inUse, "this device lets nobody measure its lines");
-    if (m_run != 0 && now < m_ends + grace)
+    if (isRunningAt(now))
         return refusal(request.run, MeasureVerdict::Busy, inUse, "a measurement of this line runs already");
+    if (inUse && !measured.empty())
+        return refusal(request.run, MeasureVerdict::Busy, inUse, oneAtATime(measured));
     MeasuringLimits asked{request.probesPerSecond, request.bulkBytesPerSecond, std::chrono::seconds(request.durationMs / 1000 + 1)};
     const auto granted = grantOf(asked, budget, inUse);
     const auto duration = std::min(std::chrono::milliseconds(request.durationMs), std::chrono::milliseconds(granted.longest));
@@ -93,6 +101,8 @@ MeasureAnswer MeasuredRun::answer(const protocol::MeasureRequest& request, const
     return answer;
 }
 
+bool MeasuredRun::isRunningAt(Instant now) const { return m_run != 0 && now < m_ends + grace; }
+
 bool MeasuredRun::admits(std::uint8_t lane, const protocol::DatagramHeader& header, Instant now)
 {
     if (lane >= mostLanes)
@@ -101,7 +111,7 @@ bool MeasuredRun::admits(std::uint8_t lane, const protocol::DatagramHeader& head
     auto& allowance = lane == 0 ? m_probes : m_bulk;
     if (lane == 0 || decision.message != header.timestamp) {
         decision.message = header.timestamp;
-        decision.admitted = m_run != 0 && now < m_ends + grace && allowance.isLeft(now);
+        decision.admitted = isRunningAt(now) && allowance.isLeft(now);
     }
     if (decision.admitted)
         allowance.spend(lane == 0 ? 1 : header.length);

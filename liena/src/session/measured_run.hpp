@@ -10,6 +10,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace liena::session {
 
@@ -29,6 +31,9 @@ inline constexpr double assumedBulkRate = 2.5e6;
 /// In use: what of `bulkBytesPerSecond` may leave now. `bulkRate`: bytes per second that bulk to the peer is known to be carried at.
 std::uint64_t shareOfPath(std::uint64_t bulkBytesPerSecond, const MeasuringBudget& budget, std::optional<double> bulkRate);
 
+/// Why a device in use measures no second line: `line` is the peer whose line is being measured.
+std::string oneAtATime(std::string_view line);
+
 /// Fills at a rate, holds a tenth of a second of it, and may be overdrawn once.
 class Allowance {
 public:
@@ -46,7 +51,9 @@ private:
 /// Pure; one per session. Of what the peer sends it lets pass what it was granted, and a run ends by itself.
 class MeasuredRun {
 public:
-    protocol::MeasureAnswer answer(const protocol::MeasureRequest& request, const MeasuringBudget& budget, bool inUse, Instant now);
+    /// `measured`: the peer to which a line of this device is being measured; in use that is Busy. Empty: to none.
+    protocol::MeasureAnswer answer(const protocol::MeasureRequest& request, const MeasuringBudget& budget, bool inUse, Instant now,
+                                   std::string_view measured = {});
 
     /// Whether this part of a probe may be read. What is decided for a message's first segment holds for its others.
     bool admits(std::uint8_t lane, const protocol::DatagramHeader& header, Instant now);
@@ -55,6 +62,9 @@ public:
     std::optional<protocol::ProbeEcho> echoOf(const protocol::ProbeHead& probe, protocol::ProbeWay arrived);
 
     bool isRunning() const { return m_run != 0; }
+
+    /// It runs, and its time is not over.
+    bool isRunningAt(Instant now) const;
 
     /// What to tell the peer when it ends now though its time is not over; nothing when it goes on.
     std::optional<protocol::MeasureAnswer> endIfInUse(bool inUse);

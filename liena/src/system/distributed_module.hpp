@@ -47,6 +47,8 @@ public:
     /// Measures the line to the peer, beside all else.
     Result<void> measure(MeasurementPlan plan, DistributedSystem::MeasurementHandler done);
     void stopMeasuring() { m_measurement.stop("it was stopped"); }
+    /// Of the line to the peer, whoever asked.
+    int measurementsRunning() const { return m_measurement.running(); }
 
     /// When a command, a safety message or an image was sent or delivered last.
     session::Instant lastUse() const { return m_usedSince ? std::chrono::steady_clock::now() : m_lastUse; }

@@ -133,4 +133,12 @@ bool DistributedSystem::State::isInUse() const
     });
 }
 
+std::vector<std::string> DistributedSystem::State::measuredLines() const
+{
+    std::vector<std::string> lines;
+    for (const auto& [peer, one] : modules)
+        lines.insert(lines.end(), static_cast<std::size_t>(one->measurementsRunning()), one->peer().name);
+    return lines;
+}
+
 } // namespace liena

@@ -90,6 +90,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     const PacketMarks& marks() const override { return settings.marks; }
     const MeasuringBudget& measuring() const override { return settings.measuring; }
     bool isInUse() const override;
+    std::vector<std::string> measuredLines() const override;
     const std::string& software() const override { return settings.software; }
     std::shared_ptr<security::TlsIdentity> identity() override { return tlsIdentity; }
     tasks::InterfaceShares& interfaces() override { return interfaceShares; }

@@ -105,6 +105,8 @@ Result<void> LineMeasurement::start(MeasurementPlan plan, DistributedSystem::Mea
     Asked asked;
     const auto wanted = limitsOf(plan);
     asked.inUse = m_host.isInUse();
+    if (const auto lines = m_host.measuredLines(); asked.inUse && !lines.empty())
+        return fail(Errc::Busy, session::oneAtATime(lines.front()));
     asked.agreed = session::grantOf(wanted, budget, asked.inUse);
     if (asked.agreed.longest < wanted.longest)
         return fail(Errc::Forbidden,
@@ -139,7 +141,9 @@ void LineMeasurement::stop(const std::string& why)
 
 void LineMeasurement::heard(const protocol::MeasureRequest& request)
 {
-    m_ways.prompt(m_answering.answer(request, m_host.measuring(), m_host.isInUse(), m_host.now().mono), mostAnswersWaiting);
+    const auto lines = m_host.measuredLines();
+    const auto measured = lines.empty() ? std::string_view() : std::string_view(lines.front());
+    m_ways.prompt(m_answering.answer(request, m_host.measuring(), m_host.isInUse(), m_host.now().mono, measured), mostAnswersWaiting);
 }
 
 void LineMeasurement::heard(const protocol::MeasureAnswer& answer)
@@ -212,6 +216,8 @@ void LineMeasurement::send(const session::LineProbing::Order& order)
         m_ways.prompt(probe, mostProbesWaiting);
 }
 
+int LineMeasurement::running() const { return (m_asked ? 1 : 0) + (m_answering.isRunningAt(m_host.now().mono) ? 1 : 0); }
+
 bool LineMeasurement::admits(std::uint8_t lane, const protocol::DatagramHeader& header)
 {
     return m_answering.isRunning() && m_answering.admits(lane, header, m_host.now().mono);
@@ -252,7 +258,8 @@ void LineMeasurement::housekeeping()
     const bool inUse = m_host.isInUse();
     if (const auto told = m_answering.endIfInUse(inUse))
         m_ways.prompt(*told, mostAnswersWaiting);
-    if (m_asked && !m_asked->inUse && inUse)
+    // Those that began at rest, for a peer in use, may be several.
+    if (m_asked && inUse && (!m_asked->inUse || m_host.measuredLines().size() > 1))
         stop("this device came into use: commands or images flow");
     if (!m_asked || !m_asked->probing)
         return;

@@ -34,11 +34,14 @@ public:
 
     LineMeasurement(ModuleHost& host, std::string peer, Ways ways);
 
-    /// Measures; `done` hears how it went, on this thread.
+    /// Measures; `done` hears how it went, on this thread. Busy: this line is being measured, or this device is in use and another one is.
     Result<void> start(MeasurementPlan plan, DistributedSystem::MeasurementHandler done);
 
     /// Ends what was started here; `done` hears `why` with the phases that were measured.
     void stop(const std::string& why);
+
+    /// How many of this line go on: one that was asked for here, one that is answered.
+    int running() const;
 
     /// Whether this part of a probe is read; it is dropped otherwise.
     bool admits(std::uint8_t lane, const protocol::DatagramHeader& header);
@@ -54,7 +57,8 @@ public:
     /// The session carries no messages any more.
     void sessionEnded();
 
-    /// From time to time: a device that comes into use is not measured any more, and one in use leaves a path that narrows alone.
+    /// From time to time: a device that comes into use is not measured any more, or on one line alone where the peer was in use already;
+    /// and one in use leaves a path that narrows alone.
     void housekeeping();
 
 private:

@@ -40,6 +40,8 @@ public:
     virtual const MeasuringBudget& measuring() const = 0;
     /// Commands, safety messages or images flowed lately, on any session.
     virtual bool isInUse() const = 0;
+    /// The peers to which a line is being measured, whoever asked; one that both ends measure is there twice.
+    virtual std::vector<std::string> measuredLines() const = 0;
     virtual protocol::PartialBudget& budget() = 0;
     virtual transport::UdpSocket& packets() = 0;
     virtual transport::WorkerThreads& workers() = 0;

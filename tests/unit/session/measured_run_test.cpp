@@ -83,6 +83,19 @@ private Q_SLOTS:
         QVERIFY(!run.isRunning() && !run.admits(0, header(3), start + 2s));
     }
 
+    void inUseOneLineIsMeasuredAtATime()
+    {
+        MeasuredRun run;
+        const auto busy = run.answer(request(7, 1000), {}, true, start, "arm");
+        QVERIFY(busy.verdict == MeasureVerdict::Busy && busy.inUse && busy.run == 7);
+        QVERIFY2(busy.detail.value.find("its line to arm is being measured") != std::string::npos, busy.detail.value.c_str());
+        QVERIFY(!run.isRunning() && !run.isRunningAt(start) && !run.admits(0, header(1), start));
+        QVERIFY(run.answer(request(7, 0), {}, true, start, "arm").verdict == MeasureVerdict::Ended);
+        QVERIFY(run.answer(request(8, 1000), {}, false, start, "arm").verdict == MeasureVerdict::Granted); // at rest there is no such limit
+        QVERIFY(run.isRunningAt(start + 1500ms) && !run.isRunningAt(start + 2s));
+        QVERIFY(run.answer(request(9, 1000), {}, true, start + 2s).verdict == MeasureVerdict::Granted);
+    }
+
     void echoesItsOwnRunOnly()
     {
         MeasuredRun run;
