@@ -1,6 +1,7 @@
 // From options to a plan, from a measurement to a verdict and its reports.
 #include "bench_command.hpp"
 
+#include "bench_plan.hpp"
 #include "bench_run.hpp"
 #include "latency_plot.hpp"
 #include "refusal.hpp"
@@ -83,20 +84,6 @@ Result<LineProfile> loadFor(const BenchOptions& options)
     return profile;
 }
 
-MeasurementPlan planOf(const LineProfile& profile, const BenchOptions& options)
-{
-    const std::chrono::seconds whole(options.seconds);
-    const auto half = std::chrono::nanoseconds(whole) / 2;
-    const ProbeStream paced{profile.commandsPerSecond, 0, options.commandBytes};
-    constexpr std::uint32_t many = 256;
-    constexpr std::uint32_t fewImages = 3;
-    return {{phases::paced, whole, paced, paced, {}},
-            {phases::backToBack, half, {0, 1, options.commandBytes}, {}, {}},
-            {phases::messages, half, {0, many, options.commandBytes}, {}, {}},
-            {phases::besideImages, whole, paced, paced, {profile.framesPerSecond, 0, profile.imageBytes}},
-            {phases::images, half, {}, {}, {0, fewImages, profile.imageBytes}}};
-}
-
 void fillFrom(BenchOptions& options, const std::string& name)
 {
     if (options.pki.empty())
@@ -142,7 +129,7 @@ Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, con
         return measureLive({socket, subjects.from.name, subjects.to.id, options.seconds, profile.commandsPerSecond, options.commandBytes,
                             profile.framesPerSecond, profile.imageBytes});
     }
-    const auto plan = planOf(profile, options);
+    const auto plan = benchPlan(profile, std::chrono::seconds(options.seconds), options.commandBytes);
     if (options.local)
         return measureLocally(subjects.topology, subjects.from, subjects.to, options.settings.registry, plan);
     fillFrom(options, subjects.from.name);

@@ -203,7 +203,7 @@ private Q_SLOTS:
                                                  {{"none", 0s, {1}, {}, {}}},
                                                  {{"large", 1s, {1, 0, 1025}, {}, {}}},
                                                  {{"large", 1s, {}, {}, {1, 0, (8U << 20U) + 1}}},
-                                                 {{"many", 1s, {}, {}, {0, 9, 1}}},
+                                                 {{"many", 1s, {}, {}, {0, 1025, 1}}},
                                                  {{"nan", 1s, {std::nan("")}, {}, {}}}};
         for (std::size_t i = 0; i < wrong.size(); ++i) {
             QVERIFY(pair.begin(wrong[i]));

@@ -31,7 +31,9 @@ struct MeasuringBudget {
     double share = 0.1; ///< in use: of the rate that bulk to the peer is known to be carried at
 };
 
-/// One kind of what a measurement sends: in a rhythm, or so many on their way at once; nothing when both are 0.
+/// One kind of what a measurement sends: in a rhythm, or so many on their way at once, at most 1 024; nothing when both are 0. Of a rhythm,
+/// too, so many commands are on their way at most, and of images what is due in a second. All images are the same bytes: whoever sends has
+/// one in memory, and less than a megabyte for those that wait.
 struct ProbeStream {
     double perSecond = 0;
     std::uint32_t atOnce = 0;

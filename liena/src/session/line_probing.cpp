@@ -2,6 +2,7 @@
 #include "session/line_probing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace liena::session {
@@ -12,8 +13,7 @@ using protocol::ProbeWay;
 namespace {
 
 constexpr auto patience = 1s; // for the last echoes of a phase
-constexpr std::uint32_t mostPromptUnderWay = 1024;
-constexpr std::uint32_t mostImagesUnderWay = 4;
+constexpr std::uint32_t fewestImagesUnderWay = 4;
 constexpr auto latest = 1s; // behind its rhythm: what is later is not made up for
 
 std::uint64_t stampOf(Instant when)
@@ -25,6 +25,17 @@ Nanoseconds periodOf(double perSecond)
 {
     constexpr double longest = 3600;
     return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(std::min(1 / perSecond, longest)));
+}
+
+/// A second of them, so that a long line is not taken for a narrow one. Where a limit slows what goes at once, no more than that either: a
+/// path that stood still is not flooded afterwards.
+std::uint32_t mostImages(const ProbeStream& asked, double perSecond)
+{
+    if (asked.atOnce > 0 && perSecond <= 0)
+        return asked.atOnce;
+    const double due = std::ceil(perSecond * std::chrono::duration<double>(patience).count()) + 1;
+    const auto most = static_cast<std::uint32_t>(std::clamp<double>(due, fewestImagesUnderWay, LineProbing::mostUnderWay));
+    return asked.atOnce > 0 ? std::min(asked.atOnce, most) : most;
 }
 
 } // namespace
@@ -50,12 +61,14 @@ void LineProbing::begin(Instant now)
     // Probes of both kinds share what is allowed, in equal parts where both are sent.
     const double share = phase.prompt.isUsed() && phase.packets.isUsed() ? 0.5 : 1;
     const double probes = m_limits.probesPerSecond * share;
-    beginWay(wayOf(ProbeWay::Prompt), phase.prompt, probes, mostPromptUnderWay, now);
+    beginWay(wayOf(ProbeWay::Prompt), phase.prompt, probes, mostUnderWay, now);
     beginWay(wayOf(ProbeWay::Packet), phase.packets, probes, ~std::uint32_t{0}, now);
-    beginWay(wayOf(ProbeWay::Image), phase.images, mostImagesPerSecond(phase.images), mostImagesUnderWay, now);
+    auto& images = wayOf(ProbeWay::Image);
+    beginWay(images, phase.images, mostImagesPerSecond(phase.images), mostUnderWay, now);
+    images.most = mostImages(phase.images, images.figures.perSecond);
 }
 
-void LineProbing::beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t mostUnderWay, Instant now)
+void LineProbing::beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t most, Instant now)
 {
     way.figures = {};
     way.figures.asked = asked;
@@ -64,7 +77,7 @@ void LineProbing::beginWay(Way& way, const ProbeStream& asked, double mostPerSec
     way.echoed.clear();
     way.due = asked.isUsed() ? now : Instant::max();
     way.firstSent = {};
-    way.mostUnderWay = asked.atOnce > 0 ? asked.atOnce : mostUnderWay;
+    way.most = asked.atOnce > 0 ? asked.atOnce : most;
     auto& rate = way.figures.perSecond;
     rate = asked.atOnce > 0 ? 0 : asked.perSecond;
     way.figures.limited = asked.isUsed() && mostPerSecond > 0 && (rate <= 0 || rate > mostPerSecond * 1.001);
@@ -91,6 +104,7 @@ void LineProbing::limitImages(std::uint64_t bytesPerSecond, Instant now)
     if (period != way.period)
         way.due = std::max(now, way.due + (period - way.period));
     way.period = period;
+    way.most = mostImages(way.figures.asked, rate);
     if (rate == asked)
         return;
     way.figures.limited = true;
@@ -136,7 +150,7 @@ std::optional<LineProbing::Order> LineProbing::nextOf(ProbeWay kind, Instant now
         return std::nullopt;
     if (way.due < now - latest)
         way.due = now;
-    if (way.underWay() >= way.mostUnderWay) {
+    if (way.underWay() >= way.most) {
         if (rhythm) {
             ++way.figures.withheld;
             way.due += way.period;
@@ -157,7 +171,7 @@ Instant LineProbing::wakeAt() const
         return Instant::max();
     auto wake = m_phaseEnds;
     for (const auto& way : m_ways)
-        if (way.underWay() < way.mostUnderWay || way.figures.asked.atOnce == 0)
+        if (way.underWay() < way.most || way.figures.asked.atOnce == 0)
             wake = std::min(wake, way.due);
     const bool waits = std::any_of(m_ways.begin(), m_ways.end(), [](const Way& way) { return way.underWay() > 0; });
     // After its end a phase waits for echoes; heard() looks after those.

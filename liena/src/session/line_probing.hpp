@@ -17,9 +17,12 @@ namespace liena::session {
 ///   running ── duration over ──► waiting ── every echo heard, or a second over ──► next phase … over
 ///
 /// A probe of a rhythm is stamped with the moment at which it was due: when this device is late, that counts as latency and no probe is
-/// left out. What is under way is bounded, so a path that does not carry what is asked withholds the rest at the source.
+/// left out. What is under way is bounded, so a path that does not carry what is asked withholds the rest at the source: prompt probes and
+/// images by their number, and images in a rhythm or within a limit by what is due in a second, though not below four.
 class LineProbing {
 public:
+    static constexpr std::uint32_t mostUnderWay = 1024; ///< of prompt probes, and of images
+
     struct Order {
         protocol::ProbeWay way = protocol::ProbeWay::Prompt;
         std::uint32_t sequence = 0;
@@ -53,8 +56,8 @@ public:
 private:
     struct Way {
         ProbeFigures figures;
-        Nanoseconds period{}; ///< 0: as fast as echoes come
-        std::uint32_t mostUnderWay = 0;
+        Nanoseconds period{};    ///< 0: as fast as echoes come
+        std::uint32_t most = 0;  ///< under way
         std::uint32_t first = 0; ///< sequence of this phase
         std::uint32_t next = 0;
         std::uint32_t heardBefore = 0; ///< by the peer, in earlier phases
@@ -67,7 +70,7 @@ private:
     };
 
     void begin(Instant now);
-    void beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t mostUnderWay, Instant now);
+    void beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t most, Instant now);
     double mostImagesPerSecond(const ProbeStream& asked) const;
     void endPhase();
     void advance(Instant now);

@@ -17,7 +17,6 @@ namespace {
 constexpr auto answerLimit = 2s;
 constexpr std::uint32_t mostAnswersWaiting = 8;
 constexpr std::uint32_t mostProbesWaiting = 2048;
-constexpr std::uint32_t mostImagesAtOnce = 8;
 constexpr std::uint32_t largestImageInUse = 2U << 20U; // made in a third of a millisecond
 
 /// Repeated beyond what a VPN's compressor looks back, since this is the network thread and megabytes of it would take milliseconds.
@@ -47,10 +46,8 @@ Result<void> check(const MeasurementPlan& plan)
         if (phase.duration <= 0ns || phase.duration > 1h)
             return wrong(fmt::format("phase {} of the measurement must last more than nothing and at most an hour", phase.name));
         for (const auto* stream : {&phase.prompt, &phase.packets, &phase.images})
-            if (!(stream->perSecond >= 0 && stream->perSecond <= 1e6) || stream->atOnce > 1024)
+            if (!(stream->perSecond >= 0 && stream->perSecond <= 1e6) || stream->atOnce > session::LineProbing::mostUnderWay)
                 return wrong(fmt::format("phase {} of the measurement: at most 1 000 000 probes a second, or 1 024 at once", phase.name));
-        if (phase.images.atOnce > mostImagesAtOnce)
-            return wrong(fmt::format("phase {} of the measurement: at most {} images at once", phase.name, mostImagesAtOnce));
         const auto mostPrompt = protocol::maximumPromptPadding;
         if (phase.prompt.bytes > mostPrompt || phase.packets.bytes > mostPrompt || phase.images.bytes > protocol::maximumProbePadding)
             return wrong(fmt::format("phase {} of the measurement: probes have at most {} bytes, images {}", phase.name, mostPrompt,

@@ -18,7 +18,8 @@ LineMeasurement::Ways DistributedModule::measuringWays()
                 image.header.timestamp = m_host.stamp();
                 image.part = protocol::encodeProbeHead(head, padding.bytes.size());
                 image.lent = std::make_shared<const LentBytes>(std::move(padding));
-                m_bulk.push({std::move(image), tasks::Rank::Bulk, 8, expires, {}});
+                // None that counts as under way is superseded. All have the same bytes: those that wait take less than a megabyte together.
+                m_bulk.push({std::move(image), tasks::Rank::Bulk, session::LineProbing::mostUnderWay, expires, {}});
             },
             [this] { return m_bulk.knownRate(); }};
 }

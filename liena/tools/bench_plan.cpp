@@ -1,0 +1,40 @@
+// Rates and sizes of a profile, and how many are under way where as many go as can.
+#include "bench_plan.hpp"
+
+#include "line_verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace liena::tools {
+
+namespace {
+
+/// 8 MiB, or a second of the rate that the profile asks for: a line of 200 ms shows 42 MB/s, and none is taken for narrow because it is
+/// long. The device that sends them has one image in memory, and under a kilobyte for each that waits.
+std::uint32_t imagesAtOnce(const LineProfile& profile)
+{
+    constexpr double leastBytes = 8U << 20U;
+    constexpr double fewest = 3;
+    constexpr double most = 1024; // that a device takes
+    const auto limits = profile.limits.find(Figure::ImageRate);
+    const double asked = limits != profile.limits.end() ? limits->second.go * 1e6 : 0;
+    const double images = std::ceil(std::max(asked, leastBytes) / std::max<double>(1, profile.imageBytes));
+    return static_cast<std::uint32_t>(std::clamp(images, fewest, most));
+}
+
+} // namespace
+
+MeasurementPlan benchPlan(const LineProfile& profile, std::chrono::seconds whole, std::uint32_t commandBytes)
+{
+    const auto half = std::chrono::nanoseconds(whole) / 2;
+    const ProbeStream paced{profile.commandsPerSecond, 0, commandBytes};
+    constexpr std::uint32_t many = 256;
+    return {{phases::paced, whole, paced, paced, {}},
+            {phases::backToBack, half, {0, 1, commandBytes}, {}, {}},
+            {phases::messages, half, {0, many, commandBytes}, {}, {}},
+            {phases::besideImages, whole, paced, paced, {profile.framesPerSecond, 0, profile.imageBytes}},
+            {phases::images, half, {}, {}, {0, imagesAtOnce(profile), profile.imageBytes}}};
+}
+
+} // namespace liena::tools

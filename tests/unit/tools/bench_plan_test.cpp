@@ -1,0 +1,82 @@
+// What a measurement sends: enough to fill a line as long as a profile allows.
+#include "bench_plan.hpp"
+#include "line_verdict.hpp"
+#include "support/probed_line.hpp"
+
+#include <QTest>
+
+using namespace liena;
+using namespace liena::tools;
+using namespace std::chrono_literals;
+
+namespace {
+
+LineProfile shipped(const std::string& name)
+{
+    return LineProfile::load(LIENA_SOURCE_DIR "/resources/profiles/" + name + ".profile").value();
+}
+
+} // namespace
+
+class BenchPlanTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void asManyAsGoFillTheLongestLineOfAProfile_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"vascular-robot", "telesurgery", "observation"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void asManyAsGoFillTheLongestLineOfAProfile()
+    {
+        QFETCH(QString, name);
+        const auto profile = shipped(name.toStdString());
+        const auto images = benchPlan(profile, 5s, 64).back().images;
+        const double bytes = double(images.atOnce) * images.bytes;
+        const double seconds = profile.limits.at(Figure::ImageDelivery).caution / 1e3;
+        QVERIFY2(bytes / seconds >= profile.limits.at(Figure::ImageRate).go * 1e6, qPrintable(QString::number(bytes)));
+    }
+
+    void smallImagesAreMoreAndLargeOnesFew()
+    {
+        auto profile = shipped("observation");
+        profile.imageBytes = 1;
+        QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 1024U); // what a device takes
+        profile.imageBytes = 8U << 20U;
+        QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 3U);
+        profile.imageBytes = 1U << 20U;
+        profile.limits[Figure::ImageRate] = {100, 50};
+        QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 96U); // 100 MB
+    }
+
+    void aLongFastLineIsGo()
+    {
+        const auto profile = shipped("observation");
+        test::ProbedLine line(benchPlan(profile, 40s, 64));
+        line.roundTrip = 200ms;
+        line.imageTime = std::chrono::nanoseconds(profile.imageBytes * 8); // 1 Gbit/s
+        QVERIFY(line.run());
+        Measurement measurement;
+        measurement.phases = line.probing.figures();
+        const auto verdict = judge(measurement, profile);
+        for (const auto& judged : verdict.figures)
+            QVERIFY2(judged.verdict == Verdict::Go, judged.reason.c_str());
+    }
+
+    void aNarrowLineIsNoGo()
+    {
+        const auto profile = shipped("observation");
+        test::ProbedLine line(benchPlan(profile, 40s, 64));
+        line.imageTime = std::chrono::nanoseconds(profile.imageBytes * 800); // 10 Mbit/s
+        QVERIFY(line.run());
+        Measurement measurement;
+        measurement.phases = line.probing.figures();
+        const auto verdict = judge(measurement, profile);
+        for (const auto figure : {Figure::ImageRate, Figure::ImagesCarried, Figure::ImageDelivery})
+            QVERIFY(verdict.figures.at(static_cast<std::size_t>(figure)).verdict == Verdict::NoGo);
+    }
+};
+
+QTEST_APPLESS_MAIN(BenchPlanTest)
+#include "bench_plan_test.moc"
