@@ -58,7 +58,7 @@ struct ProbeFigures {
     double perSecond = 0;             ///< after the limits; 0: as fast as echoes came
     bool limited = false;             ///< less than asked, because of the budget
     std::uint64_t sent = 0;           ///< accepted for sending
-    std::uint64_t withheld = 0;       ///< were due and not sent: too many were under way already
+    std::uint64_t withheld = 0;       ///< were due and not sent: too many were under way, or this device stood still for a second
     std::uint64_t heard = 0;          ///< by the peer, as far as an echo said so
     std::uint64_t echoed = 0;         ///< echoes that came back
     std::chrono::nanoseconds spent{}; ///< from the first that was sent to the last echo

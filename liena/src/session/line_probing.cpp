@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto patience = 1s; // for the last echoes of a phase
 constexpr std::uint32_t fewestImagesUnderWay = 4;
-constexpr auto latest = 1s; // behind its rhythm: what is later is not made up for
+constexpr auto latest = 1s; // behind its rhythm: what is later is withheld
 
 std::uint64_t stampOf(Instant when)
 {
@@ -115,7 +115,7 @@ void LineProbing::advance(Instant now)
 {
     if (isOver() || now < m_phaseEnds)
         return;
-    const bool waits = std::any_of(m_ways.begin(), m_ways.end(), [](const Way& way) { return way.underWay() > 0; });
+    const bool waits = std::any_of(m_ways.begin(), m_ways.end(), [this](const Way& way) { return way.underWay() > 0 || isOwed(way); });
     if (waits && now < m_phaseEnds + patience)
         return;
     endPhase();
@@ -124,17 +124,28 @@ void LineProbing::advance(Instant now)
         begin(now);
 }
 
+/// What was due before `until` and was not sent: it counts, or a device that stands still would find its line better than it is.
+void LineProbing::leaveOut(Way& way, Instant until)
+{
+    const auto left = (until - way.due + way.period - 1ns) / way.period;
+    way.figures.withheld += static_cast<std::uint64_t>(left);
+    way.due += left * way.period;
+}
+
 void LineProbing::endPhase()
 {
-    for (auto& way : m_ways)
+    for (auto& way : m_ways) {
+        if (isOwed(way))
+            leaveOut(way, m_phaseEnds);
         way.figures.heard = std::min<std::uint64_t>(way.heardNow - way.heardBefore, way.figures.sent);
+    }
     m_figures.push_back({m_plan[m_phase].name, std::move(m_ways[0].figures), std::move(m_ways[1].figures), std::move(m_ways[2].figures)});
 }
 
 std::optional<LineProbing::Order> LineProbing::next(Instant now)
 {
     advance(now);
-    if (isOver() || now >= m_phaseEnds)
+    if (isOver())
         return std::nullopt;
     for (const auto kind : {ProbeWay::Prompt, ProbeWay::Packet, ProbeWay::Image})
         if (auto order = nextOf(kind, now))
@@ -145,11 +156,16 @@ std::optional<LineProbing::Order> LineProbing::next(Instant now)
 std::optional<LineProbing::Order> LineProbing::nextOf(ProbeWay kind, Instant now)
 {
     auto& way = wayOf(kind);
-    const bool rhythm = way.figures.asked.atOnce == 0;
+    const bool rhythm = way.isRhythm();
     if (way.due > now)
         return std::nullopt;
-    if (way.due < now - latest)
-        way.due = now;
+    if (isOwed(way) && way.due < now - latest)
+        leaveOut(way, std::min(now, m_phaseEnds));
+    const bool over = now >= m_phaseEnds && !isOwed(way);
+    if (over)
+        way.due = std::max(way.due, m_phaseEnds); // nobody wakes for it
+    if (over || way.due > now)
+        return std::nullopt;
     if (way.underWay() >= way.most) {
         if (rhythm) {
             ++way.figures.withheld;
@@ -171,7 +187,7 @@ Instant LineProbing::wakeAt() const
         return Instant::max();
     auto wake = m_phaseEnds;
     for (const auto& way : m_ways)
-        if (way.underWay() < way.most || way.figures.asked.atOnce == 0)
+        if (way.underWay() < way.most || way.isRhythm())
             wake = std::min(wake, way.due);
     const bool waits = std::any_of(m_ways.begin(), m_ways.end(), [](const Way& way) { return way.underWay() > 0; });
     // After its end a phase waits for echoes; heard() looks after those.

@@ -17,8 +17,9 @@ namespace liena::session {
 ///   running ── duration over ──► waiting ── every echo heard, or a second over ──► next phase … over
 ///
 /// A probe of a rhythm is stamped with the moment at which it was due: when this device is late, that counts as latency and no probe is
-/// left out. What is under way is bounded, so a path that does not carry what is asked withholds the rest at the source: prompt probes and
-/// images by their number, and images in a rhythm or within a limit by what is due in a second, though not below four.
+/// left out, also at the end of a phase; what is later than a second was withheld, and counts as that. What is under way is bounded, so a
+/// path that does not carry what is asked withholds the rest at the source: prompt probes and images by their number, and images in a
+/// rhythm or within a limit by what is due in a second, though not below four.
 class LineProbing {
 public:
     static constexpr std::uint32_t mostUnderWay = 1024; ///< of prompt probes, and of images
@@ -66,12 +67,16 @@ private:
         Instant due{};
         Instant firstSent{};
 
+        bool isRhythm() const { return figures.asked.atOnce == 0; }
         std::uint32_t underWay() const { return next - first - static_cast<std::uint32_t>(figures.echoed); }
     };
 
     void begin(Instant now);
     void beginWay(Way& way, const ProbeStream& asked, double mostPerSecond, std::uint32_t most, Instant now);
     double mostImagesPerSecond(const ProbeStream& asked) const;
+    /// Due before the phase ended, though this device was late.
+    bool isOwed(const Way& way) const { return way.isRhythm() && way.due < m_phaseEnds; }
+    void leaveOut(Way& way, Instant until);
     void endPhase();
     void advance(Instant now);
     std::optional<Order> nextOf(protocol::ProbeWay kind, Instant now);

@@ -14,6 +14,19 @@ namespace {
 using Line = ProbedLine;
 constexpr auto start = ProbedLine::start;
 
+/// A hundred a second for 5 s over a line without delay, by a device that stands still for a while.
+ProbeFigures ofADeviceThatStandsStill(Nanoseconds from, Nanoseconds until)
+{
+    LineProbing probing({{"paced", 5s, {100}, {}, {}}}, {}, start);
+    for (auto now = start; now < start + 10s && !probing.isOver(); now += 10ms) {
+        if (now == start + from)
+            now = start + until;
+        while (const auto order = probing.next(now))
+            probing.heard({1, order->way, order->sequence, order->sentNs, 1}, now);
+    }
+    return probing.figures().at(0).prompt;
+}
+
 MeasurementPhase paced(double perSecond, Nanoseconds duration) { return {"paced", duration, {perSecond}, {}, {}}; }
 
 } // namespace
@@ -51,6 +64,39 @@ private Q_SLOTS:
         QVERIFY(!line.probing.next(line.now));
         line.now += 3s; // what is as late as that is not made up for
         QVERIFY(line.probing.next(line.now) && !line.probing.next(line.now));
+    }
+
+    void aLongStallIsWithheldAndNotForgotten()
+    {
+        const auto amid = ofADeviceThatStandsStill(1s, 4s);
+        QCOMPARE(amid.sent + amid.withheld, std::uint64_t{500});
+        QCOMPARE(amid.withheld, std::uint64_t{300});
+        QCOMPARE(amid.echoed, amid.sent);
+        const auto beyondTheEnd = ofADeviceThatStandsStill(3s, 8s);
+        QCOMPARE(beyondTheEnd.sent, std::uint64_t{300});
+        QCOMPARE(beyondTheEnd.withheld, std::uint64_t{200});
+        const auto aLittleBeyond = ofADeviceThatStandsStill(3s, 5500ms);
+        QCOMPARE(aLittleBeyond.sent, std::uint64_t{300});
+        QCOMPARE(aLittleBeyond.withheld, std::uint64_t{200});
+    }
+
+    void aShortStallAtTheEndIsLatencyToo()
+    {
+        const auto figures = ofADeviceThatStandsStill(4500ms, 5200ms);
+        QCOMPARE(figures.sent, std::uint64_t{500});
+        QCOMPARE(figures.withheld, std::uint64_t{0});
+        QCOMPARE(figures.roundTrip.max(), std::uint64_t{700'000'000});
+    }
+
+    void afterItsEndAPhaseOnlyWaits()
+    {
+        LineProbing probing({{"messages", 1s, {0, 4, 64}, {}, {}}}, {}, start);
+        while (probing.next(start)) {
+        }
+        const auto now = start + 1s;
+        probing.heard({1, ProbeWay::Prompt, 0, 0, 1}, now);
+        QVERIFY(!probing.next(now) && !probing.isOver());
+        QVERIFY(probing.wakeAt() > now); // three echoes are still to come
     }
 
     void backToBackSendsTheNextOnTheEcho()
