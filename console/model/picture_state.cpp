@@ -131,7 +131,7 @@ Duration PictureState::filterRoom() const
     const auto taken = shownAtEarliest();
     if (!taken || m_expected <= 0)
         return Duration::zero();
-    return std::max(limit() - (m_newest->painted - *taken - m_newest->filterDelay), Duration::zero());
+    return std::max(limit() - filterMargin - (m_newest->painted - *taken - m_newest->filterDelay), Duration::zero());
 }
 
 void PictureState::notePainted(const PictureStamp& stamp)

@@ -115,8 +115,12 @@ public:
     void setLinkUp(bool up);
 
     /// What the newest picture leaves of the limit for a temporal filter's delay and for the time that the picture will stand on the
-    /// screen: limit − NET − PROC without filter − what the clocks may err. Zero while the age is unknown.
+    /// screen: limit − NET − PROC without filter − what the clocks may err − `filterMargin`. Zero while the age is unknown.
     Duration filterRoom() const;
+
+    /// By so much the next picture may come later than this one did: without it, a filter that uses its room would let each picture
+    /// freeze for a moment before the next one is there, and motion would be held for it.
+    static constexpr std::chrono::milliseconds filterMargin{20};
 
     /// From the view's paint; a picture that is painted again is not a new one, and one that is held or reviewed is none.
     void notePainted(const PictureStamp& stamp);
