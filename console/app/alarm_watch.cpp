@@ -14,6 +14,7 @@ constexpr std::chrono::seconds overdueMemory{5}; ///< at the least, and of what 
 constexpr std::chrono::seconds paintingSpan{2};
 constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures without a gap, before it is told; of enough, before it ends
 constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
+constexpr std::chrono::seconds troubleMemory{10};  ///< longer than what ended motion needs to be found
 constexpr quint64 fewPictures = 10;                ///< in that time; below it one late picture would be a large part
 
 bool isArmed(PermitPhase phase) { return phase == PermitPhase::Armed || phase == PermitPhase::Engaged; }
@@ -52,10 +53,32 @@ void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
     }
     if (isArmed(to) && !isArmed(from))
         m_armedAt = now;
-    if (to == PermitPhase::Ready || isArmed(to)) {
-        m_troubleWhileArmed = false;
-        m_troubleWhileEngaged = false;
-    }
+    if (to == PermitPhase::Ready || isArmed(to))
+        forgetTrouble();
+}
+
+void AlarmWatch::forgetTrouble()
+{
+    m_troubleWhileArmed = false;
+    m_troubleWhileEngaged = false;
+    m_settledSince.reset();
+}
+
+/// While a hold or an incident stands, or a link may still be given up, what is found may be why motion ended; some time later it is of
+/// now, also where nobody arms again.
+void AlarmWatch::noteSettled(Instant now)
+{
+    const auto phase = m_models.permit.phase();
+    const auto& links = m_models.sessions.links();
+    const bool undecided =
+        phase == PermitPhase::Hold || phase == PermitPhase::Incident ||
+        std::any_of(links.begin(), links.end(), [](const LinkNode& link) { return link.state == LinkState::Reconnecting; });
+    if (undecided || !m_troubleWhileArmed)
+        return m_settledSince.reset();
+    if (!m_settledSince)
+        m_settledSince = now;
+    if (now - *m_settledSince >= troubleMemory)
+        forgetTrouble();
 }
 
 /// By the robot's own report after the stop, or by what it told others for an incident.
@@ -253,6 +276,7 @@ void AlarmWatch::update(Instant now, quint64 delivered)
     noteLines(now);
     noteDelivered(delivered, now);
     noteRate(now);
+    noteSettled(now);
     if (m_stopAt && robotHoldsSince(*m_stopAt))
         m_stopAt.reset();
     m_models.alarms.update(presentAlarms(readings(now)), now, QDateTime::currentMSecsSinceEpoch());

@@ -35,6 +35,8 @@ public:
 private:
     void notePhase(PermitPhase from, PermitPhase to);
     void noteLink(quint32 peer, LinkState from, LinkState to);
+    void noteSettled(Instant now);
+    void forgetTrouble();
     bool robotHoldsSince(Instant stop) const;
     std::optional<Instant> lastHeard(quint32 peer, const QString& message) const;
     QString overdueOf(quint32 peer, Instant now) const;
@@ -59,6 +61,7 @@ private:
     std::optional<Instant> m_stopAt; ///< motion ended and the robot has not yet said that it holds
     bool m_troubleWhileArmed = false;
     bool m_troubleWhileEngaged = false;                      ///< motion has ended by the time that its cause is looked at
+    std::optional<Instant> m_settledSince;                   ///< since when nothing of that trouble is undecided
     std::map<quint32, std::map<QString, Instant>> m_overdue; ///< by peer and message: since when
     std::map<quint32, Instant> m_carriesSince; ///< by peer: from when on its messages pass, for the last time that they began to
     std::map<quint32, LineQuality> m_lines;

@@ -54,6 +54,29 @@ struct Watched {
     RobotStatus robot() const { return cockpit.models.instrument.robot().value; }
     void receive(const RobotStatus& status) { models().instrument.receiveRobot(status, now); }
 
+    void tell(PermitEventKind kind)
+    {
+        PermitEvent event;
+        event.kind = kind;
+        models().permit.apply(event, now);
+    }
+
+    /// It says so under a permit that nothing was armed by.
+    void robotHolds()
+    {
+        auto status = robot();
+        status.state = RobotState::Hold;
+        status.holdConfirmed = true;
+        status.permit = permitNumber + 1;
+        receive(status);
+        PermitEvent event;
+        event.kind = PermitEventKind::RobotReported;
+        event.robot = status.state;
+        event.holdConfirmed = true;
+        event.permit = status.permit;
+        models().permit.apply(event, now);
+    }
+
     template <typename Change>
     void figuresOf(quint32 peer, Change change)
     {
