@@ -35,6 +35,17 @@ void AlarmWatch::noteLink(quint32 peer, LinkState from, LinkState to)
         m_overdue.erase(peer);
     if (carriesMessages(to) && !carriesMessages(from))
         m_carriesSince[peer] = m_models.sessions.linkTo(peer)->since;
+    // In an incident of another pair the phase stays what it is; and what the robot said of that one was before its own link was lost.
+    if (peer == m_robot && to == LinkState::StandBy && from != LinkState::Reopening && m_models.permit.phase() == PermitPhase::Incident)
+        awaitHold(m_models.sessions.linkTo(peer)->since);
+}
+
+/// A further stop while a hold is awaited makes the wait no shorter; what the robot said before it says nothing about it.
+void AlarmWatch::awaitHold(Instant now)
+{
+    if (!m_stopAt || robotHolds())
+        m_stopAt = now;
+    m_holdCounts = now;
 }
 
 void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
@@ -46,7 +57,7 @@ void AlarmWatch::notePhase(PermitPhase from, PermitPhase to)
     const bool robotLost = m_robot && m_models.sessions.state(*m_robot) == LinkState::StandBy;
     const bool afterLoss = to == PermitPhase::Incident && (from != PermitPhase::Off || robotLost);
     if (stopped && (isArmed(from) || from == PermitPhase::Arming || afterLoss))
-        m_stopAt = now;
+        awaitHold(now);
     if (stopped && isArmed(from)) {
         m_troubleWhileArmed = true;
         m_troubleWhileEngaged = from == PermitPhase::Engaged;
@@ -81,17 +92,22 @@ void AlarmWatch::noteSettled(Instant now)
         forgetTrouble();
 }
 
-/// By the robot's own report after the stop, or by what it told others for an incident.
-bool AlarmWatch::robotHoldsSince(Instant stop) const
+/// By the robot's own report after the stop, or by what it told others for an incident: for that of its own link, where that is lost.
+bool AlarmWatch::robotHolds() const
 {
     const auto& status = m_models.instrument.robot();
-    if (status.known() && *status.received > stop && status.value.holdConfirmed)
+    if (status.known() && *status.received > m_holdCounts && status.value.holdConfirmed)
         return true;
+    if (!m_robot)
+        return false;
+    const auto state = m_models.sessions.state(*m_robot);
+    const bool lost = state == LinkState::StandBy || state == LinkState::Reopening;
     const auto& incidents = m_models.incidents.incidents();
-    return m_robot && std::any_of(incidents.begin(), incidents.end(), [this](const IncidentRecord& incident) {
-               return std::any_of(incident.holds.begin(), incident.holds.end(),
-                                  [this](const HoldLine& line) { return line.device == *m_robot && line.holding; });
-           });
+    return std::any_of(incidents.begin(), incidents.end(), [this, lost](const IncidentRecord& incident) {
+        return (!lost || incident.peer == *m_robot) &&
+               std::any_of(incident.holds.begin(), incident.holds.end(),
+                           [this](const HoldLine& line) { return line.device == *m_robot && line.holding; });
+    });
 }
 
 void AlarmWatch::noteDeadlineMissed(quint32 peer, const QString& message, Instant now)
@@ -277,7 +293,7 @@ void AlarmWatch::update(Instant now, quint64 delivered)
     noteDelivered(delivered, now);
     noteRate(now);
     noteSettled(now);
-    if (m_stopAt && robotHoldsSince(*m_stopAt))
+    if (m_stopAt && robotHolds())
         m_stopAt.reset();
     m_models.alarms.update(presentAlarms(readings(now)), now, QDateTime::currentMSecsSinceEpoch());
 }

@@ -37,7 +37,8 @@ private:
     void noteLink(quint32 peer, LinkState from, LinkState to);
     void noteSettled(Instant now);
     void forgetTrouble();
-    bool robotHoldsSince(Instant stop) const;
+    void awaitHold(Instant now);
+    bool robotHolds() const;
     std::optional<Instant> lastHeard(quint32 peer, const QString& message) const;
     QString overdueOf(quint32 peer, Instant now) const;
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
@@ -59,6 +60,7 @@ private:
     std::optional<quint32> m_robot;
     Instant m_armedAt;
     std::optional<Instant> m_stopAt; ///< motion ended and the robot has not yet said that it holds
+    Instant m_holdCounts;            ///< what the robot says later than this is about the newest of those stops
     bool m_troubleWhileArmed = false;
     bool m_troubleWhileEngaged = false;                      ///< motion has ended by the time that its cause is looked at
     std::optional<Instant> m_settledSince;                   ///< since when nothing of that trouble is undecided

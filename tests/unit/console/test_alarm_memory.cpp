@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 using namespace console;
 using namespace console::test;
 using namespace std::chrono_literals;
@@ -34,6 +36,28 @@ void settle(Watched& w)
     w.models().picture.expect(0, w.now);
     w.robotHolds();
     w.tell(PermitEventKind::DeadManReleased);
+}
+
+int ended(Watched& w, const QString& words)
+{
+    const auto& log = w.models().alarms.log();
+    return int(std::count_if(log.begin(), log.end(), [&words](const AlarmLogEntry& entry) {
+        return entry.text.startsWith(QStringLiteral("ended")) && entry.text.contains(words);
+    }));
+}
+
+/// `peer`: 0 for one of two other devices.
+void raiseIncident(Watched& w, quint64 id, quint32 a, quint32 b, quint32 peer, bool robotHolds)
+{
+    IncidentRecord record;
+    record.id = id;
+    record.a = a;
+    record.b = b;
+    record.peer = peer;
+    record.since = w.now;
+    record.holds = {{robotId, QStringLiteral("Vascular robot"), robotHolds, {}}};
+    w.models().incidents.raise(record, w.now);
+    w.tell(PermitEventKind::SystemStandsBy);
 }
 
 } // namespace
@@ -106,6 +130,53 @@ private Q_SLOTS:
         setLink(w, xrayId, LinkState::StandBy);
         QCOMPARE(w.idOf(C::ImageLost), raised);
         QCOMPARE(w.priorityOf(C::ImageLost), std::optional(AlarmPriority::High));
+    }
+
+    void aHoldThatNobodyConfirmsIsOneAlarmThroughTheStandByThatFollows()
+    {
+        Watched w;
+        w.cockpit.arm();
+        setLink(w, robotId, LinkState::Reconnecting);
+        w.tell(PermitEventKind::SessionInterrupted);
+        w.now = std::chrono::steady_clock::now() + 200ms + 1ns; // just over: the loss that follows is less than that ago
+        const auto raised = w.idOf(C::HoldNotConfirmed);
+        QVERIFY(raised != 0);
+        setLink(w, robotId, LinkState::StandBy);
+        w.tell(PermitEventKind::SessionClosed);
+        raiseIncident(w, 1, robotId, cockpitId, robotId, false);
+        QCOMPARE(w.models().permit.phase(), PermitPhase::Incident);
+        QCOMPARE(w.idOf(C::HoldNotConfirmed), raised);
+        QCOMPARE(ended(w, QStringLiteral("NOT CONFIRMED")), 0);
+        w.models().incidents.setHolds(1, {{robotId, QStringLiteral("Vascular robot"), true, {}}});
+        QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
+    }
+
+    void aHoldThatWasConfirmedBeforeALossIsAwaitedFromTheLossOn()
+    {
+        Watched w;
+        raiseIncident(w, 1, robotId, armId, 0, false);
+        goOn(w);
+        QVERIFY(w.robot().holdConfirmed); // and nobody looked in between
+        w.now += 1s;
+        setLink(w, robotId, LinkState::StandBy);
+        QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
+        w.now += 201ms;
+        QVERIFY(w.idOf(C::HoldNotConfirmed) != 0);
+    }
+
+    void theRobotsLinkThatIsLostInAnIncidentOfOthersIsAwaitedToo()
+    {
+        Watched w;
+        raiseIncident(w, 1, robotId, armId, 0, true);
+        goOn(w);
+        QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
+        w.now += 1s;
+        setLink(w, robotId, LinkState::StandBy);
+        QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
+        w.now += 201ms;
+        QVERIFY(w.idOf(C::HoldNotConfirmed) != 0);
+        raiseIncident(w, 2, robotId, cockpitId, robotId, true);
+        QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
     }
 };
 
