@@ -105,11 +105,12 @@ void Rules::addLink(const AlarmLinkReading& link)
             Text::tr("Wait; arming is refused until the clocks are compared."), link.peer);
 }
 
-/// What is armed does not wait for the decision that a link will not heal: its motion has ended already.
+/// What is armed does not wait for the decision that a link will not heal: its motion has ended already. A link is lost until it is open
+/// again, not until somebody tries.
 void Rules::addLoss(const AlarmLinkReading& link)
 {
     const auto condition = link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost;
-    if (link.state == LinkState::StandBy)
+    if (link.state == LinkState::StandBy || link.state == LinkState::Reopening)
         add(condition, whenArmed(Priority::High, Priority::Medium), true,
             link.images ? Text::tr("%1: picture link lost, stand-by").arg(link.title) : Text::tr("%1: link lost, stand-by").arg(link.title),
             Text::tr("Read the prompt, then re-open the channel."), link.peer);

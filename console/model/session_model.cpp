@@ -158,7 +158,7 @@ void SessionModel::setLinkState(quint32 peer, LinkState state, Instant now)
     link->state = state;
     link->since = now;
     forgetOldSuspects(*link, now);
-    if (isWorse(state) && !isWorse(from) && link->suspects.size() < mostSuspects)
+    if (isWorse(state) && from == LinkState::Open && link->suspects.size() < mostSuspects)
         link->suspects.push_back(now);
     Q_EMIT linkStateChanged(peer, from, state);
 }

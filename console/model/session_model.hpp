@@ -32,7 +32,7 @@ struct LinkNode {
     std::optional<double> openingMs;     ///< how long the last opening or re-opening took
     QString failure;                     ///< why the last opening failed, for a person; empty after a success
     bool systemDiffers = false;          ///< the last opening failed since topology or message sets are not the same on both sides
-    std::vector<Instant> suspects;       ///< entries into Suspect or worse in the last 60 s
+    std::vector<Instant> suspects;       ///< from Open to Suspect or worse in the last 60 s
     bool inIncident = false;             ///< an incident of this pair is held; known for links of others, too
     quint64 incident = 0;
 

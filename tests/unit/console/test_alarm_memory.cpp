@@ -178,6 +178,35 @@ private Q_SLOTS:
         raiseIncident(w, 2, robotId, cockpitId, robotId, true);
         QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
     }
+
+    void aReopeningThatFailsLeavesTheAlarmOfTheLossAsItIs_data()
+    {
+        QTest::addColumn<quint32>("peer");
+        QTest::addColumn<int>("condition");
+        QTest::newRow("robot") << quint32(robotId) << int(C::LinkLost);
+        QTest::newRow("picture link") << quint32(xrayId) << int(C::ImageLost);
+    }
+
+    void aReopeningThatFailsLeavesTheAlarmOfTheLossAsItIs()
+    {
+        QFETCH(quint32, peer);
+        QFETCH(int, condition);
+        Watched w;
+        setLink(w, peer, LinkState::StandBy);
+        const auto raised = w.idOf(C(condition));
+        w.models().alarms.acknowledge(raised, 0);
+        for (int i = 0; i < 3; ++i) {
+            setLink(w, peer, LinkState::Reopening);
+            QCOMPARE(w.idOf(C(condition)), raised);
+            setLink(w, peer, LinkState::StandBy);
+            QCOMPARE(w.idOf(C(condition)), raised);
+        }
+        QCOMPARE(ended(w, QStringLiteral("stand-by")), 0);
+        QVERIFY(!w.priorityOf(C::LinkUnsteady)); // it was lost once
+        setLink(w, peer, LinkState::Reopening);
+        setLink(w, peer, LinkState::Open);
+        QCOMPARE(w.idOf(C(condition)), quint64(0));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestAlarmMemory)
