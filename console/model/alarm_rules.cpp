@@ -178,13 +178,16 @@ void Rules::addPicture()
         add(AlarmCondition::PictureSlow, Priority::Low, false,
             Text::tr("Picture slow, fewer than %1 a second").arg(m_readings.picture.expectedPerSecond, 0, 'f', 0),
             Text::tr("Move slowly; have the line to the X-ray system looked at."));
+    const auto priority = m_readings.engaged ? Priority::High : Priority::Low;
+    if (m_readings.picture.overdue)
+        add(AlarmCondition::PictureStale, priority, false, Text::tr("No picture comes"),
+            Text::tr("Let go of the pedal; have the X-ray system and the line to it looked at."));
     if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown)
         return;
     const auto text = condition == PictureCondition::Frozen
                           ? Text::tr("Picture FROZEN, older than %1 ms").arg(milliseconds(m_readings.pictureLimit), 0, 'f', 0)
                           : Text::tr("Picture's age is unknown");
-    add(AlarmCondition::PictureStale, m_readings.engaged ? Priority::High : Priority::Low, false, text,
-        Text::tr("Let go of the dead-man; motion is inhibited."));
+    add(AlarmCondition::PictureStale, priority, false, text, Text::tr("Let go of the dead-man; motion is inhibited."));
 }
 
 void Rules::addForce()

@@ -100,6 +100,7 @@ PictureReading PictureState::reading(Instant now) const
     PictureReading reading;
     reading.condition = condition(now);
     reading.expectedPerSecond = expectedRate();
+    reading.overdue = !m_newest && m_expected > 0 && now - m_expectedSince > firstPictureGrace;
     if (!m_newest)
         return reading;
     reading.source = m_newest->source;

@@ -77,6 +77,7 @@ struct PictureReading {
     bool slow = false;            ///< noticeably fewer than that rate are shown: for caution
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
+    bool overdue = false; ///< None, and the first picture should have been painted by now
 };
 
 /// GUI thread only.

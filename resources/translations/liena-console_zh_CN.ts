@@ -523,6 +523,14 @@
         <translation>射线与剂量报告</translation>
     </message>
     <message>
+        <source>No picture comes</source>
+        <translation>没有图像到达</translation>
+    </message>
+    <message>
+        <source>Let go of the pedal; have the X-ray system and the line to it looked at.</source>
+        <translation>松开踏板；请让人检查 X 射线系统及其线路。</translation>
+    </message>
+    <message>
         <source>Picture slow, fewer than %1 a second</source>
         <translation>图像变慢，每秒少于 %1 幅</translation>
     </message>

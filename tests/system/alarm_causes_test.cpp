@@ -259,6 +259,21 @@ private Q_SLOTS:
             QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(cause.condition) == nullptr, qPrintable(stage.theatre.story()), patience);
     }
 
+    /// 3, before the first picture since the console was started.
+    void aRunWithoutAnyPictureIsAnAlarm()
+    {
+        Stage stage;
+        stage.xray.show(PuppetXray::Pictures::None);
+        QVERIFY(stage.theatre.openAll());
+        stage.theatre.hold(Qt::Key_F);
+        const auto told = [&stage] { return isPresent(stage.theatre, C::PictureStale, AlarmPriority::Low); };
+        QTRY_VERIFY2_WITH_TIMEOUT(told(), qPrintable(stage.theatre.story()), patience);
+        QCOMPARE(stage.theatre.models().picture.paintedCount(), quint64(0));
+        stage.xray.show(PuppetXray::Pictures::Good);
+        QTRY_VERIFY2_WITH_TIMEOUT(stage.alarm(C::PictureStale) == nullptr, qPrintable(stage.theatre.story()), patience);
+        stage.theatre.releaseAll();
+    }
+
     /// 14.
     void eachFurtherGrayDemandsAttentionAnew()
     {

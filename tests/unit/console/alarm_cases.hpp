@@ -58,6 +58,7 @@ inline const std::vector<AlarmCase>& alarmCases()
          C::ImageLost, High, Medium, true},
         {"hold not confirmed", [](auto& r) { r.awaitingHold = 201ms; }, C::HoldNotConfirmed, High, Medium, true},
         {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, C::PictureStale, High, Low, false},
+        {"no picture", [](auto& r) { r.picture.overdue = true; }, C::PictureStale, High, Low, false},
         {"picture reduced",
          [](auto& r) {
              r.picture.condition = PictureCondition::Live;

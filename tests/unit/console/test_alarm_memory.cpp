@@ -1,4 +1,4 @@
-// What an alarm remembers of a moment ago: that it was armed, that a hold is awaited, that a link is lost, that a report never came.
+// What an alarm remembers of a moment ago: that it was armed, that a hold is awaited, that a link is lost, that something never came.
 #include "watched_cockpit.hpp"
 
 #include <QTest>
@@ -206,6 +206,24 @@ private Q_SLOTS:
         setLink(w, peer, LinkState::Reopening);
         setLink(w, peer, LinkState::Open);
         QCOMPARE(w.idOf(C(condition)), quint64(0));
+    }
+
+    /// Dose is given, and there is nothing that could be called frozen.
+    void aRunWithoutAnyPictureIsAnAlarm()
+    {
+        Watched w(false);
+        setLink(w, xrayId, LinkState::Open);
+        w.models().picture.setLinkUp(true);
+        pass(w, 1h);
+        QVERIFY(!w.priorityOf(C::PictureStale)); // the pedal is up
+        w.models().picture.expect(15, w.now);
+        pass(w, 1s);
+        QVERIFY(!w.priorityOf(C::PictureStale));
+        pass(w, 1ms);
+        QCOMPARE(w.models().picture.reading(w.now).condition, PictureCondition::None);
+        QCOMPARE(w.priorityOf(C::PictureStale), std::optional(AlarmPriority::Low));
+        w.models().picture.expect(0, w.now);
+        QVERIFY(w.ends(C::PictureStale));
     }
 };
 

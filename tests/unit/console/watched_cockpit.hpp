@@ -8,16 +8,17 @@
 
 namespace console::test {
 
-/// A cockpit with everything open, watched ten times a second.
+/// A cockpit with everything open, or just started, watched ten times a second.
 struct Watched {
     InventedCockpit cockpit;
     AlarmWatch watch{cockpit.models, robotId};
     Instant now = cockpit.now;
     quint64 delivered = cockpit.models.picture.paintedCount();
 
-    Watched()
+    explicit Watched(bool open = true)
     {
-        cockpit.openAll();
+        if (open)
+            cockpit.openAll();
         look();
     }
 
