@@ -92,6 +92,23 @@ void AlarmWatch::noteSettled(Instant now)
         forgetTrouble();
 }
 
+/// What a device that this console has lost, too, has lost beside that is told by the alarm of the link to it.
+void AlarmWatch::noteIncidents()
+{
+    const auto& incidents = m_models.incidents;
+    std::erase_if(m_ofOthers, [&incidents](const auto& known) { return incidents.incident(known.first) == nullptr; });
+    for (const auto& incident : incidents.incidents()) {
+        if (incident.peer != 0 || m_ofOthers.contains(incident.id))
+            continue;
+        const auto states = {m_models.sessions.state(incident.a), m_models.sessions.state(incident.b)};
+        const auto isLost = [](LinkState state) { return state == LinkState::StandBy || state == LinkState::Reopening; };
+        if (std::any_of(states.begin(), states.end(), isLost))
+            m_ofOthers[incident.id] = false;
+        else if (std::none_of(states.begin(), states.end(), isTrouble)) // else it is not known yet what that link comes to
+            m_ofOthers[incident.id] = true;
+    }
+}
+
 /// By the robot's own report after the stop, or by what it told others for an incident: for that of its own link, where that is lost.
 bool AlarmWatch::robotHolds() const
 {
@@ -185,6 +202,9 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     for (const auto& link : m_models.sessions.links())
         if (link.own)
             all.links.push_back(linkReading(link, now));
+    for (const auto& incident : m_models.incidents.incidents())
+        if (const auto found = m_ofOthers.find(incident.id); found != m_ofOthers.end() && found->second)
+            all.pairs.push_back({incident.a, incident.b, m_models.sessions.titleOf(incident.a), m_models.sessions.titleOf(incident.b)});
     if (m_stopAt)
         all.awaitingHold = now - *m_stopAt;
     if (const auto asked = m_models.instrument.stopUnheard())
@@ -293,6 +313,7 @@ void AlarmWatch::update(Instant now, quint64 delivered)
     noteDelivered(delivered, now);
     noteRate(now);
     noteSettled(now);
+    noteIncidents();
     if (m_stopAt && robotHolds())
         m_stopAt.reset();
     m_models.alarms.update(presentAlarms(readings(now)), now, QDateTime::currentMSecsSinceEpoch());

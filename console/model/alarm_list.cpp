@@ -26,6 +26,11 @@ bool lasts(bool isSo, std::optional<Instant>& since, Duration time, Instant now)
     return now - *since >= time;
 }
 
+bool isAbout(const Alarm& alarm, const AlarmReport& report)
+{
+    return report.condition == alarm.condition && report.subject == alarm.subject && report.other == alarm.other;
+}
+
 } // namespace
 
 Duration endDelay(AlarmCondition condition)
@@ -91,9 +96,8 @@ void AlarmList::update(const std::vector<AlarmReport>& present, Instant now, qin
     const auto before = m_alarms.size();
     bool different = false;
     for (auto& alarm : m_alarms) {
-        const bool missing = std::none_of(present.begin(), present.end(), [&alarm](const AlarmReport& report) {
-            return report.condition == alarm.condition && report.subject == alarm.subject;
-        });
+        const bool missing =
+            std::none_of(present.begin(), present.end(), [&alarm](const AlarmReport& report) { return isAbout(alarm, report); });
         if (lasts(missing, alarm.missingSince, endDelay(alarm.condition), now) && alarm.present) {
             alarm.present = false;
             different = true;
@@ -111,9 +115,7 @@ void AlarmList::update(const std::vector<AlarmReport>& present, Instant now, qin
 
 bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
 {
-    const auto known = std::find_if(m_alarms.begin(), m_alarms.end(), [&report](const Alarm& alarm) {
-        return report.condition == alarm.condition && report.subject == alarm.subject;
-    });
+    const auto known = std::find_if(m_alarms.begin(), m_alarms.end(), [&report](const Alarm& alarm) { return isAbout(alarm, report); });
     const bool stands = known != m_alarms.end() && known->present && report.priority <= known->priority && report.step <= known->step &&
                         (report.causes & ~known->causes) == 0;
     if (stands) {
@@ -151,7 +153,8 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
                         report.step,
                         causes,
                         {},
-                        {}});
+                        {},
+                        report.other});
     ++m_raised;
     if (report.priority == AlarmPriority::High)
         m_audioPausedUntil.reset();

@@ -19,7 +19,7 @@ enum class AlarmPriority : std::uint8_t { Low, Medium, High };
 QString word(AlarmPriority priority);
 
 enum class AlarmCondition : std::uint8_t {
-    LinkLost,         ///< subject: the peer
+    LinkLost,         ///< subject: the peer; or with `other` a pair of other devices
     HoldNotConfirmed, ///< the robot has not confirmed its hold 200 ms after the stop
     ImageLost,        ///< subject: the peer that sends the live picture
     PictureStale,
@@ -66,6 +66,7 @@ struct Alarm {
     quint64 causes = 0;
     std::optional<Instant> missingSince; ///< not reported any more, and not ended yet
     std::optional<Instant> lesserSince;  ///< reported with fewer causes or, once acknowledged, with a lower priority
+    quint32 other = 0;                   ///< the second device of a pair that it is about; 0 when none
 
     /// It flashes.
     bool demandsAttention() const { return !acknowledged; }
@@ -95,6 +96,7 @@ struct AlarmReport {
     QString remedy;
     int step = 0;       ///< of a condition that grows in steps of one priority: a higher one demands attention anew
     quint64 causes = 0; ///< one bit for each of several causes of one condition: one that joins demands attention anew
+    quint32 other = 0;  ///< with `subject` the pair that it is about
 };
 
 /// GUI thread only.

@@ -41,6 +41,8 @@ public:
     {
         for (const auto& link : m_readings.links)
             addLink(link);
+        for (const auto& pair : m_readings.pairs)
+            addPair(pair);
         addHold();
         addPicture();
         addForce();
@@ -64,6 +66,7 @@ private:
 
     void addLink(const AlarmLinkReading& link);
     void addLoss(const AlarmLinkReading& link);
+    void addPair(const AlarmPairReading& pair);
     void addHold();
     void addPicture();
     void addForce();
@@ -118,6 +121,15 @@ void Rules::addLoss(const AlarmLinkReading& link)
         add(condition, Priority::High, true,
             link.images ? Text::tr("%1: picture link interrupted").arg(link.title) : Text::tr("%1: link interrupted").arg(link.title),
             Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."), link.peer);
+}
+
+/// The whole system stands by for it, and motion has ended.
+void Rules::addPair(const AlarmPairReading& pair)
+{
+    add(AlarmCondition::LinkLost, whenArmed(Priority::High, Priority::Medium), true,
+        Text::tr("Link between %1 and %2 lost, stand-by").arg(pair.titleOfA, pair.titleOfB),
+        Text::tr("Read the prompt, then have the channel re-opened at one of the two."), pair.a);
+    m_reports.back().other = pair.b;
 }
 
 /// The limits and not the figures, which change all the time: those are on the link's card.

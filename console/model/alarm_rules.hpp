@@ -30,6 +30,14 @@ struct AlarmLinkReading {
     std::optional<Duration> commandRoundTrip; ///< the robot's link only: there and back, as heartbeats measure it
 };
 
+/// Two other devices whose link is lost.
+struct AlarmPairReading {
+    quint32 a = 0;
+    quint32 b = 0;
+    QString titleOfA;
+    QString titleOfB;
+};
+
 /// What of a picture stream arrived and what of it was painted, over the same seconds.
 struct PaintingReading {
     double deliveredPerSecond = 0;
@@ -41,6 +49,7 @@ struct AlarmReadings {
     bool armed = false; ///< Armed or Engaged, or it was when the present trouble began
     bool engaged = false;
     std::vector<AlarmLinkReading> links;
+    std::vector<AlarmPairReading> pairs;  ///< lost while this console heard both devices
     std::optional<Duration> awaitingHold; ///< since the stop or the loss, while the robot has not confirmed its hold
     std::optional<Duration> stopUnheard;  ///< since the person asked, while the robot has not told of a stop
     PictureReading picture;

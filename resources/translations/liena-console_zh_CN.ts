@@ -523,6 +523,14 @@
         <translation>射线与剂量报告</translation>
     </message>
     <message>
+        <source>Link between %1 and %2 lost, stand-by</source>
+        <translation>%1 与 %2 之间的链路丢失，待机</translation>
+    </message>
+    <message>
+        <source>Read the prompt, then have the channel re-opened at one of the two.</source>
+        <translation>请阅读诊断提示，然后让人在其中一台设备上重新打开通道。</translation>
+    </message>
+    <message>
         <source>No picture comes</source>
         <translation>没有图像到达</translation>
     </message>

@@ -50,6 +50,11 @@ inline const std::vector<AlarmCase>& alarmCases()
     constexpr auto High = AlarmPriority::High, Medium = AlarmPriority::Medium, Low = AlarmPriority::Low;
     static const std::vector<AlarmCase> all{
         {"link lost", [](auto& r) { r.links[0].state = LinkState::StandBy; }, C::LinkLost, High, Medium, true},
+        {"link of two others lost",
+         [](auto& r) {
+             r.pairs.push_back({6, 5, QStringLiteral("Robotic arm"), QStringLiteral("Vascular robot")});
+         },
+         C::LinkLost, High, Medium, true},
         {"picture link lost",
          [](auto& r) {
              r.links[0].state = LinkState::StandBy;

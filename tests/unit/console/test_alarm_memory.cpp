@@ -208,6 +208,53 @@ private Q_SLOTS:
         QCOMPARE(w.idOf(C(condition)), quint64(0));
     }
 
+    /// The system stands by, and none of this console's links is concerned.
+    void aLinkOfTwoOthersThatIsLostIsAnAlarmUntilItIsOpenAgain()
+    {
+        Watched w;
+        w.cockpit.arm();
+        raiseIncident(w, 1, robotId, armId, 0, true);
+        QCOMPARE(w.models().permit.phase(), PermitPhase::Incident);
+        QCOMPARE(w.priorityOf(C::LinkLost), std::optional(AlarmPriority::High));
+        const auto raised = w.idOf(C::LinkLost);
+        setLink(w, robotId, LinkState::StandBy); // that is another alarm, and does not end this one
+        raiseIncident(w, 2, robotId, cockpitId, robotId, true);
+        w.look();
+        QCOMPARE(w.models().alarms.count(AlarmPriority::High), 2);
+        QCOMPARE(ended(w, QStringLiteral("Link between")), 0);
+        w.models().alarms.acknowledge(raised, 0);
+        w.models().incidents.end(1);
+        w.look();
+        QCOMPARE(ended(w, QStringLiteral("Link between")), 1);
+    }
+
+    /// A device that dies is one alarm, and not one for each of its links.
+    void whatALostDeviceLostBesideIsNotToldAgain()
+    {
+        Watched w;
+        setLink(w, robotId, LinkState::Suspect);
+        raiseIncident(w, 1, robotId, armId, 0, false);
+        QVERIFY(!w.priorityOf(C::LinkLost)); // not known yet
+        setLink(w, robotId, LinkState::StandBy);
+        raiseIncident(w, 2, robotId, cockpitId, robotId, false);
+        raiseIncident(w, 3, robotId, xrayId, 0, false);
+        const auto raised = w.idOf(C::LinkLost);
+        QVERIFY(raised != 0);
+        setLink(w, robotId, LinkState::Open);
+        w.models().incidents.end(2);
+        QVERIFY(!w.priorityOf(C::LinkLost)); // the others follow
+    }
+
+    void aLinkOfTwoOthersIsToldWhenThisConsolesOwnHealed()
+    {
+        Watched w;
+        setLink(w, robotId, LinkState::Suspect);
+        raiseIncident(w, 1, robotId, armId, 0, false);
+        QVERIFY(!w.priorityOf(C::LinkLost));
+        setLink(w, robotId, LinkState::Open);
+        QCOMPARE(w.priorityOf(C::LinkLost), std::optional(AlarmPriority::Medium));
+    }
+
     /// Dose is given, and there is nothing that could be called frozen.
     void aRunWithoutAnyPictureIsAnAlarm()
     {
