@@ -134,21 +134,21 @@ void AlarmWatch::noteDeadlineMissed(quint32 peer, const QString& message, Instan
         m_overdue[peer][message] = now;
 }
 
-/// When the newest of those came; nothing for what is not kept.
-std::optional<Instant> AlarmWatch::lastHeard(quint32 peer, const QString& message) const
+/// When the newest of those came, if one did; null for what is not kept.
+const std::optional<Instant>* AlarmWatch::lastHeard(quint32 peer, const QString& message) const
 {
     const auto& robot = m_models.instrument;
     if (peer == m_robot && message == QLatin1String("RobotStatus"))
-        return robot.robot().received;
+        return &robot.robot().received;
     if (peer == m_robot && message == QLatin1String("DriveStatus"))
-        return robot.drives().received;
+        return &robot.drives().received;
     if (peer == m_robot && message == QLatin1String("TipPose"))
-        return robot.tip().received;
+        return &robot.tip().received;
     if (peer == m_models.sessions.firstPeer(DeviceKind::Eye) && message == QLatin1String("AcquisitionStatus"))
-        return m_models.xray.status().received;
+        return &m_models.xray.status().received;
     if (peer == m_models.sessions.firstPeer(DeviceKind::Arm) && message == QLatin1String("ArmStatus"))
-        return m_models.arm.status().received;
-    return std::nullopt;
+        return &m_models.arm.status().received;
+    return nullptr;
 }
 
 /// The report that is missing for longest. The library tells each gap once, when it begins.
@@ -160,8 +160,8 @@ QString AlarmWatch::overdueOf(quint32 peer, Instant now) const
     QString longest;
     Instant earliest = now;
     for (const auto& [message, since] : found->second) {
-        const auto heard = lastHeard(peer, message);
-        const bool missing = heard && *heard <= since;
+        const auto* heard = lastHeard(peer, message);
+        const bool missing = heard != nullptr && (!heard->has_value() || **heard <= since);
         if ((missing || now - since < overdueMemory) && since <= earliest) {
             longest = message;
             earliest = since;

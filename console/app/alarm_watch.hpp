@@ -40,7 +40,7 @@ private:
     void noteIncidents();
     void awaitHold(Instant now);
     bool robotHolds() const;
-    std::optional<Instant> lastHeard(quint32 peer, const QString& message) const;
+    const std::optional<Instant>* lastHeard(quint32 peer, const QString& message) const;
     QString overdueOf(quint32 peer, Instant now) const;
     AlarmLinkReading linkReading(const LinkNode& link, Instant now) const;
     AlarmReadings readings(Instant now) const;

@@ -272,6 +272,28 @@ private Q_SLOTS:
         w.models().picture.expect(0, w.now);
         QVERIFY(w.ends(C::PictureStale));
     }
+
+    /// The library tells a gap once, when it begins.
+    void aReportThatNeverCameIsAnAlarmUntilItComes()
+    {
+        Watched w(false);
+        setLink(w, robotId, LinkState::Open);
+        w.watch.noteDeadlineMissed(robotId, QStringLiteral("TipPose"), w.now);
+        w.watch.noteDeadlineMissed(robotId, QStringLiteral("PumpFlow"), w.now); // of another set: not kept
+        pass(w, 6s);
+        const auto text = [&w] {
+            w.look();
+            const auto& all = w.models().alarms.alarms();
+            const auto found = std::find_if(all.begin(), all.end(), [](const Alarm& one) { return one.condition == C::DeadlineMissed; });
+            return found == all.end() ? QString() : found->text;
+        };
+        QVERIFY2(text().contains(QStringLiteral("position of the tip")), qPrintable(text()));
+        pass(w, 1min);
+        QVERIFY2(text().contains(QStringLiteral("position of the tip")), qPrintable(text()));
+        w.now += 100ms;
+        w.models().instrument.receiveTip(TipPose{}, w.now);
+        QVERIFY(w.ends(C::DeadlineMissed));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestAlarmMemory)
