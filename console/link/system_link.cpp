@@ -307,21 +307,21 @@ void SystemLink::inject(quint32 permit, quint32 number)
 void SystemLink::emergencyStop(const QString& reason)
 {
     note(LogKind::Operator, tr("EMERGENCY STOP: %1").arg(tr(reason.toUtf8().constData())));
-    while (m_stopToken == 0)
+    do // a token of its own: a reset of the one in force, or of the press before, may be on its way
         m_stopToken = QRandomGenerator::system()->generate64();
+    while (m_stopToken == 0);
     m_stopReason = reason;
     if (m_robot)
-        m_models.instrument.noteStopAsked(std::chrono::steady_clock::now());
+        m_models.instrument.noteStopAsked(m_stopToken, std::chrono::steady_clock::now());
     repeatEmergencyStop();
 }
 
-/// Until the robot reports a stop: also over a session that is opened later.
+/// Until the robot names the newest: also over a session that is opened later.
 void SystemLink::repeatEmergencyStop()
 {
     if (m_stopToken == 0 || !m_robot)
         return;
-    const auto& instrument = m_models.instrument;
-    if (instrument.robotFresh(std::chrono::steady_clock::now()) && instrument.robot().value.emergencyStopToken != 0) {
+    if (!m_models.instrument.stopUnheard()) {
         m_stopToken = 0;
         return;
     }

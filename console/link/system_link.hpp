@@ -84,10 +84,11 @@ public:
     /// The planned injection, once, under a number that was never used; what cannot be sent is refused here, and nothing is on its way.
     void inject(quint32 permit, quint32 number);
 
-    /// To the robot, repeated until it reports the stop or its session ends.
+    /// To the robot under a token of its own, whatever stop is in force, repeated until the robot names it; over a session that is opened
+    /// later as well.
     void emergencyStop(const QString& reason);
 
-    /// Ends the stop that the robot reports; the robot then holds.
+    /// Ends the stop that the robot names. It then holds, or names another one that is in force and has to be reset by itself.
     void resetEmergencyStop();
 
     void setMotion(const MotionSnapshot& snapshot);
@@ -123,7 +124,7 @@ private:
     std::optional<quint32> m_robot;
     std::optional<quint32> m_xray;
     QTimer m_figures;
-    quint64 m_stopToken = 0; ///< of the stop that the robot has not reported yet; 0: none
+    quint64 m_stopToken = 0; ///< of the newest stop, while the robot has not named it; 0: none
     QString m_stopReason;
     QString m_stopTrouble; ///< why it could not be sent when it was tried last; empty
     std::atomic<quint64> m_framesReceived{0};

@@ -51,12 +51,14 @@ bool InstrumentState::forceAccepted(Instant now) const
     return m_acceptedForce && now - m_acceptedAt <= acceptedFor && force <= *m_acceptedForce + forceMargin && force < m_limits.forceWarn;
 }
 
-void InstrumentState::noteStopAsked(Instant at)
+void InstrumentState::noteStopAsked(quint64 token, Instant at) { m_unheard.push_back({token, at}); }
+
+/// With the one that the robot names the earlier ones are answered, too: it stands still until that one is reset.
+void InstrumentState::hearStop(quint64 token)
 {
-    // A report from before says nothing: the robot may have been started anew since.
-    const bool inForce = robotFresh(at) && m_robot.value.emergencyStopToken != 0;
-    if (!inForce && !m_stopUnheard)
-        m_stopUnheard = at;
+    const auto named = std::find_if(m_unheard.begin(), m_unheard.end(), [token](const AskedStop& asked) { return asked.token == token; });
+    if (named != m_unheard.end())
+        m_unheard.erase(m_unheard.begin(), named + 1);
 }
 
 void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
@@ -64,8 +66,7 @@ void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
     const bool changed = !m_robot.known() || m_robot.value.state != status.state;
     m_robot.receive(status, at);
     ++m_statusCount;
-    if (status.emergencyStopToken != 0)
-        m_stopUnheard.reset();
+    hearStop(status.emergencyStopToken);
     if (std::abs(status.guidewireForce) <= goneShare * m_limits.forceNearZero)
         dropForce(); // what comes after it is another force, whichever way it points
     m_peakForce = std::max(m_peakForce, std::abs(status.guidewireForce));

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <deque>
 #include <optional>
+#include <vector>
 
 namespace console {
 
@@ -53,8 +54,9 @@ public:
     double mostContrast() const { return m_mostContrast; } ///< mL, the most that was ever left
     quint64 statusCount() const { return m_statusCount; }
 
-    /// Since when a person has been asking for an emergency stop of which the robot has not told; nothing when none is asked for.
-    std::optional<Instant> stopUnheard() const { return m_stopUnheard; }
+    /// Since when a person has been asking for an emergency stop that the robot has not named; nothing when there is none. One of another
+    /// token that is in force says nothing of it: that one may be reset.
+    std::optional<Instant> stopUnheard() const { return m_unheard.empty() ? std::nullopt : std::optional(m_unheard.front().at); }
 
     /// A force stands that keeps the robot from being armed, and is small enough for a person to arm all the same: known, not near zero,
     /// below the warning, and not accepted yet.
@@ -71,7 +73,7 @@ public:
     void endWatch(Instant now);
 
     // For the link room.
-    void noteStopAsked(Instant at);
+    void noteStopAsked(quint64 token, Instant at);
     void receiveRobot(const RobotStatus& status, Instant at);
     void receiveDrives(const DriveStatus& status, Instant at);
     void receiveTip(const TipPose& pose, Instant at);
@@ -86,6 +88,13 @@ Q_SIGNALS:
     void robotStateChanged(console::RobotState state);
 
 private:
+    struct AskedStop {
+        quint64 token = 0;
+        Instant at;
+    };
+
+    void hearStop(quint64 token);
+
     Aged<RobotStatus> m_robot;
     Aged<DriveStatus> m_drives;
     Aged<TipPose> m_tip;
@@ -94,7 +103,7 @@ private:
     RobotLimits m_limits;
     std::optional<TravelLimits> m_travel;
     std::optional<Instant> m_injectionHeard;
-    std::optional<Instant> m_stopUnheard;
+    std::vector<AskedStop> m_unheard;      ///< stops that the robot has not named, oldest first
     std::optional<double> m_acceptedForce; ///< N, magnitude
     Instant m_acceptedAt;
     double m_peakForce = 0;

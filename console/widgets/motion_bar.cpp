@@ -160,8 +160,10 @@ void MotionBar::connectButtons()
     connect(m_reset, &HoldButton::holdChanged, this, [this](bool held) {
         m_resetAsked = false;
         m_resetSince.reset();
-        if (held)
-            m_resetSince = std::chrono::steady_clock::now();
+        if (!held)
+            return;
+        m_resetSince = std::chrono::steady_clock::now();
+        m_resetToken = stopInForce();
     });
 }
 
@@ -198,11 +200,25 @@ void MotionBar::refreshArm(Instant now)
     m_arm->setEnabled(state.phase == PermitPhase::Ready || state.phase == PermitPhase::Arming);
 }
 
+quint64 MotionBar::stopInForce() const
+{
+    const auto& robot = m_models.instrument.robot();
+    return robot.known() ? robot.value.emergencyStopToken : 0;
+}
+
 void MotionBar::refreshReset(Instant now)
 {
-    const bool stopped = m_models.instrument.robot().known() && m_models.instrument.robot().value.emergencyStopToken != 0;
-    m_stop->setStopped(stopped);
-    m_armOrReset->setCurrentWidget(stopped ? m_reset : m_arm);
+    const quint64 stop = stopInForce();
+    if (stop == 0)
+        m_resetToken = 0;
+    const bool another = m_resetToken != 0 && stop != m_resetToken;
+    m_stop->setStopped(stop != 0);
+    m_armOrReset->setCurrentWidget(stop != 0 ? m_reset : m_arm);
+    m_reset->setTexts(tr("RESET STOP"), another ? tr("another: hold again") : tr("hold or U, 1.5 s"));
+    if (stop != m_resetToken && m_resetSince) { // it was begun for a stop that somebody had looked at
+        m_resetSince.reset();
+        m_reset->setProgress(0);
+    }
     if (!m_resetSince)
         return;
     const double part = milliseconds(now - *m_resetSince) / double(resetHold.count());

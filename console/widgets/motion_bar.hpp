@@ -57,6 +57,7 @@ private:
     void connectButtons();
     void refreshArm(Instant now);
     void refreshReset(Instant now);
+    quint64 stopInForce() const; ///< as the robot reported last; 0: none
     void refreshInject(Instant now);
     QString injectText(Instant now) const;
     void refreshForce(Instant now);
@@ -81,6 +82,7 @@ private:
     QLabel* m_viewKeys;
     QStackedLayout* m_armOrReset = nullptr;
     std::optional<Instant> m_resetSince;
+    quint64 m_resetToken = 0;            ///< of the stop that stood there when its reset was begun last; 0: none since it was stopped
     std::optional<Instant> m_forceSince; ///< when the force on its button was written there; nothing while there is none
     double m_forceShown = 0;             ///< N
     bool m_forceRead = false;            ///< it stood there long enough before it was pressed

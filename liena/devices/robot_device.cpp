@@ -208,7 +208,7 @@ void RobotDevice::onInjection(const Message& message)
 
 void RobotDevice::onEmergencyStop(const Message& message)
 {
-    handle(EmergencyStopCommanded{message.get<std::uint64_t>("token")});
+    handle(EmergencyStopCommanded{message.origin(), message.get<std::uint64_t>("token")});
     m_system.audit("emergency-stop", m_patientSide.nameOf(message.origin()), message.get<std::string_view>("reason"));
     m_log(LogLevel::Error, "emergency stop from " + m_patientSide.nameOf(message.origin()) + " (" +
                                printable(message.get<std::string_view>("source")) +
@@ -218,7 +218,7 @@ void RobotDevice::onEmergencyStop(const Message& message)
 void RobotDevice::stopLocally(std::string_view reason)
 {
     std::random_device entropy;
-    handle(EmergencyStopCommanded{(std::uint64_t{entropy()} << 32U | entropy()) | 1U});
+    handle(EmergencyStopCommanded{m_system.self().id, (std::uint64_t{entropy()} << 32U | entropy()) | 1U});
     m_system.audit("emergency-stop", m_system.self().name, reason);
     m_log(LogLevel::Error, "emergency stop here: " + printable(reason, 128));
 }

@@ -7,8 +7,6 @@ namespace liena::devices {
 
 namespace {
 
-constexpr std::size_t stopMemory = 64;
-
 bool isCockpit(DeviceId device) { return device.classNumber() == static_cast<std::uint8_t>(DeviceClass::Brain); }
 
 } // namespace
@@ -186,12 +184,10 @@ void RobotMachine::on(const InjectionCommanded& event, SteadyTime) { fromOwner(e
 
 void RobotMachine::on(const EmergencyStopCommanded& event, SteadyTime)
 {
-    // Each stop has to be reset by its own token: a reset that crossed a second stop on its way must not end that one.
-    if (std::find(m_stops.begin(), m_stops.end(), event.token) == m_stops.end()) {
-        if (m_stops.size() == stopMemory)
-            m_stops.erase(m_stops.begin());
-        m_stops.push_back(event.token);
-    }
+    // Each stop has to be reset by its own token: a reset that crossed a second stop on its way must not end that one. A newer one from the
+    // same device takes the place of its last: it is reset once, however often it was pressed there.
+    std::erase_if(m_stops, [&event](const EmergencyStopCommanded& known) { return known.origin == event.origin; });
+    m_stops.push_back(event);
     if (m_state == RobotState::EmergencyStop)
         return;
     endClearance();
@@ -204,7 +200,8 @@ void RobotMachine::on(const EmergencyStopCommanded& event, SteadyTime)
 
 void RobotMachine::on(const ResetCommanded& event, SteadyTime now)
 {
-    const auto found = std::find(m_stops.begin(), m_stops.end(), event.token);
+    const auto found =
+        std::find_if(m_stops.begin(), m_stops.end(), [&event](const EmergencyStopCommanded& known) { return known.token == event.token; });
     if (m_state != RobotState::EmergencyStop || found == m_stops.end())
         return refuse("no emergency stop of that token is in force");
     if (!isCockpit(event.origin))

@@ -54,6 +54,7 @@ struct InjectionCommanded {
     std::uint32_t permit = 0;
 };
 struct EmergencyStopCommanded {
+    DeviceId origin; ///< the robot itself: pressed beside it
     std::uint64_t token = 0;
 };
 struct ResetCommanded {
@@ -111,7 +112,8 @@ struct RobotActions {
 ///                      │    silence, release request               │ │ engaged, after  │
 ///                      │                                           │ │ a neutral one   │
 ///                      └───────────────────────────────────────────│─┴──► Engaged ─────┘
-///    EmergencyStop: from every state at once; Hold when every stop in force was reset by its token.
+///    EmergencyStop: from every state at once; Hold when every stop in force was reset by its token. Each device has one in force at most,
+///    its newest.
 ///    Fault: from every state but EmergencyStop and Off when a drive fails; Hold when the drives are healthy again.
 ///    With TwoPersons the robot is Ready only while the person beside it says that it may be armed. That word ends with a cockpit's
 ///    session, stand-by, an emergency stop and a fault, and must then be said again.
@@ -141,7 +143,10 @@ public:
     bool holdConfirmed() const { return m_holdConfirmed; }
     RobotFault fault() const { return m_fault; }
     Clearance clearance() const { return m_clearance; }
-    std::uint64_t emergencyStopToken() const { return m_stops.empty() ? 0 : m_stops.back(); }
+
+    /// Of the stop in force that was heard last, a repeat included: who repeats a stop until it is reported learns of it beside others.
+    std::uint64_t emergencyStopToken() const { return m_stops.empty() ? 0 : m_stops.back().token; }
+
     std::uint32_t lastSequence() const { return m_lastSequence; }
     std::uint64_t appliedCommands() const { return m_applied; }
     std::uint64_t refusedCommands() const { return m_refused; }
@@ -182,8 +187,8 @@ private:
     RobotState m_state = RobotState::Off;
     std::uint32_t m_permit;
     std::optional<DeviceId> m_owner;
-    std::set<DeviceId> m_cockpits; ///< those in session
-    std::vector<std::uint64_t> m_stops;
+    std::set<DeviceId> m_cockpits;               ///< those in session
+    std::vector<EmergencyStopCommanded> m_stops; ///< in force, one of each origin at most, in the order in which they were heard last
     SteadyTime m_silentSince;
     SteadyTime m_holdSince;
     bool m_heardCommand = false;

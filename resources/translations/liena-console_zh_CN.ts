@@ -2903,6 +2903,10 @@
         <translation>按住或 U 键 1.5 s</translation>
     </message>
     <message>
+        <source>another: hold again</source>
+        <translation>另有急停：再按住</translation>
+    </message>
+    <message>
         <source>hold 1.5 s</source>
         <translation>按住 1.5 s</translation>
     </message>

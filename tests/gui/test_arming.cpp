@@ -53,10 +53,10 @@ struct Stopping : CockpitStage {
 
     Stopping() { cockpit.openAll(); }
 
-    void tell(bool stopped)
+    void tell(bool stopped, quint64 token = 99)
     {
         RobotStatus status = cockpit.status(stopped ? RobotState::EmergencyStop : RobotState::Ready);
-        status.emergencyStopToken = stopped ? 99 : 0;
+        status.emergencyStopToken = stopped ? token : 0;
         cockpit.models.instrument.receiveRobot(status, std::chrono::steady_clock::now());
         refresh();
     }
@@ -317,6 +317,21 @@ private Q_SLOTS:
         stage.window.refresh(std::chrono::steady_clock::now() + 3s);
         QCOMPARE(asked.count(), 1);
         QTest::mouseRelease(reset, Qt::LeftButton);
+    }
+
+    /// What comes while the reset is held is another reason to look at the patient.
+    void aNewerStopIsNotResetByAHoldThatWasBegunBefore()
+    {
+        Stopping stage;
+        QVERIFY(stage.ready());
+        stage.tell(true);
+        stage.window.setResetHeld(true);
+        stage.tell(true, 100);
+        QCOMPARE(stage.askedIn(3s), 0);
+        stage.window.setResetHeld(false);
+        stage.window.setResetHeld(true);
+        QCOMPARE(stage.askedIn(3s), 1);
+        stage.window.setResetHeld(false);
     }
 
     void resetOfTheStopByItsKeyIsHeldAsLong()

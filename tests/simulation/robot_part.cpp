@@ -175,7 +175,7 @@ void RobotPart::delivered(HostIndex peer, const Message& message)
         handle(GripperCommanded{message.origin(), message.get<std::uint32_t>(std::size_t{0})});
         break;
     case 0x0104:
-        handle(EmergencyStopCommanded{message.get<std::uint64_t>(std::size_t{0})});
+        handle(EmergencyStopCommanded{message.origin(), message.get<std::uint64_t>(std::size_t{0})});
         break;
     case 0x0105:
         handle(ResetCommanded{message.origin(), message.get<std::uint64_t>(std::size_t{0})});

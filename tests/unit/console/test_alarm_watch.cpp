@@ -102,15 +102,22 @@ const std::vector<Case>& deviceCases()
          C::DriveFault},
         {"emergency stop unheard",
          [](Watched& w) {
-             w.models().instrument.noteStopAsked(w.now);
+             w.models().instrument.noteStopAsked(5, w.now);
              w.now += 201ms;
+         },
+         C::StopUnheard},
+        {"emergency stop unheard, another one is in force",
+         [robot](Watched& w) {
+             w.models().instrument.noteStopAsked(5, w.now);
+             w.now += 201ms;
+             robot([](auto& s) { s.emergencyStopToken = 4; })(w);
          },
          C::StopUnheard},
         {"emergency stop unheard, an old one was reported long ago",
          [robot](Watched& w) {
              robot([](auto& s) { s.emergencyStopToken = 4; })(w);
              w.now += 1s;
-             w.models().instrument.noteStopAsked(w.now);
+             w.models().instrument.noteStopAsked(5, w.now);
              w.now += 201ms;
          },
          C::StopUnheard},

@@ -158,6 +158,41 @@ private Q_SLOTS:
         QVERIFY(!state.robotFresh(start + 20s + 101ms));
     }
 
+    /// Another one that is in force may be reset, and then the robot would be free.
+    void aStopIsUnheardUntilTheRobotNamesIt()
+    {
+        InstrumentState state;
+        const auto report = [&state](quint64 token, Instant at) {
+            RobotStatus status;
+            status.emergencyStopToken = token;
+            state.receiveRobot(status, at);
+        };
+        report(4, start);
+        state.noteStopAsked(5, start);
+        report(4, start + 10ms);
+        QCOMPARE(state.stopUnheard(), std::optional(start));
+        report(0, start + 20ms);
+        QCOMPARE(state.stopUnheard(), std::optional(start));
+        report(5, start + 30ms);
+        QVERIFY(!state.stopUnheard());
+    }
+
+    /// A long line: what is still on its way is younger than what was answered.
+    void ofTwoStopsTheOneThatIsNotNamedIsUnheard()
+    {
+        InstrumentState state;
+        state.noteStopAsked(5, start);
+        state.noteStopAsked(6, start + 150ms);
+        QCOMPARE(state.stopUnheard(), std::optional(start));
+        RobotStatus status;
+        status.emergencyStopToken = 5;
+        state.receiveRobot(status, start + 190ms);
+        QCOMPARE(state.stopUnheard(), std::optional(start + 150ms));
+        status.emergencyStopToken = 6;
+        state.receiveRobot(status, start + 340ms);
+        QVERIFY(!state.stopUnheard());
+    }
+
     void injectionIsReplacedByItsNewerReport()
     {
         InstrumentState state;

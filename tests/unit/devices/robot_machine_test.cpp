@@ -43,7 +43,7 @@ struct Robot {
         give(SessionOpened{cockpit});
         wait(RobotMachine::leastHold);
         if (state == RobotState::EmergencyStop)
-            give(EmergencyStopCommanded{stopToken});
+            give(EmergencyStopCommanded{cockpit, stopToken});
         if (state == RobotState::Fault)
             give(DrivesChecked{false, true});
         if (state == RobotState::Armed || state == RobotState::Engaged) {
@@ -98,7 +98,7 @@ class RobotMachineTest : public QObject {
         if (name == "engaged by another")
             return MotionCommanded{otherCockpit, permit, 1000, true, {5, 0, 0, 0}};
         if (name == "emergency stop")
-            return EmergencyStopCommanded{stopToken};
+            return EmergencyStopCommanded{cockpit, stopToken};
         if (name == "reset")
             return ResetCommanded{cockpit, stopToken};
         if (name == "reset, wrong token")
@@ -268,11 +268,11 @@ private slots:
     {
         Robot robot;
         robot.bring(RobotState::Engaged);
-        const RobotActions first = robot.give(EmergencyStopCommanded{stopToken});
+        const RobotActions first = robot.give(EmergencyStopCommanded{cockpit, stopToken});
         QVERIFY(first.drives == RobotActions::Drives::Cut);
         QVERIFY(first.stopInjection);
         QCOMPARE(robot.machine.emergencyStopToken(), stopToken);
-        robot.give(EmergencyStopCommanded{stopToken});
+        robot.give(EmergencyStopCommanded{cockpit, stopToken});
         QVERIFY(robot.give(ResetCommanded{cockpit, stopToken}).accepted);
         QCOMPARE(name(robot.machine.state()), name(RobotState::Hold));
         QCOMPARE(robot.machine.emergencyStopToken(), 0U);
@@ -282,13 +282,40 @@ private slots:
     {
         Robot robot;
         robot.bring(RobotState::Ready);
-        robot.give(EmergencyStopCommanded{1});
-        robot.give(EmergencyStopCommanded{2});
+        robot.give(EmergencyStopCommanded{cockpit, 1});
+        robot.give(EmergencyStopCommanded{otherCockpit, 2});
         QCOMPARE(robot.machine.emergencyStopToken(), 2U);
         robot.give(ResetCommanded{cockpit, 1});
         QCOMPARE(name(robot.machine.state()), name(RobotState::EmergencyStop));
         robot.give(ResetCommanded{cockpit, 2});
         QCOMPARE(name(robot.machine.state()), name(RobotState::Hold));
+    }
+
+    /// However often it was pressed: one reset ends it, and none that was sent before the last press.
+    void aNewerStopTakesThePlaceOfTheLastFromThere()
+    {
+        Robot robot;
+        robot.bring(RobotState::Ready);
+        robot.give(EmergencyStopCommanded{cockpit, 1});
+        robot.give(EmergencyStopCommanded{cockpit, 2});
+        QVERIFY(!robot.give(ResetCommanded{cockpit, 1}).accepted);
+        QCOMPARE(name(robot.machine.state()), name(RobotState::EmergencyStop));
+        robot.give(ResetCommanded{cockpit, 2});
+        QCOMPARE(name(robot.machine.state()), name(RobotState::Hold));
+    }
+
+    /// Of two that arrive between two reports only one is named; who was not named repeats, and is named then.
+    void namesTheStopThatItHeardLast()
+    {
+        Robot robot;
+        robot.bring(RobotState::Ready);
+        robot.give(EmergencyStopCommanded{cockpit, 1});
+        robot.give(EmergencyStopCommanded{otherCockpit, 2});
+        robot.give(EmergencyStopCommanded{cockpit, 1});
+        QCOMPARE(robot.machine.emergencyStopToken(), 1U);
+        robot.give(ResetCommanded{cockpit, 1});
+        QCOMPARE(robot.machine.emergencyStopToken(), 2U);
+        QCOMPARE(name(robot.machine.state()), name(RobotState::EmergencyStop));
     }
 
     void onlyACockpitResets()
@@ -304,7 +331,7 @@ private slots:
         Robot robot;
         robot.bring(RobotState::EmergencyStop);
         robot.give(ResetCommanded{cockpit, stopToken});
-        robot.give(EmergencyStopCommanded{stopToken});
+        robot.give(EmergencyStopCommanded{cockpit, stopToken});
         QCOMPARE(name(robot.machine.state()), name(RobotState::EmergencyStop));
     }
 
