@@ -169,7 +169,11 @@ void CockpitControl::tellRobot()
     event.robot = status.state;
     event.holdConfirmed = status.holdConfirmed;
     event.permit = status.permit;
-    apply(event, presentTime());
+    event.own = ownsRobot(m_models);
+    const auto now = presentTime();
+    if (m_models.permit.phase() == PermitPhase::Arming)
+        checkAllGuards(now); // first, so that what ends the arming is known by its name
+    apply(event, now);
 }
 
 void CockpitControl::expectPictures(Instant now)

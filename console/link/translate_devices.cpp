@@ -45,6 +45,7 @@ RobotStatus robotStatus(const liena::Message& m)
     RobotStatus status;
     status.state = m.get<RobotState>("state");
     status.permit = m.get<quint32>("permit");
+    status.owner = m.get<quint32>("owner");
     status.engaged = m.get<bool>("engaged");
     status.holdConfirmed = m.get<bool>("hold_confirmed");
     status.holdSinceNs = m.get<std::uint64_t>("hold_since_ns");

@@ -154,13 +154,16 @@ void holdingArm(Move& move, const PermitEvent& event)
         if (!state.armable.all())
             move.enter(Phase::Standby);
         break;
+    case Kind::RobotReported: // not left to the next look: the request may be due before it
+        if (event.robot != RobotState::Ready)
+            move.enter(Phase::Standby);
+        break;
     case Kind::Tick:
         if (move.now - state.since < move.timing.armHold)
             break;
         state.awaitingRobot = true;
         state.since = move.now;
         state.permit = state.robotPermit;
-        state.asked = state.permit;
         move.actions.requestArm = true;
         move.actions.permit = state.permit;
         break;
@@ -199,11 +202,14 @@ void awaitingRobot(Move& move, const PermitEvent& event)
     auto& state = move.state;
     if (endsMotion(move, event))
         return;
-    if (event.kind == Kind::RobotReported && event.robot == RobotState::Armed && event.permit == state.permit) {
+    if (event.kind == Kind::RobotReported && event.robot == RobotState::Armed && event.permit == state.permit && event.own) {
         move.enter(Phase::Armed);
         state.deadManReleasedSeen = !state.deadMan;
     } else if (event.kind == Kind::RobotReported && event.permit != state.permit) {
         move.stop(HoldCause::RobotWithdrew);
+    } else if (event.kind == Kind::RobotReported && isArmed(event.robot) && !event.own) {
+        move.giveBack();            // if it is nobody's, it is not left armed
+        move.enter(Phase::Standby); // no Hold: the robot need not hold, and nothing of this console has moved it
     } else if (event.kind == Kind::Tick && move.now - state.since >= move.timing.armAnswer) {
         move.stop(HoldCause::ArmTimedOut);
     }
@@ -213,7 +219,7 @@ bool robotWithdrew(const PermitState& state, const PermitEvent& event)
 {
     if (event.kind != Kind::RobotReported)
         return false;
-    return event.permit != state.permit || (event.robot != RobotState::Armed && event.robot != RobotState::Engaged);
+    return event.permit != state.permit || !isArmed(event.robot) || !event.own;
 }
 
 void armed(Move& move, const PermitEvent& event)

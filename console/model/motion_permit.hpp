@@ -27,7 +27,7 @@ enum class PermitEventKind : std::uint8_t {
     ArmReleased,
     DeadManPressed,
     DeadManReleased,
-    RobotReported, ///< robot, permit
+    RobotReported, ///< robot, permit, own
     PanicHold,     ///< F12, focus lost, the window hidden, the hand gone
     Stalled,       ///< this program did not run for longer than 100 ms
     GateClosed,    ///< permit: the last check before the wire refuses motion under it from now on
@@ -42,6 +42,7 @@ struct PermitEvent {
     RobotState robot = RobotState::Off; ///< RobotReported
     bool holdConfirmed = false;         ///< RobotReported
     quint32 permit = 0;                 ///< RobotReported, GateClosed
+    bool own = false;                   ///< RobotReported: this console has armed it
 };
 
 /// What motion commands leave for the robot.
@@ -74,7 +75,6 @@ struct PermitState {
     bool robotHolds = false;                ///< Hold: the robot reported so since Hold was entered
     quint32 robotPermit = 0;                ///< as last reported
     quint32 permit = 0;                     ///< Arming (awaiting), Armed, Engaged: the one we move under
-    quint32 asked = 0;                      ///< the one that was asked for last, however that ended; 0: none yet
     quint32 engagement = 0;                 ///< counts entries into Engaged
     std::optional<quint32> spentPermit;     ///< of the last armed period of this session
     std::optional<Instant> guardsTrueSince; ///< Verifying
@@ -114,6 +114,7 @@ struct PermitStep {
 ///    │   for 1 s        │         system stands by (from any)
 ///  Verifying ───────────┘                Incident ───── session open, no incident left ─────► Verifying
 /// ```
+/// Of several consoles that ask for one permit the robot takes one; Arming ends in Standby for those that it does not name as its owner.
 /// There is no way from Hold, Incident or Verifying to Armed but through Ready and a new ARM: a lost link that heals gives nothing back.
 PermitStep step(const PermitState& state, const PermitEvent& event, Instant now, const PermitTiming& timing = {});
 

@@ -73,8 +73,7 @@ GuardLine holdLine(const GuardReadings& r)
     auto missing = Text::tr("Robot reports %1").arg(word(r.robotState));
     if (!r.robotFresh)
         missing = Text::tr("Robot's hold is not known");
-    else if (r.robotLink == LinkState::Open && r.robotPermit != r.askedPermit &&
-             (r.robotState == RobotState::Armed || r.robotState == RobotState::Engaged))
+    else if (r.anotherHasRobot)
         missing = Text::tr("Another console has the robot: %1").arg(word(r.robotState));
     else if (r.robotState == RobotState::Ready && !r.robotHoldConfirmed)
         missing = Text::tr("Robot has not confirmed its hold");

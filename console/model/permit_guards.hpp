@@ -67,7 +67,7 @@ struct GuardReadings {
     RobotState robotState = RobotState::Off;
     bool robotHoldConfirmed = false;
     quint32 robotPermit = 0;
-    quint32 askedPermit = 0;            ///< the last one that this console asked for; 0: none yet
+    bool anotherHasRobot = false;       ///< another console has armed it
     std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
     bool drivesHealthy = false;
     OperatorRole role = OperatorRole::Operator;

@@ -32,6 +32,12 @@ qint64 takenWallMs(const PictureStamp& picture, bool ageKnown, Instant now)
 
 } // namespace
 
+bool ownsRobot(const ConsoleModels& models)
+{
+    const auto* self = models.sessions.self();
+    return self != nullptr && models.instrument.robot().value.owner == self->id;
+}
+
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now)
 {
     GuardReadings r;
@@ -44,7 +50,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.robotState = status.state;
     r.robotHoldConfirmed = status.holdConfirmed;
     r.robotPermit = status.permit;
-    r.askedPermit = models.permit.state().asked;
+    r.anotherHasRobot = isArmed(status.state) && status.owner != 0 && !ownsRobot(models);
     r.spentPermit = models.permit.state().spentPermit;
     r.drivesHealthy = models.instrument.drivesHealthy(now);
     r.role = models.role;

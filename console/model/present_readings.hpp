@@ -7,6 +7,9 @@
 
 namespace console {
 
+/// The robot names this console as the one that has armed it.
+bool ownsRobot(const ConsoleModels& models);
+
 /// `robot`: the device that is moved; nothing when the topology has none. `windowActive`: the hand may use the keyboard.
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now);
 

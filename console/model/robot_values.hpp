@@ -39,6 +39,7 @@ QString faultText(quint16 code);
 struct RobotStatus {
     RobotState state = RobotState::Off;
     quint32 permit = 0;
+    quint32 owner = 0;    ///< the device that has armed it; 0 while nobody has
     bool engaged = false; ///< the dead-man as the robot received it
     bool holdConfirmed = false;
     quint64 holdSinceNs = 0;
@@ -63,6 +64,9 @@ struct RobotStatus {
     quint16 faultCode = 0;
     Clearance clearance = Clearance::NotAsked;
 };
+
+/// Whether the robot may move for somebody. For whom, its owner says.
+inline bool isArmed(RobotState state) { return state == RobotState::Armed || state == RobotState::Engaged; }
 
 /// In this order in DriveStatus.
 enum class Drive : std::uint8_t { GuidewireAdvance, GuidewireTurn, CatheterAdvance, CatheterTurn };

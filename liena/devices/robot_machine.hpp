@@ -138,7 +138,7 @@ public:
 
     RobotState state() const { return m_state; }
     std::uint32_t permit() const { return m_permit; }
-    std::optional<DeviceId> owner() const { return m_owner; }
+    std::optional<DeviceId> owner() const { return m_owner; } ///< the cockpit that has armed it; nothing while nobody has
     bool engaged() const { return m_state == RobotState::Engaged; }
     bool holdConfirmed() const { return m_holdConfirmed; }
     RobotFault fault() const { return m_fault; }

@@ -35,6 +35,7 @@ void RobotDevice::publishStatus()
     const DriveFeedback body = m_body.feedback();
     const AxisValues& speed = m_body.velocities();
     status.set("state", m_machine.state()).set("permit", m_machine.permit()).set("engaged", m_machine.engaged());
+    status.set("owner", m_machine.owner().value_or(DeviceId()).value());
     status.set("hold_confirmed", m_machine.holdConfirmed()).set("hold_since_ns", m_holdSince);
     status.set("last_sequence", m_machine.lastSequence()).set("applied_commands", m_machine.appliedCommands());
     status.set("refused_commands", m_machine.refusedCommands());

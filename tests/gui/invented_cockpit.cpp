@@ -103,6 +103,7 @@ RobotStatus InventedCockpit::status(RobotState state) const
     RobotStatus s;
     s.state = state;
     s.permit = permitNumber;
+    s.owner = isArmed(state) ? cockpitId : 0;
     s.engaged = state == RobotState::Engaged;
     s.holdConfirmed = state == RobotState::Hold || state == RobotState::Ready;
     s.guidewirePosition = 842.6;
@@ -139,7 +140,6 @@ GuardReadings InventedCockpit::goodReadings() const
     r.robotState = RobotState::Ready;
     r.robotHoldConfirmed = true;
     r.robotPermit = permitNumber;
-    r.askedPermit = models.permit.state().asked;
     r.drivesHealthy = true;
     r.roundTrip = 8ms;
     r.usualRoundTrip = 8ms;
@@ -228,6 +228,7 @@ void InventedCockpit::feed(PermitEventKind kind, RobotState robot)
     event.robot = robot;
     event.holdConfirmed = robot == RobotState::Hold || robot == RobotState::Ready;
     event.permit = permitNumber;
+    event.own = isArmed(robot);
     const Instant at = kind == PermitEventKind::ArmPressed ? now - 4s : kind == PermitEventKind::Tick ? now - 2s : now - 1s;
     models.permit.apply(event, at);
 }

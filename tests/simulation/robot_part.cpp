@@ -136,6 +136,7 @@ void RobotPart::observeDrives(const DriveStep& step, Nanoseconds passed)
 void RobotPart::publishStatus()
 {
     m_status->set("state", static_cast<unsigned>(m_machine.state())).set("permit", m_machine.permit()).set("engaged", m_machine.engaged());
+    m_status->set("owner", m_machine.owner().value_or(DeviceId()).value());
     m_status->set("hold_confirmed", m_machine.holdConfirmed()).set("last_sequence", m_machine.lastSequence());
     m_status->set("emergency_stop_token", m_machine.emergencyStopToken());
     m_device->publish(m_status->message());

@@ -67,6 +67,7 @@ void PuppetRobot::build(DistributedSystem& system)
         hold();
         m_state = State::EmergencyStop;
         m_stop = message.get<std::uint64_t>("token");
+        m_stops.push_back(m_stop);
     }));
     orThrow(system.subscribe("ResetEmergencyStop", [this](const Message& message) {
         const std::lock_guard lock(m_mutex);
@@ -86,6 +87,7 @@ void PuppetRobot::build(DistributedSystem& system)
 void PuppetRobot::hold()
 {
     m_state = State::Hold;
+    m_owner = 0;
     m_stop = 0;
     ++m_permit;
     m_heldSince = m_turns;
@@ -99,6 +101,7 @@ void PuppetRobot::onPermit(const Message& message)
         ++m_armRequests;
         if (present && m_state == State::Ready) {
             m_state = State::Armed;
+            m_owner = message.origin().value();
             m_commandedAt = m_turns + 2 * silence; // its first command may take a while
         }
     } else if (present && (m_state == State::Armed || m_state == State::Engaged)) {
@@ -184,6 +187,7 @@ void PuppetRobot::turn(DistributedSystem& system)
         tracked = !m_tipSilent;
         const Claim told = m_claim.value_or(Claim{m_state, 0, !armed});
         status.set("state", told.state).set("permit", m_permit + told.permitsAhead).set("hold_confirmed", told.holdConfirmed);
+        status.set("owner", m_owner);
         status.set("engaged", told.state == State::Engaged).set("emergency_stop_token", m_stop);
         status.set("guidewire_position", m_position).set("guidewire_force", m_force).set("contrast_remaining", 80.0);
         tip.set("valid", true).set("position", std::vector<double>{0, 0, m_position}).set("quaternion", std::vector<double>{1, 0, 0, 0});
@@ -270,6 +274,12 @@ int PuppetRobot::armRequests() const
 {
     const std::lock_guard lock(m_mutex);
     return m_armRequests;
+}
+
+std::vector<std::uint64_t> PuppetRobot::stops() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_stops;
 }
 
 int PuppetRobot::injections() const

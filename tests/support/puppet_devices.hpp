@@ -56,12 +56,13 @@ public:
     /// Its network thread does nothing for so long: no report, no heartbeat.
     void standStill(std::chrono::milliseconds time);
 
-    int armRequests() const;      ///< asked of it so far
-    int movements() const;        ///< commands that moved it
-    int injections() const;       ///< asked of it so far, each number once
-    int engagedAtRest() const;    ///< accepted commands with the dead-man pressed and no velocity
-    std::uint64_t turns() const;  ///< reports that were due so far: its clock, ten milliseconds each
-    std::uint32_t permit() const; ///< the true one
+    int armRequests() const;                  ///< asked of it so far
+    int movements() const;                    ///< commands that moved it
+    std::vector<std::uint64_t> stops() const; ///< tokens of the emergency stops that it heard, repeats included
+    int injections() const;                   ///< asked of it so far, each number once
+    int engagedAtRest() const;                ///< accepted commands with the dead-man pressed and no velocity
+    std::uint64_t turns() const;              ///< reports that were due so far: its clock, ten milliseconds each
+    std::uint32_t permit() const;             ///< the true one
 
 private:
     void build(DistributedSystem& system);
@@ -75,7 +76,9 @@ private:
     mutable std::mutex m_mutex;
     State m_state = State::Hold;
     std::uint32_t m_permit = 1000;
+    std::uint32_t m_owner = 0; ///< who has armed it; 0 while nobody has
     std::uint64_t m_stop = 0;
+    std::vector<std::uint64_t> m_stops; ///< heard so far
     std::uint64_t m_turns = 0;
     std::uint64_t m_heldSince = 0; ///< turn
     std::uint64_t m_commandedAt = 0;

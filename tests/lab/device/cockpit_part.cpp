@@ -32,7 +32,8 @@ void CockpitPart::onRobotStatus(const Message& message)
     if (now.state != robot.state || now.permit != robot.permit)
         tell({"heard", m_system.topology().find(message.origin())->name, message.get<std::string_view>("state"), now.permit});
     robot = now;
-    if (m_asked != 0 && message.origin() == m_target && now.permit == m_asked && now.state == armedState) {
+    const bool mine = message.get<std::uint32_t>("owner") == m_system.self().id.value();
+    if (m_asked != 0 && message.origin() == m_target && now.permit == m_asked && now.state == armedState && mine) {
         m_permit = m_asked;
         m_asked = 0;
         m_sequence = 0;

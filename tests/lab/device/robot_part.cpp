@@ -160,6 +160,7 @@ void RobotPart::publishStatus()
 {
     auto status = m_system.report("RobotStatus").value();
     status.set("state", m_machine.state()).set("permit", m_machine.permit()).set("engaged", m_machine.engaged());
+    status.set("owner", m_machine.owner().value_or(DeviceId()).value());
     status.set("hold_confirmed", m_machine.holdConfirmed()).set("last_sequence", m_machine.lastSequence());
     status.set("applied_commands", m_machine.appliedCommands()).set("refused_commands", m_machine.refusedCommands());
     m_system.publish(status);

@@ -26,6 +26,7 @@ inline PermitEvent told(Kind kind)
     e.robot = RobotState::Ready;
     e.holdConfirmed = true;
     e.permit = permit;
+    e.own = true;
     return e;
 }
 
@@ -35,6 +36,14 @@ inline PermitEvent robot(RobotState state, quint32 number = permit, bool confirm
     e.robot = state;
     e.permit = number;
     e.holdConfirmed = confirmed;
+    return e;
+}
+
+/// The permit is the robot's: it reports the same to every console.
+inline PermitEvent robotOfAnother(RobotState state)
+{
+    auto e = robot(state);
+    e.own = false;
     return e;
 }
 

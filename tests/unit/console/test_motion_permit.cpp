@@ -17,7 +17,9 @@ private Q_SLOTS:
     void asksForTheReportedPermitOnce();
     void staysUnarmedWhenTheRobotAnswersForAnotherPermit();
     void givesUpWhenTheRobotDoesNotAnswer();
-    void remembersWhatItAskedForHoweverThatEnded();
+    void armsOnlyWhenTheRobotNamesThisConsole_data();
+    void armsOnlyWhenTheRobotNamesThisConsole();
+    void endsArmingAtOnceWhenTheRobotIsReadyNoMore();
     void sendsNothingBeforeArmedAndZeroThere();
     void engagesOnlyOnAPressAfterARelease();
     void rezeroesOnEachEngage();
@@ -153,20 +155,38 @@ void TestMotionPermit::givesUpWhenTheRobotDoesNotAnswer()
     QCOMPARE(run.state.phase, Phase::Standby);
 }
 
-/// The robot may still be on its way to arm for a request that was given up: that is this console's, and no other one's.
-void TestMotionPermit::remembersWhatItAskedForHoweverThatEnded()
+void TestMotionPermit::armsOnlyWhenTheRobotNamesThisConsole_data()
+{
+    QTest::addColumn<RobotState>("state");
+    QTest::newRow("armed") << RobotState::Armed;
+    QTest::newRow("engaged") << RobotState::Engaged;
+}
+
+/// Two consoles asked for the same permit at the same moment, and the robot took the other one.
+void TestMotionPermit::armsOnlyWhenTheRobotNamesThisConsole()
+{
+    QFETCH(RobotState, state);
+    Run run;
+    run.ask();
+    run.feed(robotOfAnother(state));
+    QCOMPARE(run.state.phase, Phase::Standby);
+    QCOMPARE(run.state.permit, 0U);
+    run.feed(Kind::DeadManPressed);
+    run.feed(robotOfAnother(state));
+    QCOMPARE(run.state.stream(), MotionStream::None);
+    QCOMPARE(run.state.phase, Phase::Standby);
+}
+
+/// The ARM hold may be full before the next look at the guards.
+void TestMotionPermit::endsArmingAtOnceWhenTheRobotIsReadyNoMore()
 {
     Run run;
     run.hold();
-    QCOMPARE(run.state.asked, 0U);
-    run.wait(1500ms);
-    run.feed(Kind::Tick);
-    QCOMPARE(run.state.asked, permit);
-    run.feed(Kind::PanicHold);
-    QCOMPARE(run.state.permit, 0U);
-    QCOMPARE(run.state.asked, permit);
-    run.feed(Kind::SessionClosed);
-    QCOMPARE(run.state.asked, permit);
+    run.wait(1490ms);
+    run.feed(robotOfAnother(RobotState::Armed));
+    QCOMPARE(run.state.phase, Phase::Standby);
+    run.wait(10ms);
+    QVERIFY(!run.feed(Kind::Tick).requestArm);
 }
 
 void TestMotionPermit::sendsNothingBeforeArmedAndZeroThere()
@@ -248,10 +268,12 @@ void TestMotionPermit::stopsWhenTheRobotWithdraws_data()
     QTest::addColumn<Phase>("phase");
     QTest::addColumn<RobotState>("state");
     QTest::addColumn<quint32>("number");
+    QTest::addColumn<bool>("own");
     for (const auto phase : {Phase::Armed, Phase::Engaged}) {
         for (const auto state : {RobotState::Off, RobotState::Hold, RobotState::Ready, RobotState::EmergencyStop, RobotState::Fault})
-            QTest::addRow("%s, robot %s", qPrintable(word(phase)), qPrintable(word(state))) << phase << state << permit;
-        QTest::addRow("%s, robot under another permit", qPrintable(word(phase))) << phase << RobotState::Engaged << permit + 1;
+            QTest::addRow("%s, robot %s", qPrintable(word(phase)), qPrintable(word(state))) << phase << state << permit << true;
+        QTest::addRow("%s, robot under another permit", qPrintable(word(phase))) << phase << RobotState::Engaged << permit + 1 << true;
+        QTest::addRow("%s, robot of another console", qPrintable(word(phase))) << phase << RobotState::Engaged << permit << false;
     }
 }
 
@@ -260,8 +282,11 @@ void TestMotionPermit::stopsWhenTheRobotWithdraws()
     QFETCH(Phase, phase);
     QFETCH(RobotState, state);
     QFETCH(quint32, number);
+    QFETCH(bool, own);
     auto run = in(phase);
-    const auto actions = run.feed(robot(state, number));
+    auto report = robot(state, number);
+    report.own = own;
+    const auto actions = run.feed(report);
     QCOMPARE(run.state.phase, Phase::Hold);
     QCOMPARE(run.state.cause, HoldCause::RobotWithdrew);
     QVERIFY(actions.release);

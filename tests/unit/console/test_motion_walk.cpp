@@ -28,6 +28,7 @@ struct World {
     bool focus = true;
     bool pictureRuns = true;
     RobotState robot = RobotState::Ready;
+    bool another = false; ///< console has armed it
     quint32 permit = 1;
     double force = 0;
     Instant now = Instant{} + 1h;
@@ -124,12 +125,14 @@ private:
         m_permit = next.state;
         if (next.actions.rezero)
             m_rack.rezero(m_world.now);
-        if (next.actions.release && next.actions.permit == m_world.permit) {
+        if (next.actions.release && next.actions.permit == m_world.permit && !m_world.another) {
             m_world.robot = RobotState::Ready;
             ++m_world.permit;
         }
-        if (next.actions.requestArm && next.actions.permit == m_world.permit && m_world.robot == RobotState::Ready && !answers(10))
+        if (next.actions.requestArm && next.actions.permit == m_world.permit && m_world.robot == RobotState::Ready && !answers(10)) {
             m_world.robot = RobotState::Armed;
+            m_world.another = answers(10); // its request, under the same permit, came first
+        }
         publish(m_world.now);
     }
 
@@ -200,6 +203,7 @@ private:
             m_world.force = 3;
         } else if (chance == 9) {
             m_world.robot = std::array{RobotState::Hold, RobotState::Fault, RobotState::EmergencyStop}.at(m_random() % 3);
+            m_world.another = false;
             ++m_world.permit;
         } else if (chance == 10) {
             // Frozen: the network thread goes on with what it was handed last.
@@ -285,6 +289,11 @@ private:
             m_world.force = 0;
         if (m_world.robot != RobotState::Ready && m_world.robot != RobotState::Armed && answers(50))
             m_world.robot = RobotState::Ready;
+        if (m_world.another && answers(50)) { // it gives the robot back
+            m_world.another = false;
+            m_world.robot = RobotState::Ready;
+            ++m_world.permit;
+        }
         if (answers(100)) {
             const std::array keys{Qt::Key_D, Qt::Key_R, Qt::Key_C, Qt::Key_Space, Qt::Key_Return, Qt::Key_Up, Qt::Key_L};
             const auto key = keys.at(m_random() % keys.size());
@@ -327,10 +336,11 @@ private:
         event.robot = m_world.robot;
         event.permit = m_world.permit;
         event.holdConfirmed = m_world.robot == RobotState::Ready || m_world.robot == RobotState::Hold;
-        if (event.robot == RobotState::Armed && !m_needs.armedAt && m_needs.wasHeld(m_world.now)) {
+        event.own = m_world.robot == RobotState::Armed && !m_world.another;
+        if (event.own && !m_needs.armedAt && m_needs.wasHeld(m_world.now)) {
             m_needs.armedAt = m_world.now;
             m_needs.permit = event.permit;
-        } else if (event.robot != RobotState::Armed && m_needs.armedAt) {
+        } else if (!event.own && m_needs.armedAt) {
             ends("robot"); // the console knows it from now on; the robot itself refuses since it changed
         }
         feed(event);

@@ -90,7 +90,7 @@ void TestNeverMoves::nothingButTheWholeWayLeadsToMotion()
         return (seed >> 8U) % below;
     };
     int engagements = 0;
-    for (int walk = 0; walk < 3000; ++walk) {
+    for (int walk = 0; walk < 5000; ++walk) {
         Run run;
         bool armHeldInFull = false, robotArmed = false, releasedSince = false;
         for (int move = 0; move < 200; ++move) {
@@ -99,6 +99,9 @@ void TestNeverMoves::nothingButTheWholeWayLeadsToMotion()
             if (e.kind == Kind::RobotReported) {
                 constexpr std::array states{RobotState::Ready, RobotState::Armed, RobotState::Engaged, RobotState::Hold};
                 e.robot = states.at(next(4));
+                e.own = next(8) != 0;
+                if (run.state.phase == Phase::Arming && !run.state.awaitingRobot && next(4) != 0)
+                    e.robot = RobotState::Ready; // or few would get farther
                 e.permit = next(8) == 0 ? permit + next(3) : run.state.robotPermit == 0 ? permit : run.state.robotPermit;
             }
             if (e.kind == Kind::GuardsChecked && next(20) == 0)
@@ -119,7 +122,7 @@ void TestNeverMoves::nothingButTheWholeWayLeadsToMotion()
             }
             if (phase == Phase::Armed && before.phase == Phase::Arming) {
                 QVERIFY(armHeldInFull);
-                QVERIFY(e.kind == Kind::RobotReported && e.robot == RobotState::Armed && e.permit == run.state.permit);
+                QVERIFY(e.kind == Kind::RobotReported && e.robot == RobotState::Armed && e.own && e.permit == run.state.permit);
                 robotArmed = true;
                 releasedSince = !run.state.deadMan;
             }

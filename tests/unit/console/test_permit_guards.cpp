@@ -202,17 +202,17 @@ void TestPermitGuards::saysWhatIsMissingOfThePicture()
     QCOMPARE(said([](auto& r) { r.picture.liveFor = 400ms; }), QStringLiteral("Picture live for 0.4 of 1.0 s"));
 }
 
-/// Its permit is none that this one asked for.
 void TestPermitGuards::saysWhenAnotherConsoleHasTheRobot()
 {
     auto readings = good();
     readings.robotState = RobotState::Engaged;
+    readings.anotherHasRobot = true;
     const auto said = [&readings] { return checkGuards(readings).at(std::size_t(Guard::RobotHolds)).text; };
     QVERIFY2(said().startsWith(QStringLiteral("Another console")), qPrintable(said()));
-    readings.askedPermit = readings.robotPermit; // even if it was given up since: the robot has not heard of that
-    QVERIFY2(said().startsWith(QStringLiteral("Robot reports")), qPrintable(said()));
-    readings.askedPermit = 0;
-    readings.robotLink = LinkState::Suspect;
+    readings.robotFresh = false; // it may have been given back since
+    QVERIFY2(said().startsWith(QStringLiteral("Robot's hold is not known")), qPrintable(said()));
+    readings.robotFresh = true;
+    readings.anotherHasRobot = false;
     QVERIFY2(said().startsWith(QStringLiteral("Robot reports")), qPrintable(said()));
 }
 

@@ -74,7 +74,11 @@ private Q_SLOTS:
     void robotStatusComesThrough()
     {
         auto m = compose("vascular-robot", "RobotStatus");
-        m.set("state", std::string_view("Engaged")).set("permit", 42U).set("engaged", true).set("hold_confirmed", false);
+        m.set("state", std::string_view("Engaged"))
+            .set("permit", 42U)
+            .set("owner", 0x40018209U)
+            .set("engaged", true)
+            .set("hold_confirmed", false);
         m.set("hold_since_ns", std::uint64_t(5)).set("last_sequence", 9U).set("applied_commands", std::uint64_t(1) << 40U);
         m.set("refused_commands", std::uint64_t(3)).set("guidewire_position", 12.5).set("guidewire_angle", -720.25);
         m.set("catheter_position", 3.5).set("catheter_angle", 1.5).set("guidewire_velocity", -8.0).set("guidewire_rotation", 90.0);
@@ -87,6 +91,7 @@ private Q_SLOTS:
         const auto s = robotStatus(m);
         QCOMPARE(s.state, RobotState::Engaged);
         QCOMPARE(s.permit, 42U);
+        QCOMPARE(s.owner, 0x40018209U);
         QVERIFY(s.engaged && !s.holdConfirmed);
         QCOMPARE(s.holdSinceNs, quint64(5));
         QCOMPARE(s.lastSequence, 9U);
