@@ -83,6 +83,15 @@ GuardLine holdLine(const GuardReadings& r)
                 Text::tr("Robot holds and is ready"), missing);
 }
 
+/// The arm carries the robot: where one is in session, its fault bars motion as one of the robot's drives does.
+bool drivesHealthy(const GuardReadings& r) { return r.drivesHealthy && !r.armFault; }
+
+GuardLine drivesLine(const GuardReadings& r)
+{
+    return line(Guard::DrivesHealthy, drivesHealthy(r), Text::tr("Drives are healthy"),
+                r.armFault ? Text::tr("Robotic arm: fault") : Text::tr("Drives faulty or unknown"));
+}
+
 GuardLine forceLine(const GuardReadings& r)
 {
     const bool nearZero = std::abs(r.force) <= r.limits.forceNearZero;
@@ -161,7 +170,7 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         pictureLine(r, limits),
         line(Guard::RobotFresh, r.robotFresh, Text::tr("Robot reports"), Text::tr("No recent robot report")),
         holdLine(r),
-        line(Guard::DrivesHealthy, r.drivesHealthy, Text::tr("Drives are healthy"), Text::tr("Drives faulty or unknown")),
+        drivesLine(r),
         line(Guard::QueueEmpty, r.queuedMessages == 0, Text::tr("Nothing waits to be sent"),
              Text::tr("%1 messages wait to be sent").arg(r.queuedMessages)),
         forceLine(r),
@@ -188,7 +197,7 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     keep(Guard::IdentityEqual, r.identityEqual);
     keep(Guard::PictureLive, pictureTrusted(r) && r.picture.keepsRate);
     keep(Guard::RobotFresh, r.robotFresh);
-    keep(Guard::DrivesHealthy, r.drivesHealthy);
+    keep(Guard::DrivesHealthy, drivesHealthy(r));
     keep(Guard::QueueEmpty, r.queuedMessages <= limits.keptQueue);
     keep(Guard::ForceNearZero, std::abs(r.force) < r.limits.forceStop);
     keep(Guard::CommandsQuick, r.roundTrip && *r.roundTrip <= roundTripHold && carried(r));

@@ -70,6 +70,7 @@ struct GuardReadings {
     bool anotherHasRobot = false;       ///< another console has armed it
     std::optional<quint32> spentPermit; ///< the permit of the last armed period: never again
     bool drivesHealthy = false;
+    bool armFault = false; ///< of the robotic arm that is in session, as it said last
     OperatorRole role = OperatorRole::Operator;
     Clearance clearance = Clearance::NotAsked;
     quint32 queuedMessages = 0;             ///< to the robot, at the least moment of the last few

@@ -23,6 +23,14 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
     r.carried = link.carried;
 }
 
+/// However old its report is: what it said last stands until it says otherwise, or until it is closed.
+bool armFault(const ConsoleModels& models)
+{
+    const auto arm = models.sessions.firstPeer(DeviceKind::Arm);
+    const auto& status = models.arm.status();
+    return arm && models.sessions.state(*arm) != LinkState::Closed && status.known() && status.value.phase == ArmPhase::Fault;
+}
+
 /// The device's own clock is another: what it says is told by the age that this console knows, else by when the picture was painted.
 qint64 takenWallMs(const PictureStamp& picture, bool ageKnown, Instant now)
 {
@@ -53,6 +61,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.anotherHasRobot = isArmed(status.state) && status.owner != 0 && !ownsRobot(models);
     r.spentPermit = models.permit.state().spentPermit;
     r.drivesHealthy = models.instrument.drivesHealthy(now);
+    r.armFault = armFault(models);
     r.role = models.role;
     r.clearance = status.clearance;
     r.force = status.guidewireForce;

@@ -1543,6 +1543,10 @@
         <translation>驱动器正常</translation>
     </message>
     <message>
+        <source>Robotic arm: fault</source>
+        <translation>机械臂：故障</translation>
+    </message>
+    <message>
         <source>Drives faulty or unknown</source>
         <translation>驱动器不正常或未知</translation>
     </message>

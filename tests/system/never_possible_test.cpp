@@ -239,6 +239,40 @@ private Q_SLOTS:
         stage.theatre.releaseAll();
     }
 
+    /// Its alarm, acknowledged or not, is none that bars an arming.
+    void nobodyArmsOrMovesBesideAnArmInFault()
+    {
+        const auto back = qScopeGuard([this] { m_stage->comeToTheFront(); });
+        auto wishes = puppetWishes();
+        wishes.arm = true;
+        Stage stage(wishes);
+        liena::test::PuppetArm arm(stage.theatre.files.settingsOf("arm"));
+        QVERIFY(stage.open());
+        const auto& permit = stage.theatre.models().permit;
+        QVERIFY2(stage.theatre.armAndMove(), qPrintable(stage.theatre.story()));
+        arm.setFault(true);
+        QTRY_VERIFY2_WITH_TIMEOUT(!stage.mayMove(), qPrintable(stage.theatre.story()), patience);
+        QVERIFY2(permit.holdReasons().contains(QStringLiteral("Robotic arm: fault")), qPrintable(stage.theatre.story()));
+        stage.theatre.releaseAll();
+        QVERIFY2(stage.theatre.reaches(PermitPhase::Standby), qPrintable(stage.theatre.story()));
+        QTRY_VERIFY_WITH_TIMEOUT(stage.theatre.models().alarms.unacknowledgedHigh(), patience);
+        stage.theatre.acknowledgeAlarms();
+        stage.theatre.testAlarms();
+        QVERIFY2(stage.theatre.models().selfTest.passed(), qPrintable(stage.theatre.story()));
+        stage.theatre.hold(Qt::Key_F);
+        // All but this one.
+        QTRY_VERIFY2_WITH_TIMEOUT(permit.unmetCount() == 1, qPrintable(stage.theatre.story()), patience);
+        QVERIFY(!permit.checklist().at(std::size_t(Guard::DrivesHealthy)).met);
+        const int asked = stage.robot.armRequests();
+        stage.theatre.hold(Qt::Key_R);
+        QVERIFY2(stage.staysUnarmed(320), qPrintable(stage.theatre.story()));
+        QCOMPARE(stage.robot.armRequests(), asked);
+        stage.theatre.releaseAll();
+        arm.setFault(false);
+        QVERIFY2(stage.theatre.armAndMove(), qPrintable(stage.theatre.story())); // and it was that alone
+        stage.theatre.releaseAll();
+    }
+
     void aPermitThatWasSpentArmsNoMore()
     {
         Stage& stage = *m_stage;

@@ -132,6 +132,25 @@ private Q_SLOTS:
         models.sessions.setTopology(topology);
         QCOMPARE(guardReadings(models, robotId, true, cockpit.now).heartbeat, Duration(20ms));
     }
+
+    void guardsReadTheFaultOfAnArmThatIsInSession()
+    {
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        auto& models = cockpit.models;
+        const auto fault = [&] { return guardReadings(models, robotId, true, cockpit.now).armFault; };
+        QVERIFY(!fault());
+        ArmStatus arm = models.arm.status().value;
+        arm.phase = ArmPhase::Fault;
+        models.arm.receive(arm, cockpit.now - 10s);
+        QVERIFY(fault()); // silence is no repair
+        models.sessions.setLinkState(armId, LinkState::Closed, cockpit.now);
+        QVERIFY(!fault());
+        models.sessions.setLinkState(armId, LinkState::Open, cockpit.now);
+        arm.phase = ArmPhase::Hold;
+        models.arm.receive(arm, cockpit.now);
+        QVERIFY(!fault());
+    }
 };
 
 QTEST_GUILESS_MAIN(TestLossTimes)

@@ -82,6 +82,7 @@ const std::vector<Case>& cases()
         {"hold not confirmed", [](auto& r) { r.robotHoldConfirmed = false; }, Guard::RobotHolds, true},
         {"no new permit", [](auto& r) { r.spentPermit = r.robotPermit; }, Guard::RobotHolds, true},
         {"drives", [](auto& r) { r.drivesHealthy = false; }, Guard::DrivesHealthy, false},
+        {"arm in fault", [](auto& r) { r.armFault = true; }, Guard::DrivesHealthy, false},
         {"a message waits", [](auto& r) { r.queuedMessages = 1; }, Guard::QueueEmpty, true},
         {"a queue", [](auto& r) { r.queuedMessages = 17; }, Guard::QueueEmpty, false},
         {"some force", [](auto& r) { r.force = -0.21; }, Guard::ForceNearZero, true},
