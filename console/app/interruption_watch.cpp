@@ -52,23 +52,39 @@ void InterruptionWatch::beginShort(quint32 peer)
     m_models.interruption.begin(tr("%1 link").arg(m_models.sessions.titleOf(peer)), heard, QDateTime::currentMSecsSinceEpoch() - silence);
 }
 
+bool InterruptionWatch::standsBy() const { return m_models.sessions.inStandBy() || !m_models.incidents.empty(); }
+
+bool InterruptionWatch::isDown() const
+{
+    const auto& links = m_models.sessions.links();
+    return standsBy() || std::any_of(links.begin(), links.end(), [](const LinkNode& link) {
+               return link.own &&
+                      (link.state == LinkState::Reconnecting || link.state == LinkState::StandBy || link.state == LinkState::Reopening);
+           });
+}
+
+void InterruptionWatch::beginNameless(Instant now)
+{
+    if (m_models.interruption.stage() != InterruptionAccount::Stage::Running)
+        m_models.interruption.begin({}, now, QDateTime::currentMSecsSinceEpoch());
+}
+
+/// A link that is given up at once stands by before its incident is told, which knows what was lost and since when: it is not counted here.
 void InterruptionWatch::look()
 {
     const auto now = std::chrono::steady_clock::now();
-    auto& account = m_models.interruption;
-    const auto& links = m_models.sessions.links();
-    const bool interrupted = std::any_of(links.begin(), links.end(), [](const LinkNode& link) {
-        return link.own &&
-               (link.state == LinkState::Reconnecting || link.state == LinkState::StandBy || link.state == LinkState::Reopening);
-    });
-    const bool down = interrupted || m_models.sessions.inStandBy() || !m_models.incidents.empty();
-    if (down && account.stage() != InterruptionAccount::Stage::Running)
-        account.begin({}, now, QDateTime::currentMSecsSinceEpoch());
-    else if (!down)
-        account.end(now);
+    if (standsBy())
+        beginNameless(now);
+    else if (!isDown())
+        m_models.interruption.end(now);
 }
 
-void InterruptionWatch::update(Instant now) { m_models.interruption.note(systemSnapshot(m_models, m_picturesAtReport, now)); }
+void InterruptionWatch::update(Instant now)
+{
+    if (isDown())
+        beginNameless(now); // whatever was not told of
+    m_models.interruption.note(systemSnapshot(m_models, m_picturesAtReport, now));
+}
 
 void InterruptionWatch::acknowledge(const QString& who, Instant now)
 {

@@ -26,7 +26,10 @@ public:
 private:
     void begin(quint64 incident);
     void beginShort(quint32 peer);
+    void beginNameless(Instant now);
     void look();
+    bool standsBy() const;
+    bool isDown() const; ///< that, or a link of this console is
 
     ConsoleModels& m_models;
     std::function<quint64()> m_picturesReceived;

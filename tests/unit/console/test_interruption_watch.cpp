@@ -108,6 +108,31 @@ private Q_SLOTS:
         QCOMPARE(w.account().losses(), 1);
     }
 
+    /// A peer that was started anew, say: the link stands by without having been interrupted, and its incident is told after that.
+    void aLinkThatIsGivenUpAtOnceIsOneLossFromWhenItWasHeard()
+    {
+        Watched w;
+        w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.cockpit.now);
+        w.lose(1, cockpitId, robotId, 5s);
+        QCOMPARE(w.account().stage(), Stage::Running);
+        w.reopen(1);
+        w.models().sessions.setLinkState(robotId, LinkState::Open, w.cockpit.now);
+        QCOMPARE(w.account().stage(), Stage::Unread);
+        QCOMPARE(w.account().losses(), 1);
+        QVERIFY(w.account().lasted() >= 5s);
+        QCOMPARE(w.account().lost(), QStringList{QStringLiteral("Vascular robot link")});
+    }
+
+    void aLinkInStandByOfWhichNothingIsToldIsAnAccountAllTheSame()
+    {
+        Watched w;
+        w.models().sessions.setLinkState(robotId, LinkState::StandBy, w.cockpit.now);
+        w.watch.update(w.cockpit.now);
+        QCOMPARE(w.account().stage(), Stage::Running);
+        w.models().sessions.setLinkState(robotId, LinkState::Open, w.cockpit.now);
+        QVERIFY(!w.guardMet());
+    }
+
     void endsOnlyWhenNoIncidentIsLeft()
     {
         Watched w;
