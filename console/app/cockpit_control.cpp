@@ -40,7 +40,7 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
         if (m_link.robot() == peer)
             tellSession();
         else if (to == LinkState::Reconnecting)
-            apply(PermitEventKind::SessionInterrupted); // whichever device it is: nobody sees what it does meanwhile
+            interrupt(peer); // whichever device it is: nobody sees what it does meanwhile
         if (to == LinkState::Reconnecting || to == LinkState::StandBy)
             m_alarms.update(presentTime(), m_link.framesReceived()); // not kept for the next turn
     });
@@ -131,6 +131,12 @@ void CockpitControl::apply(PermitEventKind kind)
 
 void CockpitControl::apply(const PermitEvent& event, Instant now) { carryOut(m_models.permit.apply(event, now), now); }
 
+void CockpitControl::interrupt(quint32 peer)
+{
+    const auto now = presentTime();
+    carryOut(m_models.permit.interrupt(m_models.sessions.titleOf(peer), now), now);
+}
+
 /// Motion is published first: what is no longer permitted must not wait behind a request.
 void CockpitControl::carryOut(const PermitActions& actions, Instant now)
 {
@@ -157,8 +163,10 @@ void CockpitControl::tellSession()
     const auto state = m_link.robot() ? m_models.sessions.state(*m_link.robot()) : LinkState::Closed;
     if (carriesMessages(state))
         apply(PermitEventKind::SessionOpen);
+    else if (state == LinkState::Reconnecting)
+        interrupt(*m_link.robot());
     else
-        apply(state == LinkState::Reconnecting ? PermitEventKind::SessionInterrupted : PermitEventKind::SessionClosed);
+        apply(PermitEventKind::SessionClosed);
 }
 
 void CockpitControl::tellRobot()

@@ -48,6 +48,7 @@ private:
     void checkGuards(Instant now);
     void apply(PermitEventKind kind);
     void apply(const PermitEvent& event, Instant now);
+    void interrupt(quint32 peer);
     void carryOut(const PermitActions& actions, Instant now);
     void tellSession();
     void tellRobot();

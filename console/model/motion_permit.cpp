@@ -351,7 +351,7 @@ QString word(PermitPhase phase)
     return {};
 }
 
-QString word(HoldCause cause)
+QString word(HoldCause cause, const QString& link)
 {
     switch (cause) {
     case HoldCause::None:
@@ -359,7 +359,7 @@ QString word(HoldCause cause)
     case HoldCause::GuardFailed:
         return Text::tr("a condition for motion was no longer met");
     case HoldCause::Interrupted:
-        return Text::tr("the robot link was interrupted");
+        return link.isEmpty() ? Text::tr("a link was interrupted") : Text::tr("%1 link was interrupted").arg(link);
     case HoldCause::Panic:
         return Text::tr("Hold was asked for, or the window lost the hand");
     case HoldCause::Stalled:

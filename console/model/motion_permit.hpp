@@ -54,7 +54,8 @@ enum class MotionStream : std::uint8_t {
 
 /// Why motion ended, for the motion bar and the log.
 enum class HoldCause : std::uint8_t { None, GuardFailed, Interrupted, Panic, Stalled, GateClosed, RobotWithdrew, ArmTimedOut };
-QString word(HoldCause cause);
+/// `link`: the title of whose link was interrupted; empty: of one of them.
+QString word(HoldCause cause, const QString& link = {});
 
 /// What the caller must do; several at once are possible.
 struct PermitActions {

@@ -29,10 +29,27 @@ PermitActions PermitModel::apply(const PermitEvent& event, Instant now)
     const auto next = step(m_state, event, now);
     m_state = next.state;
     if (m_state.phase == PermitPhase::Hold && before != PermitPhase::Hold)
-        m_holdReasons = m_state.cause == HoldCause::GuardFailed && !m_broken.isEmpty() ? m_broken : QStringList(word(m_state.cause));
+        m_holdReasons = reasons();
     if (m_state.phase != before)
         Q_EMIT phaseChanged(before, m_state.phase);
     return next.actions;
+}
+
+QStringList PermitModel::reasons() const
+{
+    if (m_state.cause == HoldCause::GuardFailed && !m_broken.isEmpty())
+        return m_broken;
+    return {word(m_state.cause, m_interrupted)};
+}
+
+PermitActions PermitModel::interrupt(const QString& link, Instant now)
+{
+    PermitEvent event;
+    event.kind = PermitEventKind::SessionInterrupted;
+    m_interrupted = link;
+    const auto actions = apply(event, now);
+    m_interrupted.clear();
+    return actions;
 }
 
 PermitActions PermitModel::check(const GuardReadings& readings, Instant now)

@@ -28,6 +28,9 @@ public:
     /// Feeds the machine; the actions are the caller's to carry out.
     PermitActions apply(const PermitEvent& event, Instant now);
 
+    /// Feeds SessionInterrupted; `link`: the title of whose link it was.
+    PermitActions interrupt(const QString& link, Instant now);
+
     /// Replaces the checklist and feeds GuardsChecked.
     PermitActions check(const GuardReadings& readings, Instant now);
 
@@ -41,9 +44,12 @@ Q_SIGNALS:
 private:
     PermitActions applyKept(PermitEvent event, const GuardReadings& readings, Instant now);
 
+    QStringList reasons() const;
+
     PermitState m_state;
     GuardChecklist m_checklist;
-    QStringList m_broken; ///< of the guards that are being looked at, where they would end motion
+    QStringList m_broken;  ///< of the guards that are being looked at, where they would end motion
+    QString m_interrupted; ///< the title of whose link is being told of
     QStringList m_holdReasons;
 };
 

@@ -3050,8 +3050,12 @@
         <translation>某项运动条件不再满足</translation>
     </message>
     <message>
-        <source>the robot link was interrupted</source>
-        <translation>机器人链路曾中断</translation>
+        <source>a link was interrupted</source>
+        <translation>有链路曾中断</translation>
+    </message>
+    <message>
+        <source>%1 link was interrupted</source>
+        <translation>%1 链路曾中断</translation>
     </message>
     <message>
         <source>Hold was asked for, or the window lost the hand</source>

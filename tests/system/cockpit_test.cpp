@@ -382,6 +382,10 @@ private Q_SLOTS:
         QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
         theatre.armDevice->freeze();
         QTRY_VERIFY2_WITH_TIMEOUT(logTells(theatre, QStringLiteral("ENGAGED -> ")), qPrintable(theatre.story()), patience);
+        const auto robotsLink =
+            QStringLiteral("ENGAGED -> HOLD: %1 link").arg(theatre.models().sessions.titleOf(theatre.files.idOf("robot").value()));
+        QVERIFY2(!logTells(theatre, robotsLink) && !logTells(theatre, QStringLiteral("ENGAGED -> HOLD: the robot link")),
+                 qPrintable(theatre.story()));
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.robotStatus().holdConfirmed, qPrintable(theatre.story()), patience);
         const auto applied = theatre.robotStatus().appliedCommands;
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.link("arm") == LinkState::StandBy, qPrintable(theatre.story()), patience);

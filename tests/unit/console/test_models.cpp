@@ -304,6 +304,33 @@ private Q_SLOTS:
         QVERIFY(!model.unmetText(1).isEmpty());
     }
 
+    void permitModelNamesTheLinkThatWasInterrupted()
+    {
+        PermitModel model;
+        const auto feed = [&model](PermitEventKind kind) {
+            PermitEvent event;
+            event.kind = kind;
+            event.armable = event.kept = ~GuardSet{};
+            event.robot = RobotState::Ready;
+            event.holdConfirmed = true;
+            model.apply(event, start);
+        };
+        const auto beginArming = [&] {
+            feed(PermitEventKind::SessionOpen);
+            feed(PermitEventKind::GuardsChecked);
+            feed(PermitEventKind::ArmPressed);
+            return model.phase() == PermitPhase::Arming;
+        };
+        QVERIFY(beginArming());
+        model.interrupt(QStringLiteral("Robotic arm"), start);
+        QCOMPARE(model.phase(), PermitPhase::Hold);
+        QCOMPARE(model.holdReasons(), QStringList{QStringLiteral("Robotic arm link was interrupted")});
+        feed(PermitEventKind::RobotReported);
+        QVERIFY(beginArming());
+        feed(PermitEventKind::SessionInterrupted); // nobody says whose
+        QCOMPARE(model.holdReasons(), QStringList{QStringLiteral("a link was interrupted")});
+    }
+
     void percentileIsByNearestRank()
     {
         QVERIFY(!percentile({}, 0.5));
