@@ -251,7 +251,7 @@ void AlarmWatch::readInstruments(AlarmReadings& all, Instant now) const
     const auto& tip = instrument.tip();
     all.trackerOverdue = linked && tip.known() && !instrument.tipFresh(now) && !awaitsNew(tip.received, InstrumentState::tipLimit, now);
     all.contrastLeft = instrument.robot().value.contrastRemaining;
-    all.injecting = instrument.injecting();
+    all.contrastRanDry = instrument.ranDry();
     // What has been given stays given, however old the report.
     if (const auto& xray = m_models.xray.status(); xray.known()) {
         all.airKerma = xray.value.airKerma;

@@ -255,7 +255,7 @@ void Rules::addInstruments()
     if (m_readings.armed && !m_readings.roadmapRemoved.isEmpty())
         add(AlarmCondition::RoadmapRemoved, Priority::Low, false, Text::tr("Roadmap removed: %1").arg(m_readings.roadmapRemoved),
             Text::tr("Go by the live picture; make a new roadmap with contrast."));
-    if (m_readings.robotFresh && m_readings.injecting && m_readings.contrastLeft <= 0)
+    if (m_readings.robotFresh && m_readings.contrastRanDry)
         add(AlarmCondition::ContrastEmpty, whenArmed(Priority::Medium, Priority::Low), true, Text::tr("Contrast EMPTY during an injection"),
             Text::tr("Have the patient side refill the injector and look for air."));
     else if (m_readings.robotFresh && m_readings.contrastLeft < plannedInjection)

@@ -70,7 +70,7 @@ struct AlarmReadings {
     QString roadmapRemoved;      ///< why the roadmap that a person wants is not shown any more; empty
     bool trackerOverdue = false; ///< it reported, its link is up, and there is no valid recent report
     double contrastLeft = 0;     ///< mL, meaningful while robotFresh
-    bool injecting = false;
+    bool contrastRanDry = false;
     std::optional<double> airKerma;        ///< mGy, as last repeated from the X-ray system
     std::optional<double> fluoroscopyTime; ///< s, the same
     std::optional<PaintingReading> painting;

@@ -70,6 +70,7 @@ void InstrumentState::receiveRobot(const RobotStatus& status, Instant at)
     if (std::abs(status.guidewireForce) <= goneShare * m_limits.forceNearZero)
         dropForce(); // what comes after it is another force, whichever way it points
     m_peakForce = std::max(m_peakForce, std::abs(status.guidewireForce));
+    noteContrast(at);
     m_mostContrast = std::max(m_mostContrast, status.contrastRemaining);
     m_forces.push_back({at, status.guidewireForce});
     while (m_forces.front().at < at - forceTrail)
@@ -108,8 +109,21 @@ bool InstrumentState::injecting() const
            (m_injections.back().progress == InjectionProgress::Accepted || m_injections.back().progress == InjectionProgress::Running);
 }
 
+/// An injector that runs dry stops in the moment in which it reports that nothing is left: it is hardly ever seen to run without contrast.
+/// One that gives the last of it and is done has not run dry.
+void InstrumentState::noteContrast(Instant at)
+{
+    const double left = m_robot.value.contrastRemaining;
+    if (!m_robot.known() || left >= emptyContrast)
+        m_ranDry = false;
+    else if ((injecting() && left <= 0) || (m_injectionStopped && at - *m_injectionStopped <= contrastSettles))
+        m_ranDry = true;
+}
+
 void InstrumentState::receiveInjection(const InjectionStatus& status, Instant at)
 {
+    const bool repeated = !m_injections.empty() && m_injections.back().injection == status.injection &&
+                          m_injections.back().progress == InjectionProgress::Stopped;
     const auto place = std::find_if(m_injections.begin(), m_injections.end(),
                                     [&status](const InjectionStatus& known) { return known.injection == status.injection; });
     if (place != m_injections.end())
@@ -118,8 +132,14 @@ void InstrumentState::receiveInjection(const InjectionStatus& status, Instant at
         m_injections.push_back(status);
     while (m_injections.size() > injectionLimit)
         m_injections.pop_front();
-    if (m_injections.back().injection == status.injection)
+    if (m_injections.back().injection == status.injection) {
         m_injectionHeard = at;
+        if (injecting())
+            m_injectionStopped.reset();
+        else if (status.progress == InjectionProgress::Stopped && !repeated)
+            m_injectionStopped = at;
+    }
+    noteContrast(at);
     Q_EMIT injectionChanged(status.injection);
 }
 

@@ -30,6 +30,9 @@ public:
     static constexpr std::chrono::seconds forceTrail{10};
     static constexpr std::chrono::seconds acceptedFor{30};
 
+    static constexpr double emptyContrast = 0.05;                    ///< mL; less is shown as none
+    static constexpr std::chrono::milliseconds contrastSettles{100}; ///< from the end of an injection to the report of what is left
+
     explicit InstrumentState(QObject* parent = nullptr);
 
     const Aged<RobotStatus>& robot() const { return m_robot; }
@@ -38,6 +41,9 @@ public:
     const std::deque<InjectionStatus>& injections() const { return m_injections; } ///< the last 16, oldest first
     bool injecting() const;                                                    ///< the last one has not ended, as far as the robot has told
     std::optional<Instant> injectionHeard() const { return m_injectionHeard; } ///< of the last one, when its newest report arrived
+    /// Nothing was left while an injection ran, or when it was stopped: there may be air. Until contrast is left again.
+    bool ranDry() const { return m_ranDry; }
+
     const std::deque<ForceSample>& forceHistory() const { return m_forces; }
     const RobotLimits& limits() const { return m_limits; }
     const std::optional<TravelLimits>& travel() const { return m_travel; } ///< nothing before the robot has reported it
@@ -94,6 +100,7 @@ private:
     };
 
     void hearStop(quint64 token);
+    void noteContrast(Instant at);
 
     Aged<RobotStatus> m_robot;
     Aged<DriveStatus> m_drives;
@@ -103,7 +110,9 @@ private:
     RobotLimits m_limits;
     std::optional<TravelLimits> m_travel;
     std::optional<Instant> m_injectionHeard;
-    std::vector<AskedStop> m_unheard;      ///< stops that the robot has not named, oldest first
+    std::vector<AskedStop> m_unheard;          ///< stops that the robot has not named, oldest first
+    std::optional<Instant> m_injectionStopped; ///< of the last one, when that was told first
+    bool m_ranDry = false;
     std::optional<double> m_acceptedForce; ///< N, magnitude
     Instant m_acceptedAt;
     double m_peakForce = 0;

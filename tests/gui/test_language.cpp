@@ -30,7 +30,7 @@ namespace {
 AlarmReadings everythingWrong()
 {
     AlarmReadings bad;
-    bad.armed = bad.engaged = bad.robotFresh = bad.drivesKnown = bad.emergencyStop = bad.trackerOverdue = bad.injecting = true;
+    bad.armed = bad.engaged = bad.robotFresh = bad.drivesKnown = bad.emergencyStop = bad.trackerOverdue = bad.contrastRanDry = true;
     AlarmLinkReading link;
     link.peer = 1;
     link.title = QStringLiteral("Vascular robot");

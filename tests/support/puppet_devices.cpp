@@ -160,8 +160,9 @@ void PuppetRobot::tellInjection(DistributedSystem& system)
         const std::lock_guard lock(m_mutex);
         if (!m_injecting)
             return;
-        report.set("injection", *m_injecting).set("state", std::string_view(m_injectorStuck ? "running" : "stopped"));
-        if (!m_injectorStuck)
+        const bool runs = m_injectorStuck && m_contrast > 0;
+        report.set("injection", *m_injecting).set("state", std::string_view(runs ? "running" : "stopped"));
+        if (!runs)
             m_injecting.reset();
     }
     system.publish(report);
@@ -189,7 +190,7 @@ void PuppetRobot::turn(DistributedSystem& system)
         status.set("state", told.state).set("permit", m_permit + told.permitsAhead).set("hold_confirmed", told.holdConfirmed);
         status.set("owner", m_owner);
         status.set("engaged", told.state == State::Engaged).set("emergency_stop_token", m_stop);
-        status.set("guidewire_position", m_position).set("guidewire_force", m_force).set("contrast_remaining", 80.0);
+        status.set("guidewire_position", m_position).set("guidewire_force", m_force).set("contrast_remaining", m_contrast);
         tip.set("valid", true).set("position", std::vector<double>{0, 0, m_position}).set("quaternion", std::vector<double>{1, 0, 0, 0});
         drives.set("temperature", std::vector<double>(4, 30)).set("enabled", std::vector<double>(4, armed ? 1 : 0));
         if (m_alterStatus)
@@ -233,6 +234,12 @@ void PuppetRobot::setInjector(bool stuck)
 {
     const std::lock_guard lock(m_mutex);
     m_injectorStuck = stuck;
+}
+
+void PuppetRobot::setContrast(double millilitres)
+{
+    const std::lock_guard lock(m_mutex);
+    m_contrast = millilitres;
 }
 
 void PuppetRobot::alterStatus(Alter alter)

@@ -35,7 +35,8 @@ public:
     void setSilent(bool silent);    ///< its reports end, its session stands
     void setTipSilent(bool silent); ///< only those of its tracker
     void setForce(double newtons);
-    void setInjector(bool stuck); ///< an injection that begins while it is runs until it is not
+    void setInjector(bool stuck); ///< an injection that begins while it is runs until it is not, or nothing is left
+    void setContrast(double millilitres);
 
     /// Changes each report before it is sent: its own fields, or those of TipPose or of DriveStatus. Network thread; empty: nothing is
     /// changed.
@@ -84,6 +85,7 @@ private:
     std::uint64_t m_commandedAt = 0;
     double m_position = 800;
     double m_force = 0;
+    double m_contrast = 80;
     bool m_silent = false;
     bool m_tipSilent = false;
     bool m_injectorStuck = false;

@@ -156,11 +156,11 @@ const std::vector<Cause>& causes()
              s.robot.setInjector(true);
              s.theatre.hold(Qt::Key_G);
              (void)QTest::qWaitFor([&s] { return s.theatre.models().instrument.injecting(); }, patience);
-             robotSays(s, [](Message& m) { m.set("contrast_remaining", 0.0); });
+             s.robot.setContrast(0); // it stops with that, and tells both in one turn
          },
          [](Stage& s) {
              s.robot.setInjector(false);
-             truth(s);
+             s.robot.setContrast(80);
          }},
         {"15 soft limit", C::SoftLimit, AlarmPriority::Low, [](Stage& s) { robotSays(s, [](Message& m) { m.set("limit_switches", 2U); }); },
          truth},

@@ -89,7 +89,7 @@ inline const std::vector<AlarmCase>& alarmCases()
         {"contrast empty",
          [](auto& r) {
              r.contrastLeft = 0;
-             r.injecting = true;
+             r.contrastRanDry = true;
          },
          C::ContrastEmpty, Medium, Low, true},
         {"air kerma 3 Gy", [](auto& r) { r.airKerma = 3000; }, C::AirKerma, Low, Low, true},
