@@ -227,22 +227,24 @@ std::vector<HoldLine> SessionIntake::holdLines(const liena::Incident& incident) 
         line.title = m_models.sessions.titleOf(line.device);
         line.holding = hold.holding;
         if (hold.holding)
-            line.afterMs = holdDelay(incident, hold);
+            timeHold(line, incident, hold);
         lines.push_back(std::move(line));
     }
     return lines;
 }
 
 /// Only where the device's clock was compared with ours, and the loss was seen here.
-std::optional<double> SessionIntake::holdDelay(const liena::Incident& incident, const liena::HoldReport& hold) const
+void SessionIntake::timeHold(HoldLine& line, const liena::Incident& incident, const liena::HoldReport& hold) const
 {
     const auto since = m_localSince.find(incident.id);
-    const auto offset = m_offsets.find(hold.device.value());
-    if (since == m_localSince.end() || offset == m_offsets.end())
-        return std::nullopt;
-    const auto confirmed = Duration(static_cast<Duration::rep>(hold.confirmed.ns)) - offset->second;
-    const auto began = Duration(static_cast<Duration::rep>(since->second.ns));
-    return std::max(0.0, milliseconds(confirmed - began));
+    const auto clock = m_clocks.find(hold.device.value());
+    if (since == m_localSince.end() || clock == m_clocks.end())
+        return;
+    const auto confirmed = Duration(static_cast<Duration::rep>(hold.confirmed.ns)) - clock->second.offset;
+    const auto after = confirmed - Duration(static_cast<Duration::rep>(since->second.ns));
+    line.already = after < -clock->second.uncertainty;
+    if (!line.already)
+        line.afterMs = std::max(0.0, milliseconds(after));
 }
 
 void SessionIntake::takeFigures(const std::vector<liena::LinkStatus>& links, Instant now)
@@ -254,7 +256,7 @@ void SessionIntake::takeFigures(const std::vector<liena::LinkStatus>& links, Ins
         m_models.sessions.setLinkFigures(peer, linkFigures(status, before == m_figuresBefore.end() ? nullptr : &before->second, between),
                                          now);
         if (status.clockOffset)
-            m_offsets[peer] = *status.clockOffset;
+            m_clocks[peer] = {*status.clockOffset, status.clockUncertainty};
         m_figuresBefore[peer] = status;
     }
     m_figuresAt = now;

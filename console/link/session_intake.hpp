@@ -31,19 +31,24 @@ Q_SIGNALS:
     void auditRestored();
 
 private:
+    struct PeerClock {
+        Duration offset{}; ///< peer's clock - ours
+        Duration uncertainty{};
+    };
+
     void takeIncident(const liena::SessionEvent& event);
     void takeChange(const liena::SessionEvent& event);
     void takeLoss(const liena::SessionEvent& event);
     void takeRemark(const liena::SessionEvent& event);
     IncidentRecord record(const liena::Incident& incident, Instant at) const;
     std::vector<HoldLine> holdLines(const liena::Incident& incident) const;
-    std::optional<double> holdDelay(const liena::Incident& incident, const liena::HoldReport& hold) const;
+    void timeHold(HoldLine& line, const liena::Incident& incident, const liena::HoldReport& hold) const;
     QString failureText(const liena::SessionEvent& event) const;
     void log(LogKind kind, const QString& text);
     QString peerName(const liena::SessionEvent& event) const;
 
     ConsoleModels& m_models;
-    std::map<quint32, Duration> m_offsets;            ///< last known, kept over a loss
+    std::map<quint32, PeerClock> m_clocks;            ///< last known, kept over a loss
     std::map<quint64, liena::Timestamp> m_localSince; ///< of own incidents, on this console's clock
     std::map<quint32, liena::LinkStatus> m_figuresBefore;
     Instant m_figuresAt;

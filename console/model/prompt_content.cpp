@@ -95,6 +95,8 @@ void addPatient(PromptContent& content, const SessionModel& sessions, quint32 ro
         content.patient = Text::tr("%1 holds: NOT CONFIRMED. Its own guard should hold it. Ask the patient side now.").arg(name);
     else if (line->afterMs)
         content.patient = Text::tr("%1 holds: CONFIRMED %2 ms after the stop").arg(name).arg(*line->afterMs, 0, 'f', 0);
+    else if (line->already)
+        content.patient = Text::tr("%1 holds: CONFIRMED, already before the loss").arg(name);
     else
         content.patient = Text::tr("%1 holds: CONFIRMED").arg(name);
 }

@@ -21,6 +21,15 @@ QString endOfPair(const DeviceNode& device)
     return device.site.isEmpty() ? line : Text::tr("%1 (%2)").arg(line, device.site);
 }
 
+QString holdWords(const HoldLine& line)
+{
+    if (!line.holding)
+        return Text::tr("NOT CONFIRMED");
+    if (line.afterMs)
+        return Text::tr("holds, %1 ms after the loss").arg(*line.afterMs, 0, 'f', 0);
+    return line.already ? Text::tr("holds, already before the loss") : Text::tr("holds");
+}
+
 } // namespace
 
 QStringList promptDetails(const IncidentRecord& incident, const SessionModel& sessions)
@@ -41,10 +50,8 @@ QStringList promptDetails(const IncidentRecord& incident, const SessionModel& se
 QString promptReport(const PromptContent& content)
 {
     QStringList lines{content.headline, content.since, content.flaps, content.directions, content.patient, content.call};
-    for (const auto& hold : content.rollCall) {
-        const auto after = hold.afterMs ? Text::tr("holds, %1 ms after the loss").arg(*hold.afterMs, 0, 'f', 0) : Text::tr("holds");
-        lines << Text::tr("%1: %2").arg(hold.title, hold.holding ? after : Text::tr("NOT CONFIRMED"));
-    }
+    for (const auto& hold : content.rollCall)
+        lines << Text::tr("%1: %2").arg(hold.title, holdWords(hold));
     lines << content.picture << content.tip << content.evidence << content.likelyCause << content.tryFirst << content.lastTry
           << content.details;
     lines.removeAll(QString());

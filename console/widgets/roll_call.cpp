@@ -18,7 +18,9 @@ QString holdWords(const HoldLine& line)
 {
     if (!line.holding)
         return RollCall::tr("not confirmed");
-    return line.afterMs ? RollCall::tr("holds, after %1").arg(figure(line.afterMs, 0, RollCall::tr("ms"))) : RollCall::tr("holds");
+    if (line.afterMs)
+        return RollCall::tr("holds, after %1").arg(figure(line.afterMs, 0, RollCall::tr("ms")));
+    return line.already ? RollCall::tr("holds already") : RollCall::tr("holds");
 }
 
 } // namespace

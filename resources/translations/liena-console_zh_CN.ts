@@ -3973,6 +3973,10 @@
         <translation>%1 保持：停止后 %2 ms 已确认</translation>
     </message>
     <message>
+        <source>%1 holds: CONFIRMED, already before the loss</source>
+        <translation>%1 保持：已确认，丢失之前即已保持</translation>
+    </message>
+    <message>
         <source>%1 holds: CONFIRMED</source>
         <translation>%1 保持：已确认</translation>
     </message>
@@ -4231,6 +4235,10 @@
     <message>
         <source>holds, %1 ms after the loss</source>
         <translation>保持，丢失后 %1 ms</translation>
+    </message>
+    <message>
+        <source>holds, already before the loss</source>
+        <translation>保持，丢失之前即已保持</translation>
     </message>
     <message>
         <source>holds</source>
@@ -4577,6 +4585,10 @@
     <message>
         <source>not confirmed</source>
         <translation>未获确认</translation>
+    </message>
+    <message>
+        <source>holds already</source>
+        <translation>此前已保持</translation>
     </message>
     <message>
         <source>holds, after %1</source>

@@ -38,6 +38,11 @@ private Q_SLOTS:
         content = promptContent(incident, sessions, around(), start);
         QVERIFY(content.holdConfirmed);
         QCOMPARE(content.patient, QStringLiteral("Robot holds: CONFIRMED 41 ms after the stop"));
+        incident.holds = {{robot, {}, true, std::nullopt, true}};
+        content = promptContent(incident, sessions, around(), start);
+        QVERIFY(content.holdConfirmed);
+        QCOMPARE(content.patient, QStringLiteral("Robot holds: CONFIRMED, already before the loss"));
+        QVERIFY(promptReport(content).contains(QStringLiteral("Robot: holds, already before the loss")));
         incident.holds = {{arm, {}, true, 12.0}};
         QVERIFY(!promptContent(incident, sessions, around(), start).holdConfirmed); // another's hold is not the robot's
     }

@@ -59,6 +59,40 @@ private Q_SLOTS:
         QCOMPARE(incidents.front().sinceWallMs, begun);
     }
 
+    /// The robot held for long when another link was lost: no time passed, and none is invented.
+    void aHoldFromBeforeTheLossHasNoTime()
+    {
+        InventedCockpit cockpit;
+        SessionIntake intake(cockpit.models);
+        liena::LinkStatus status;
+        status.peer = liena::DeviceId(robotId);
+        status.clockOffset = 5s; // the robot's clock is ahead
+        status.clockUncertainty = 2ms;
+        intake.takeFigures({status}, cockpit.now);
+        liena::SessionEvent event;
+        event.kind = liena::SessionEvent::Kind::Lost;
+        event.peer = liena::DeviceId(xrayId);
+        event.at = cockpit.now;
+        event.incident.id = 5;
+        event.incident.a = liena::DeviceId(cockpitId);
+        event.incident.b = liena::DeviceId(xrayId);
+        event.diagnosis.since = liena::Timestamp{700'000'000'000};
+        intake.take(event);
+        event.kind = liena::SessionEvent::Kind::HoldReported;
+        const auto heldAt = [&](std::uint64_t ns) {
+            event.incident.holds = {{liena::DeviceId(robotId), true, liena::Timestamp{ns}}};
+            intake.take(event);
+            return cockpit.models.incidents.incident(5)->holds.front();
+        };
+        const auto before = heldAt(105'000'000'000);
+        QVERIFY(before.holding && before.already && !before.afterMs);
+        const auto within = heldAt(704'998'500'000); // 1.5 ms before it, or after it
+        QVERIFY(within.holding && !within.already);
+        QCOMPARE(within.afterMs, std::optional(0.0));
+        QVERIFY(heldAt(704'997'000'000).already);
+        QCOMPARE(heldAt(705'041'000'000).afterMs, std::optional(41.0));
+    }
+
     void aConnectionThatWasNotLetInIsNotSaidToBeAnIdentity()
     {
         InventedCockpit cockpit;
