@@ -53,7 +53,7 @@ struct HoldLine {
     QString title;
     bool holding = false;
     std::optional<double> afterMs; ///< from the loss to this device's confirmation; only where both clocks are comparable
-    bool already = false;          ///< it held before the loss, as far as the clocks can tell: then there is no such time
+    bool already = false;          ///< it held before the loss was noticed here, as far as the clocks can tell: then there is no such time
 };
 
 struct IncidentRecord {

@@ -96,7 +96,7 @@ void addPatient(PromptContent& content, const SessionModel& sessions, quint32 ro
     else if (line->afterMs)
         content.patient = Text::tr("%1 holds: CONFIRMED %2 ms after the stop").arg(name).arg(*line->afterMs, 0, 'f', 0);
     else if (line->already)
-        content.patient = Text::tr("%1 holds: CONFIRMED, already before the loss").arg(name);
+        content.patient = Text::tr("%1 holds: CONFIRMED, already before the loss was noticed").arg(name);
     else
         content.patient = Text::tr("%1 holds: CONFIRMED").arg(name);
 }

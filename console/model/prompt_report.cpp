@@ -27,7 +27,7 @@ QString holdWords(const HoldLine& line)
         return Text::tr("NOT CONFIRMED");
     if (line.afterMs)
         return Text::tr("holds, %1 ms after the loss").arg(*line.afterMs, 0, 'f', 0);
-    return line.already ? Text::tr("holds, already before the loss") : Text::tr("holds");
+    return line.already ? Text::tr("holds, already before the loss was noticed") : Text::tr("holds");
 }
 
 } // namespace

@@ -3973,8 +3973,8 @@
         <translation>%1 保持：停止后 %2 ms 已确认</translation>
     </message>
     <message>
-        <source>%1 holds: CONFIRMED, already before the loss</source>
-        <translation>%1 保持：已确认，丢失之前即已保持</translation>
+        <source>%1 holds: CONFIRMED, already before the loss was noticed</source>
+        <translation>%1 保持：已确认，发现丢失之前即已保持</translation>
     </message>
     <message>
         <source>%1 holds: CONFIRMED</source>
@@ -4237,8 +4237,8 @@
         <translation>保持，丢失后 %1 ms</translation>
     </message>
     <message>
-        <source>holds, already before the loss</source>
-        <translation>保持，丢失之前即已保持</translation>
+        <source>holds, already before the loss was noticed</source>
+        <translation>保持，发现丢失之前即已保持</translation>
     </message>
     <message>
         <source>holds</source>

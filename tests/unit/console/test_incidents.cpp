@@ -41,8 +41,8 @@ private Q_SLOTS:
         incident.holds = {{robot, {}, true, std::nullopt, true}};
         content = promptContent(incident, sessions, around(), start);
         QVERIFY(content.holdConfirmed);
-        QCOMPARE(content.patient, QStringLiteral("Robot holds: CONFIRMED, already before the loss"));
-        QVERIFY(promptReport(content).contains(QStringLiteral("Robot: holds, already before the loss")));
+        QCOMPARE(content.patient, QStringLiteral("Robot holds: CONFIRMED, already before the loss was noticed"));
+        QVERIFY(promptReport(content).contains(QStringLiteral("Robot: holds, already before the loss was noticed")));
         incident.holds = {{arm, {}, true, 12.0}};
         QVERIFY(!promptContent(incident, sessions, around(), start).holdConfirmed); // another's hold is not the robot's
     }
