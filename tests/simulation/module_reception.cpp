@@ -82,9 +82,7 @@ void SimulatedModule::receivedSession(std::uint8_t lane, const protocol::Datagra
             return (void)violation("what cannot be broadcast now");
         m_device.heardBroadcast(m_peer, *message);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
-        const auto bulk = m_incomingBulk.find(lane);
-        auto* reception = lane == 0 ? m_incoming.get() : bulk != m_incomingBulk.end() ? bulk->second.get() : nullptr;
-        if (reception != nullptr)
+        if (auto* reception = incoming(lane))
             reception->abandon(abandon->message, Timestamp{abandon->timestamp});
     } else {
         handle(session::SessionMessageHeard{*message});
@@ -240,17 +238,27 @@ void SimulatedModule::deliver(const MessageDefinition& definition, const protoco
     m_device.deliver(m_peer, message);
 }
 
+SimulatedReception* SimulatedModule::incoming(std::uint8_t lane) const
+{
+    if (lane == 0)
+        return m_incoming.get();
+    const auto found = m_incomingBulk.find(lane);
+    return found != m_incomingBulk.end() ? found->second.get() : nullptr;
+}
+
 void SimulatedModule::laneLost(std::uint8_t lane, const std::string& detail)
 {
+    const auto* lost = incoming(lane);
     m_device.turned();
-    const auto bulk = m_incomingBulk.find(lane);
-    if (lane == 0 ? !m_incoming : bulk == m_incomingBulk.end() || !bulk->second)
+    if (lost == nullptr || incoming(lane) != lost)
         return;
-    m_device.bury(std::shared_ptr<SimulatedReception>(std::move(lane == 0 ? m_incoming : bulk->second)));
-    if (lane == 0)
+    if (lane == 0) {
+        m_device.bury(std::shared_ptr<SimulatedReception>(std::move(m_incoming)));
         handle(session::IncomingLost{detail});
-    else
-        m_incomingBulk.erase(bulk);
+    } else {
+        m_device.bury(std::shared_ptr<SimulatedReception>(std::move(m_incomingBulk.at(lane))));
+        m_incomingBulk.erase(lane);
+    }
 }
 
 } // namespace liena::simulation

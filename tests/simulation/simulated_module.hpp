@@ -61,6 +61,7 @@ private:
     protocol::HeaderJudgement judgeHeader(std::uint8_t lane, protocol::DatagramHeader header) const;
     protocol::Ends ends() const;
     bool isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const;
+    SimulatedReception* incoming(std::uint8_t lane) const;
     Judgement violation(const std::string& detail);
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
     void commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous);

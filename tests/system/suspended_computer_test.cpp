@@ -1,5 +1,5 @@
 // A computer that was suspended: nobody ran, and the monotonic clock does not know it.
-#include "test_system.hpp"
+#include "hostile_stage.hpp"
 
 #include <QTest>
 
@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <ctime>
+#include <future>
 
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -21,6 +22,40 @@ namespace {
 constexpr std::int64_t second = 1'000'000'000;
 
 std::atomic<std::int64_t> suspended = 0; ///< nanoseconds by which the boot clock is ahead of what it was
+
+/// A session of a robot with a scripted X-ray system that beats seldom: what a test does with it comes between two beats.
+struct SlowLink {
+    TestSystem system{
+        {reference::robot, reference::xray}, {"robot xray"}, {"tls", R"(heartbeat="1s" suspect="3s" lost="4s" reconnect="20s")"}};
+    const DeviceId xrayId = system.idOf("xray");
+    ScriptedPeer peer{roleOf(system, "xray", "robot")};
+    TestDevice robot{system.settingsOf("robot")};
+
+    SlowLink()
+    {
+        peer.open();
+        if (!eventually([this] { return robot.heard(Kind::Opened, xrayId); }))
+            throw std::runtime_error("the scripted session did not open: " + robot.story());
+    }
+
+    LinkStatus link() { return robot->links().at(0); }
+
+    /// The robot's network thread stands while that happens, and ten seconds more.
+    template <typename Event>
+    void stallDuring(Event event)
+    {
+        std::promise<void> stands;
+        std::promise<void> over;
+        robot->post([&stands, until = over.get_future().share()] {
+            stands.set_value();
+            until.wait();
+            suspended += 10 * second;
+        });
+        stands.get_future().wait();
+        event();
+        over.set_value();
+    }
+};
 
 } // namespace
 
@@ -59,6 +94,25 @@ private Q_SLOTS:
         suspended += 10 * second;
         QTRY_VERIFY2(longest() >= 10s, robot.story().c_str());
         QTRY_VERIFY2(robot.heard(Kind::Interrupted, system.idOf("cockpit")), robot.story().c_str()); // and goes on
+    }
+
+    /// Its end is the first thing that is read afterwards, while the peer asks for a session anew.
+    void aLaneThatBreaksMeanwhileIsGone()
+    {
+        SlowLink stage;
+        auto& peer = stage.peer;
+        auto lane = peer.lane(1);
+        QTRY_COMPARE(stage.link().bulkLanesIn, std::uint8_t{1});
+        peer.habits.heartbeats = false;
+        // The second takes the place of the first, and waits.
+        for (const std::uint64_t token : {1U, 2U})
+            peer.keep(peer.saying(wire::Words().raw(peer.attach(token)).raw(peer.handshake(token))));
+        QVERIFY(peer.waits([&] { return !peer.heard(wire::number::rejected).empty(); }));
+        QCOMPARE(peer.heard(wire::number::rejected)[0].datagram.body.at(8), wire::reason::busy);
+        stage.stallDuring([&] { lane.reset(); });
+        QTRY_VERIFY2(stage.robot.heard(Kind::LocalStall), stage.robot.story().c_str());
+        QTRY_COMPARE(stage.link().bulkLanesIn, std::uint8_t{0});
+        QVERIFY2(stage.robot.state(stage.xrayId) != SessionState::Open, stage.robot.story().c_str());
     }
 };
 

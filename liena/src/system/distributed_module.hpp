@@ -120,6 +120,7 @@ private:
     void commitHeard(const protocol::HandshakeCommit& commit, bool diagnosis, std::uint64_t previous);
     void setHeard(const protocol::MessageSetAnswer& answer);
     bool isNewest(const MessageDefinition& definition, const protocol::DatagramHeader& header) const;
+    tasks::ReceptionTask* incoming(std::uint8_t lane) const;
 
     // module_measurement.cpp
     LineMeasurement::Ways measuringWays();

@@ -79,8 +79,7 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
             return (void)violation(fmt::format("{} cannot be broadcast now", protocol::nameOf(*message)));
         m_host.heardBroadcast(m_peer.id, *message);
     } else if (const auto* abandon = std::get_if<protocol::Abandon>(&*message); abandon != nullptr && shares) {
-        auto* task = lane == 0 ? m_incoming.get() : m_incomingBulk[lane].get();
-        if (task != nullptr)
+        if (auto* task = incoming(lane))
             task->abandon(abandon->message, Timestamp{abandon->timestamp});
     } else {
         handle(session::SessionMessageHeard{*message});
@@ -195,6 +194,15 @@ void DistributedModule::deliver(const MessageDefinition& definition, const proto
     m_host.deliver(std::move(message));
 }
 
+/// The peer's lane of that number; null when it has none.
+tasks::ReceptionTask* DistributedModule::incoming(std::uint8_t lane) const
+{
+    if (lane == 0)
+        return m_incoming.get();
+    const auto found = m_incomingBulk.find(lane);
+    return found != m_incomingBulk.end() ? found->second.get() : nullptr;
+}
+
 void DistributedModule::overBudget(const protocol::DatagramHeader& header)
 {
     drop("the unfinished messages of this process hold too much", header.message.number);
@@ -204,16 +212,19 @@ void DistributedModule::violated(std::uint8_t /*lane*/, const std::string& detai
 
 void DistributedModule::laneLost(std::uint8_t lane, const std::string& detail)
 {
+    const auto* lost = incoming(lane);
     m_host.turned();
-    auto& task = lane == 0 ? m_incoming : m_incomingBulk[lane];
-    if (!task)
+    // A stall that is noticed only now may have ended the session: then nothing stands in that place, or the lane of the next one.
+    if (lost == nullptr || incoming(lane) != lost)
         return;
-    settle(*task);
-    bury(std::move(task));
-    if (lane == 0)
+    settle(*lost);
+    if (lane == 0) {
+        bury(std::move(m_incoming));
         handle(session::IncomingLost{detail});
-    else
+    } else {
+        bury(std::move(m_incomingBulk.at(lane)));
         m_incomingBulk.erase(lane);
+    }
 }
 
 void DistributedModule::drop(const std::string& cause, std::uint16_t number, const std::string& detail)
