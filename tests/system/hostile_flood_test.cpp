@@ -239,6 +239,52 @@ private Q_SLOTS:
         QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
     }
 
+    /// It asks again and again about an incident that is over, and takes no answer. When it does, it hears what is held, and may ask again.
+    void aPeerThatTakesNoAnswersFillsNothing()
+    {
+        HostileStage stage;
+        stage.openPeer();
+        auto& peer = stage.peer;
+        const auto toEverybody = [&](std::uint16_t number, const Bytes& body) {
+            auto head = peer.header(number);
+            head.target = wire::everyone;
+            return wire::datagram(head, body);
+        };
+        const auto standBy = [&](std::uint64_t id) {
+            return toEverybody(number::standBy, wire::standBy(id, stage.xrayId.value(), stage.armId.value(), 1, 1, stage.xrayId.value()));
+        };
+        const auto hears = [&](std::uint16_t number, std::uint64_t id) {
+            const auto heard = peer.heard(number);
+            return std::any_of(heard.begin(), heard.end(), [&](const auto& one) { return wire::Reader(one.datagram.body).u64() == id; });
+        };
+        for (const std::uint64_t over : {7U, 8U}) {
+            peer.send(standBy(over));
+            peer.send(toEverybody(number::incidentDismissed, Words().u64(over).u32(stage.xrayId.value()).text(std::string(200, 'x'))));
+        }
+        peer.send(standBy(9));
+        QVERIFY2(eventually([&] { return stage.robot->incidents().size() == 1 && stage.robot->incidents()[0].id == 9; }),
+                 stage.story().c_str());
+        peer.habits.reads = false;
+        constexpr std::uint32_t most = 32768;
+        Words many;
+        for (int i = 0; i < 1000; ++i)
+            many.raw(standBy(7));
+        for (int i = 0; i < 60; ++i)
+            QVERIFY(peer.send(many));
+        QVERIFY(peer.send(standBy(8))); // whose answer finds no room
+        QVERIFY(peer.say(0x0FFF, {}));  // dropped, when all that came before was judged
+        QVERIFY2(eventually([&] { return stage.dropped() == 1; }), stage.story().c_str());
+        const auto queued = stage.linkOf(stage.xrayId).queuedMessages;
+        QVERIFY2(queued > most / 2 && queued <= most + 8, std::to_string(queued).c_str());
+        QCOMPARE(words(stage.robot.state(stage.xrayId)), words(SessionState::Open));
+        peer.habits.reads = true;
+        QVERIFY2(peer.waits([&] { return hears(number::standBy, 9); }), stage.story().c_str());
+        QVERIFY(!hears(number::incidentDismissed, 8));
+        QVERIFY(peer.send(standBy(8)));
+        QVERIFY2(peer.waits([&] { return hears(number::incidentDismissed, 8); }), stage.story().c_str());
+        QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
+    }
+
     void eachCauseIsCountedAndToldOnce()
     {
         HostileStage stage;

@@ -181,7 +181,7 @@ void DistributedModule::perform(session::SessionAction& action)
         void operator()(const session::SessionInterrupted& interrupted)
         {
             ++module.m_interruptions;
-            module.m_host.sessionHealed(module.m_peer.id);
+            module.m_host.greet(module.m_peer.id);
             auto event = module.event(SessionEvent::Kind::Interrupted);
             event.duration = interrupted.duration;
             module.m_host.tell(std::move(event));
@@ -199,14 +199,6 @@ protocol::EncodedMessage DistributedModule::encode(const protocol::SessionMessag
 protocol::EncodedMessage DistributedModule::abandon(const protocol::DatagramHeader& begun)
 {
     return encode(protocol::Abandon{begun.message.number, begun.timestamp.ns}, m_peer.id);
-}
-
-void DistributedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
-{
-    // A report of a window that nobody has read is worth nothing beside the next; a peer that does not read must not fill our memory.
-    const bool newestOnly = std::holds_alternative<protocol::LinkReport>(message);
-    const auto rank = target.isBroadcast() ? tasks::Rank::Incident : tasks::Rank::Safety;
-    m_laneZero.push({encode(message, target), rank, newestOnly ? 1U : 0U, std::nullopt, {}});
 }
 
 /// The same bytes on both ways; whichever arrives first counts.
@@ -250,6 +242,7 @@ void DistributedModule::opened(const session::SessionOpened& opened)
     m_refusals.forget();
     m_deadlines.reset();
     m_newest.clear();
+    m_greetingDue = false; // by what comes now
     m_books.beginWindow(m_host.now().mono);
     auto event = this->event(opened.reopened ? SessionEvent::Kind::ReOpened : SessionEvent::Kind::Opened);
     event.duration = opened.duration;
@@ -334,6 +327,7 @@ void DistributedModule::housekeeping()
 {
     const auto now = m_host.now().mono;
     checkDeadlines(now);
+    greetAnew();
     if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
         m_nextReport = now + reportPeriod(m_link.timing.heartbeat);
         const auto report = m_books.takeReport(now, backlog());

@@ -154,6 +154,7 @@ private:
     void admitBulk(transport::AttachedConnection connection);
     void endFresh(session::ConnectionNumber number);
     void armTimer();
+    void greetAnew();
     void showStatus();
     void checkDeadlines(session::Instant now);
     void showDrops();
@@ -204,6 +205,7 @@ private:
     base::CauseBooks m_failures{64, std::chrono::seconds(60)}; ///< to open, for the log
     base::CauseBooks m_refusals{64};                           ///< of handshakes
     std::uint32_t m_interruptions = 0;
+    bool m_greetingDue = false;        ///< so much of incidents waited that something was left out
     bool m_lifeTold = false;           ///< what one read brings is one sign of life
     std::uint64_t m_bytesReceived = 0; ///< of lanes that ended
     std::uint64_t m_abandoned = 0;     ///< of lanes that ended

@@ -108,7 +108,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     Result<void> admitSession(bool reopening) override;
     bool standsBy() const override { return ledger.standsBy(); }
     void sessionOpened(DeviceId peer, const session::SessionOpened& opened) override;
-    void sessionHealed(DeviceId peer) override { perform(ledger.greet(peer)); }
+    void greet(DeviceId peer) override { perform(ledger.greet(peer)); }
     void sessionLost(DeviceId peer, const session::SessionLost& lost) override;
     void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) override;
     void deliver(Message&& message) override;

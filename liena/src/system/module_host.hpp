@@ -66,7 +66,8 @@ public:
 
     virtual bool standsBy() const = 0;
     virtual void sessionOpened(DeviceId peer, const session::SessionOpened& opened) = 0;
-    virtual void sessionHealed(DeviceId peer) = 0;
+    /// Tells the peer what incidents are held here.
+    virtual void greet(DeviceId peer) = 0;
     virtual void sessionLost(DeviceId peer, const session::SessionLost& lost) = 0;
     virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) = 0;
 

@@ -1,4 +1,4 @@
-// What a module sends for the application, and the figures of its link.
+// What a module sends for the application and of incidents, and the figures of its link.
 #include "protocol/byte_writer.hpp"
 #include "protocol/message_access.hpp"
 #include "system/distributed_module.hpp"
@@ -9,6 +9,13 @@
 #include <algorithm>
 
 namespace liena::system {
+
+namespace {
+
+/// More than a whole system in stand-by has to tell at once: 256 incidents, both ends' causes and the holds of 64 devices, nearly twice.
+constexpr std::size_t mostIncidentNews = 32768;
+
+} // namespace
 
 bool DistributedModule::flowAllowed(const MessageDefinition& definition, DeviceId from) const
 {
@@ -86,6 +93,27 @@ void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::O
                                                              : "the session was interrupted before it left";
     // A handler may send, and this is told in the midst of a queue's own work.
     boost::asio::post(m_host.io(), [&host = m_host, event = std::move(event)]() mutable { host.tell(std::move(event)); });
+}
+
+void DistributedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
+{
+    // A report of a window that nobody has read is worth nothing beside the next; a peer that does not read must not fill our memory.
+    const bool newestOnly = std::holds_alternative<protocol::LinkReport>(message);
+    const auto rank = target.isBroadcast() ? tasks::Rank::Incident : tasks::Rank::Safety;
+    if (rank == tasks::Rank::Incident && m_laneZero.queue().waiting(rank) >= mostIncidentNews) {
+        m_greetingDue = true;
+        return;
+    }
+    m_laneZero.push({encode(message, target), rank, newestOnly ? 1U : 0U, std::nullopt, {}});
+}
+
+/// The peer reads again: it hears what is held here. What is over it hears when it asks.
+void DistributedModule::greetAnew()
+{
+    if (!m_greetingDue || !carriesMessages(m_machine.state()) || m_laneZero.queue().waiting(tasks::Rank::Incident) > 0)
+        return;
+    m_greetingDue = false;
+    m_host.greet(m_peer.id);
 }
 
 std::size_t DistributedModule::backlog() const

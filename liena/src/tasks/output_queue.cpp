@@ -199,6 +199,14 @@ void OutputQueue::drop(Stream& stream, std::size_t at, Fate fate)
     m_report(entry, fate);
 }
 
+std::size_t OutputQueue::waiting(Rank rank) const
+{
+    std::size_t count = 0;
+    for (const auto& [number, stream] : m_classes[static_cast<std::size_t>(rank)].streams)
+        count += stream.waiting.size();
+    return count;
+}
+
 template <typename Visit>
 void OutputQueue::forEachStream(Visit visit)
 {

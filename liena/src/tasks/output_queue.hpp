@@ -86,6 +86,8 @@ public:
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }
     std::size_t bytes() const { return m_bytes; }
+    /// Messages of one class, session management with them.
+    std::size_t waiting(Rank rank) const;
 
 private:
     struct Waiting {

@@ -262,6 +262,13 @@ void OutputQueueTest::countsBytesAndMessages()
     QCOMPARE(lane.queue.bytes(), std::size_t{5});
     lane.next(2);
     QCOMPARE(lane.queue.size(), std::size_t{1}); // until its last segment has left
+    lane.push(0x0040, Rank::Incident, "x");
+    lane.push(0x0041, Rank::Incident, "y");
+    QCOMPARE(lane.queue.waiting(Rank::Incident), std::size_t{2});
+    QCOMPARE(lane.queue.waiting(Rank::Bulk), std::size_t{1});
+    QCOMPARE(lane.queue.waiting(Rank::Safety), std::size_t{0});
+    lane.next();
+    QCOMPARE(lane.queue.waiting(Rank::Incident), std::size_t{1});
 }
 
 void OutputQueueTest::restartSendsCutMessageFromItsBeginning()
