@@ -7,6 +7,7 @@
 #include "security/tls_identity.hpp"
 
 #include <boost/asio/executor_work_guard.hpp>
+#include <boost/asio/post.hpp>
 
 #include <QTest>
 
@@ -14,6 +15,7 @@
 #include <atomic>
 #include <cerrno>
 #include <functional>
+#include <future>
 #include <random>
 #include <system_error>
 #include <thread>
@@ -176,6 +178,7 @@ class WorkerThreadsTest : public QObject {
 private slots:
     void threadsComeAndGo();
     void goesOnWithoutThreadsThatCannotBeHad();
+    void nobodyWaitsForAThreadThatLeaves();
     void jobsOfAThreadThatLeavesAreDone();
     void stopEndsThreadsWithJobs();
     void everyByteArrivesInOrderHoweverManyWork_data() { bothKinds(); }
@@ -219,7 +222,7 @@ void WorkerThreadsTest::goesOnWithoutThreadsThatCannotBeHad()
             if (left == 0)
                 throw std::system_error(EAGAIN, std::generic_category(), "thread");
             --left;
-            return std::thread(std::move(life));
+            return WorkerThread(std::move(life));
         });
     QVERIFY(!workers.lacks());
     workers.resize(3);
@@ -229,6 +232,41 @@ void WorkerThreadsTest::goesOnWithoutThreadsThatCannotBeHad()
     workers.resize(3);
     QCOMPARE(workers.count(), std::size_t{3});
     QVERIFY(!workers.lacks());
+}
+
+/// It has nothing left to do, and is long about its last steps.
+void WorkerThreadsTest::nobodyWaitsForAThreadThatLeaves()
+{
+    asio::io_context network;
+    std::atomic<bool> lived = false;
+    std::atomic<bool> gone = false;
+    std::promise<void> release;
+    WorkerThreads workers(
+        network, [] {},
+        [&, released = release.get_future().share()](std::function<void()> life) {
+            return WorkerThread([&, released, life = std::move(life)] {
+                life();
+                lived = true;
+                released.wait_for(10s);
+                gone = true;
+            });
+        });
+    workers.resize(1);
+    workers.resize(0);
+    const auto open = asio::make_work_guard(network);
+    while (!lived)
+        network.run_one_for(1ms);
+    for (int turns = 0; turns < 3; ++turns) {
+        workers.resize(0);
+        bool served = false;
+        asio::post(network, [&] { served = true; });
+        while (!served)
+            network.run_one_for(20s);
+    }
+    QVERIFY(!gone);
+    release.set_value();
+    workers.stop();
+    QVERIFY(gone);
 }
 
 void WorkerThreadsTest::jobsOfAThreadThatLeavesAreDone()

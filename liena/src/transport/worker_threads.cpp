@@ -19,6 +19,9 @@ WorkerThreads::~WorkerThreads() { stop(); }
 
 void WorkerThreads::resize(std::size_t count)
 {
+    // What it did last may still wait to be finished here. A thread is gone when the kernel says so: it may be long about its last steps,
+    // on a processor that others use, and this one must not wait for it.
+    std::erase_if(m_leaving, [](const auto& one) { return one->jobs == 0 && one->thread.hasEnded(); });
     while (m_threads.size() < count && hire()) {
     }
     while (m_threads.size() > count)
@@ -44,13 +47,6 @@ void WorkerThreads::live(Worker& worker)
 {
     m_prepare();
     worker.context.run();
-    asio::post(m_network, [this, raw = &worker] {
-        const auto gone = std::find_if(m_leaving.begin(), m_leaving.end(), [&](const auto& one) { return one.get() == raw; });
-        if (gone == m_leaving.end() || !(*gone)->thread.joinable())
-            return;
-        (*gone)->thread.join(); // it has nothing left to do
-        m_leaving.erase(gone);
-    });
 }
 
 void WorkerThreads::retire()
@@ -69,7 +65,7 @@ void WorkerThreads::run(std::shared_ptr<Job> job)
         const auto begin = std::chrono::steady_clock::now();
         job->work();
         const auto busy = std::chrono::steady_clock::now() - begin;
-        // The thread's own end is posted behind this, so that the worker is there.
+        // The worker is there as long as it has jobs.
         asio::post(m_network, [this, worker, job = std::move(job), busy] {
             --worker->jobs;
             m_busy.workers += busy;
@@ -83,8 +79,7 @@ void WorkerThreads::stop()
     resize(0);
     for (auto& worker : m_leaving) {
         worker->context.stop();
-        if (worker->thread.joinable())
-            worker->thread.join();
+        worker->thread.join();
     }
 }
 

@@ -1,6 +1,8 @@
 // Threads beside the network thread for what takes long and can wait: sealing and opening the bytes of bulk lanes.
 #pragma once
 
+#include "transport/worker_thread.hpp"
+
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/io_context.hpp>
 
@@ -10,7 +12,6 @@
 #include <functional>
 #include <list>
 #include <memory>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -29,7 +30,7 @@ public:
     };
 
     /// Starts a thread that runs that, or throws std::system_error.
-    using Start = std::function<std::thread(std::function<void()>)>;
+    using Start = std::function<WorkerThread(std::function<void()>)>;
 
     /// `prepare` is the first thing that a new thread does.
     WorkerThreads(boost::asio::io_context& network, std::function<void()> prepare) : WorkerThreads(network, std::move(prepare), startThread)
@@ -39,7 +40,8 @@ public:
     WorkerThreads(const WorkerThreads&) = delete;
     WorkerThreads& operator=(const WorkerThreads&) = delete;
 
-    /// A thread that is not wanted any more does what it was given and ends. There are fewer than `count` where the system has no more.
+    /// A thread that is not wanted any more does what it was given and ends; nobody waits for it, and a later call finds it gone. There are
+    /// fewer than `count` where the system has no more.
     void resize(std::size_t count);
     std::size_t count() const { return m_threads.size(); }
 
@@ -72,11 +74,11 @@ private:
     struct Worker {
         boost::asio::io_context context{1};
         std::unique_ptr<boost::asio::executor_work_guard<boost::asio::io_context::executor_type>> open;
-        std::thread thread;
+        WorkerThread thread;
         std::size_t jobs = 0; ///< given and not finished
     };
 
-    static std::thread startThread(std::function<void()> life) { return std::thread(std::move(life)); }
+    static WorkerThread startThread(std::function<void()> life) { return WorkerThread(std::move(life)); }
     bool hire();
     void live(Worker& worker);
     void retire();
