@@ -72,7 +72,8 @@ void SimulatedDevice::turned()
     if (m_handlingStall)
         return;
     const bool concerned = std::any_of(m_modules.begin(), m_modules.end(), [&](const auto& entry) {
-        return carriesMessages(entry.second->state()) && gap >= entry.second->timing().suspect;
+        const auto state = entry.second->state();
+        return (carriesMessages(state) || state == SessionState::Reconnecting) && gap >= entry.second->timing().suspect;
     });
     if (!concerned)
         return;

@@ -114,6 +114,42 @@ private Q_SLOTS:
         QTRY_COMPARE(stage.link().bulkLanesIn, std::uint8_t{0});
         QVERIFY2(stage.robot.state(stage.xrayId) != SessionState::Open, stage.robot.story().c_str());
     }
+
+    /// A message may be lost; late it may not come.
+    void whatWasHandedOverBeforeItDoesNotLeaveAfterIt()
+    {
+        SlowLink stage;
+        const auto hand = [&](const std::string& reason) {
+            auto report = stage.robot->report("InjectionReport").value();
+            report.set("reason", reason);
+            return stage.robot->send(stage.xrayId, report).has_value();
+        };
+        const auto stalls = [&] { return stage.robot.events(Kind::LocalStall).size(); };
+        const auto failures = [&] { return stage.robot.events(Kind::SendFailed, stage.xrayId); };
+        const auto before = stalls();
+        stage.stallDuring([&] { QVERIFY(hand("before")); });
+        QTRY_COMPARE(failures().size(), std::size_t{1});
+        QCOMPARE(failures()[0].message, std::string("InjectionReport"));
+        QVERIFY2(failures()[0].detail.find("did not run") != std::string::npos, failures()[0].detail.c_str());
+        QCOMPARE(stalls(), before + 1);
+        QTRY_VERIFY2(stage.robot.heard(Kind::Interrupted, stage.xrayId), stage.robot.story().c_str());
+
+        // Also where the session is interrupted already, and what is no control would wait.
+        stage.peer.habits.heartbeats = false;
+        stage.stallDuring([] {});
+        QTRY_COMPARE(stalls(), before + 2);
+        stage.stallDuring([&] { QVERIFY(hand("meanwhile")); });
+        QTRY_COMPARE(failures().size(), std::size_t{2});
+        QCOMPARE(stalls(), before + 3);
+        QVERIFY(hand("after"));
+        stage.peer.habits.heartbeats = true;
+        const auto number = stage.robot->report("InjectionReport").value().definition().number;
+        QVERIFY2(stage.peer.waits([&] { return !stage.peer.heard(number).empty(); }), stage.robot.story().c_str());
+        const auto heard = stage.peer.heard(number);
+        QCOMPARE(heard.size(), std::size_t{1});
+        const auto& body = heard[0].datagram.body;
+        QVERIFY(std::string(body.begin(), body.end()).find("after") != std::string::npos);
+    }
 };
 
 QTEST_GUILESS_MAIN(SuspendedComputerTest)

@@ -29,7 +29,7 @@ public:
     static constexpr std::size_t mostLetters = 4096;
     static constexpr std::size_t mostBytes = std::size_t{64} << 20U;
 
-    /// `wake` is called under no lock when the outbox was empty; not again before it was taken.
+    /// `wake` is called under no lock when something waits; not again before it was taken.
     explicit Outbox(std::function<void()> wake) : m_wake(std::move(wake)) {}
 
     /// False when too many of the message's priority wait.
@@ -49,7 +49,7 @@ public:
                     break;
                 makeRoom(lock, spare);
             }
-            first = m_letters.empty() && !m_ended;
+            first = !m_ended && !std::exchange(m_woken, true);
             ++load.letters;
             load.bytes += size;
             m_letters.push_back({target, std::move(message)});
@@ -61,6 +61,15 @@ public:
 
     /// `letters` is empty before; the memory that it has is used for those that come next.
     void take(Letters& letters)
+    {
+        const std::lock_guard lock(m_mutex);
+        letters.swap(m_letters);
+        m_loads = {};
+        m_woken = false;
+    }
+
+    /// The same out of turn: whoever was woken still comes, and finds what is put meanwhile.
+    void withdraw(Letters& letters)
     {
         const std::lock_guard lock(m_mutex);
         letters.swap(m_letters);
@@ -100,6 +109,7 @@ private:
     InheritingMutex m_mutex;
     Letters m_letters;
     std::array<Load, 4> m_loads{}; ///< by priority
+    bool m_woken = false;          ///< and has not taken yet
     bool m_ended = false;
     std::function<void()> m_wake;
 };

@@ -77,6 +77,11 @@ public:
 
     /// The thread did not run for `gap`.
     void stalled(session::Nanoseconds gap);
+    /// There is a session, and its peer may have missed us.
+    bool isConcernedBy(session::Nanoseconds gap) const
+    {
+        return gap >= m_link.timing.suspect && (carriesMessages(state()) || state() == SessionState::Reconnecting);
+    }
 
     /// Once per heartbeat or so: deadlines, reports, figures.
     void housekeeping();

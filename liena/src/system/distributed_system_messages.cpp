@@ -2,10 +2,13 @@
 #include "protocol/message_access.hpp"
 #include "system/distributed_system_state.hpp"
 
+#include <boost/asio/post.hpp>
+
 #include <algorithm>
 
 namespace liena {
 
+namespace asio = boost::asio;
 using namespace std::chrono_literals;
 
 void DistributedSystem::State::deliver(Message&& message)
@@ -50,6 +53,7 @@ void DistributedSystem::State::takeReturned()
 
 void DistributedSystem::State::drainOutbox()
 {
+    turned();
     outbox.take(letters);
     const bool isBurst = letters.size() > 1;
     if (isBurst)
@@ -63,6 +67,32 @@ void DistributedSystem::State::drainOutbox()
     letters.clear();
     if (isBurst)
         gather(false);
+}
+
+/// What other threads handed over before a stall does not leave after it, as little as what was queued. It goes on to peers that did not
+/// miss us.
+void DistributedSystem::State::withdrawOutbox(std::chrono::nanoseconds gap)
+{
+    cache::Outbox::Letters handed;
+    outbox.withdraw(handed);
+    const auto withdrawn = [&](DeviceId peer, const Message& message) {
+        // A handler may send, and the stall is still in hand.
+        asio::post(context, [this, event = sendFailed(peer, message.definition().name, "this device itself did not run")]() mutable {
+            tell(std::move(event));
+        });
+    };
+    for (auto& letter : handed) {
+        if (letter.target.isBroadcast()) {
+            for (const auto& [peer, one] : modules)
+                if (one->isConcernedBy(gap))
+                    withdrawn(peer, letter.message);
+            publishNow(std::move(letter.message), gap);
+        } else if (const auto* one = module(letter.target); one != nullptr && one->isConcernedBy(gap)) {
+            withdrawn(letter.target, letter.message);
+        } else {
+            sendNow(letter.target, std::move(letter.message));
+        }
+    }
 }
 
 /// What is sent meanwhile leaves at its end, in the order of its priority and in one write.
@@ -88,25 +118,29 @@ void DistributedSystem::State::sendNow(DeviceId target, Message&& message)
     const auto set = MessageAccess::setIn(message); // that the name lives in
     const auto& name = message.definition().name;
     const auto sent = sendBy(*one, std::move(message));
-    if (sent)
-        return;
+    if (!sent)
+        tell(sendFailed(target, name, sent.error().what));
+}
+
+SessionEvent DistributedSystem::State::sendFailed(DeviceId peer, const std::string& message, std::string_view detail)
+{
     SessionEvent event;
     event.kind = SessionEvent::Kind::SendFailed;
     event.at = std::chrono::steady_clock::now();
-    event.peer = target;
-    event.message = name;
+    event.peer = peer;
+    event.message = message;
     event.count = 1;
-    event.detail = sent.error().what;
-    tell(std::move(event));
+    event.detail = detail;
+    return event;
 }
 
 /// Copied for all but the last: an image that goes to one peer is not copied at all. What a single session refuses is no failure of a
-/// publication.
-void DistributedSystem::State::publishNow(Message message)
+/// publication. Sessions that a stall of `stall` concerns are left out.
+void DistributedSystem::State::publishNow(Message message, std::chrono::nanoseconds stall)
 {
     system::DistributedModule* last = nullptr;
     for (auto& [peer, one] : modules) {
-        if (!carriesMessages(one->state()) && one->state() != SessionState::Reconnecting)
+        if ((!carriesMessages(one->state()) && one->state() != SessionState::Reconnecting) || one->isConcernedBy(stall))
             continue;
         if (last != nullptr)
             (void)last->send(Message(message));

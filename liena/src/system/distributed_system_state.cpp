@@ -208,10 +208,7 @@ void DistributedSystem::State::turned()
     const auto gap = stallWatch.turn(bootNow());
     if (handlingStall || gap < shortestSuspect)
         return;
-    const bool concerned = std::any_of(modules.begin(), modules.end(), [&](const auto& entry) {
-        return carriesMessages(entry.second->state()) && gap >= entry.second->timing().suspect;
-    });
-    if (!concerned)
+    if (std::none_of(modules.begin(), modules.end(), [&](const auto& entry) { return entry.second->isConcernedBy(gap); }))
         return;
     handlingStall = true;
     SessionEvent event;
@@ -223,6 +220,7 @@ void DistributedSystem::State::turned()
     tell(std::move(event));
     for (auto& [peer, one] : modules)
         one->stalled(gap);
+    withdrawOutbox(gap);
     handlingStall = false;
 }
 

@@ -65,8 +65,10 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void takeReturned();
     void sendNow(DeviceId target, Message&& message);
     Result<void> sendBy(system::DistributedModule& one, Message&& message);
-    void publishNow(Message message);
+    void publishNow(Message message, std::chrono::nanoseconds stall = {});
     void drainOutbox();
+    void withdrawOutbox(std::chrono::nanoseconds gap);
+    static SessionEvent sendFailed(DeviceId peer, const std::string& message, std::string_view detail);
     void gather(bool begins);
     void heardHold(DeviceId from, const protocol::StandByReport& report);
     void perform(const session::LedgerActions& actions);

@@ -45,6 +45,7 @@ private slots:
     void isBoundedInBytes();
     void eventsAreBounded();
     void outboxWakesOncePerBurst();
+    void outboxThatWasEmptiedOutOfTurnWakesNobodyTwice();
     void outboxRefusesWhatDoesNotFit();
     void outboxTakesStopsAndCommandsWhateverWaits_data();
     void outboxTakesStopsAndCommandsWhateverWaits();
@@ -228,6 +229,24 @@ void CacheTest::outboxWakesOncePerBurst()
     QCOMPARE(woken, 1);
     QCOMPARE(taken(outbox).size(), std::size_t{2});
     QVERIFY(taken(outbox).empty());
+    QVERIFY(outbox.put(robot, make("Log", xray, 3)));
+    QCOMPARE(woken, 2);
+}
+
+/// Whoever was woken is on its way with memory that there is once.
+void CacheTest::outboxThatWasEmptiedOutOfTurnWakesNobodyTwice()
+{
+    int woken = 0;
+    Outbox outbox([&] { ++woken; });
+    Outbox::Letters withdrawn;
+    outbox.withdraw(withdrawn);
+    QVERIFY(withdrawn.empty());
+    QVERIFY(outbox.put(robot, make("Log", xray, 1)));
+    outbox.withdraw(withdrawn);
+    QCOMPARE(withdrawn.size(), std::size_t{1});
+    QVERIFY(outbox.put(robot, make("Log", xray, 2)));
+    QCOMPARE(woken, 1);
+    QCOMPARE(taken(outbox).size(), std::size_t{1});
     QVERIFY(outbox.put(robot, make("Log", xray, 3)));
     QCOMPARE(woken, 2);
 }
