@@ -199,7 +199,7 @@ void SessionMachine::handshakeInSession(const HandshakeHeard& input)
     if (m_pending)
         refuse(*m_pending, RejectReason::Busy, "a newer handshake of the same device replaced this one");
     m_pending = input;
-    m_proofDeadline = m_now.mono + m_settings.timing.heartbeat + m_settings.timing.heartbeat / 2;
+    awaitProof();
 }
 
 void SessionMachine::yieldTo(const HandshakeHeard& input, const std::string& detail)

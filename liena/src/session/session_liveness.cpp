@@ -25,7 +25,7 @@ void SessionMachine::on(const Tick& /*input*/)
         judgeReconnecting();
     else if (m_state == SessionState::Closing && m_now.mono >= m_deadline)
         finishClosing(m_closeReason);
-    if (m_pending && carriesMessages(m_state))
+    if (m_pending && isLive())
         judgeProof();
 }
 
@@ -68,7 +68,7 @@ void SessionMachine::heardHeartbeat(const protocol::Heartbeat& heartbeat)
     if (m_state == SessionState::Reconnecting && (carriesMessages(heartbeat.state) || heartbeat.state == SessionState::Reconnecting))
         healIfWhole();
     helpWaitingPeer(heartbeat.state);
-    if (m_pending && carriesMessages(m_state) && carriesMessages(heartbeat.state)) {
+    if (m_pending && isLive() && carriesMessages(heartbeat.state)) {
         refuse(*m_pending, RejectReason::AlreadyOpen, "this device already has a session here and is healthy in it");
         m_pending.reset();
     }
@@ -142,6 +142,9 @@ void SessionMachine::judgeReconnecting()
     }
 }
 
+/// The old session may prove that it lives until then.
+void SessionMachine::awaitProof() { m_proofDeadline = m_now.mono + m_settings.timing.heartbeat + m_settings.timing.heartbeat / 2; }
+
 void SessionMachine::judgeProof()
 {
     if (m_now.mono < m_proofDeadline)
@@ -153,7 +156,9 @@ void SessionMachine::judgeProof()
 
 void SessionMachine::enterReconnecting(LossCause cause, std::string detail)
 {
-    if (m_pending) {
+    if (m_pending && cause == LossCause::LocalStall) {
+        awaitProof(); // what refutes it may have come while nobody read
+    } else if (m_pending) {
         const auto pending = *m_pending;
         m_pending.reset();
         m_lossAt = m_now.mono;
@@ -259,8 +264,10 @@ void SessionMachine::on(const Stalled& /*input*/)
 {
     if (carriesMessages(m_state))
         enterReconnecting(LossCause::LocalStall, "this device itself did not run");
-    else if (m_state == SessionState::Reconnecting)
+    else if (m_state == SessionState::Reconnecting) {
         emit(DiscardAll{});
+        awaitProof();
+    }
 }
 
 void SessionMachine::on(const IncidentHeld& input)

@@ -51,6 +51,8 @@ std::optional<Instant> SessionMachine::nextDeadline() const
         consider(m_lossAt + m_settings.timing.reconnect);
         if (m_retryAt)
             consider(*m_retryAt);
+        if (m_pending)
+            consider(m_proofDeadline);
         break;
     case SessionState::Closed:
     case SessionState::StandBy:

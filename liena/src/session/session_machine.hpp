@@ -277,6 +277,7 @@ private:
     void judgeLiveness();
     void judgeDialogue();
     void judgeReconnecting();
+    void awaitProof();
     void judgeProof();
     void enterReconnecting(LossCause cause, std::string detail);
     void healIfWhole();
@@ -346,7 +347,8 @@ private:
     Instant m_lossAt;
     std::optional<Instant> m_retryAt;
 
-    /// A handshake while the session is open: the peer restarted, unless the session proves to live within one heartbeat.
+    /// A handshake while the session is open: the peer restarted, unless the session proves to live within one and a half heartbeats. It
+    /// goes on waiting only where the interruption is our own stall.
     std::optional<HandshakeHeard> m_pending;
     Instant m_proofDeadline;
 };

@@ -14,6 +14,7 @@ private slots:
     void healthySessionProvesItselfAgainstAHandshake();
     void handshakeOfARestartedPeerEndsInStandBy();
     void restartIsNamedWhenTheSessionIsInterrupted();
+    void restartIsNotBelievedForAStallOfOurOwn();
     void diagnosisHandshakeInSessionIsAnswered_data();
     void diagnosisHandshakeInSessionIsAnswered();
     void withdrawnReopeningReadLateDoesNotEndTheSession();
@@ -79,6 +80,50 @@ void SessionEndingTest::restartIsNamedWhenTheSessionIsInterrupted()
     Side reconnecting;
     reconnecting.becomeReconnecting();
     QCOMPARE(wordsOf(reconnecting.handle(reconnecting.handshake(300))),
+             std::string("DiscardAll CloseLanes Lost:PeerRestarted Refuse:StandBy"));
+}
+
+/// What refutes the handshake lies unread when this process runs again.
+void SessionEndingTest::restartIsNotBelievedForAStallOfOurOwn()
+{
+    Side side;
+    side.becomeOpen();
+    side.handle(side.handshake(300));
+    side.pass(80ms);
+    QCOMPARE(wordsOf(side.handle(Stalled{80ms})), std::string("DiscardAll Heartbeat"));
+    QVERIFY(side.machine.state() == SessionState::Reconnecting);
+    side.handle(Tick{});
+    QVERIFY(side.machine.state() == SessionState::Reconnecting);
+    const auto healed = side.beat();
+    QVERIFY(find<SessionInterrupted>(healed) != nullptr);
+    QVERIFY(find<Refuse>(healed)->reason == RejectReason::AlreadyOpen && find<Refuse>(healed)->token == 300);
+    QVERIFY(side.machine.state() == SessionState::Open);
+    side.live(1s);
+    QVERIFY(side.machine.state() == SessionState::Open);
+
+    Side broken; // meanwhile: it heals later, and lives
+    broken.becomeOpen();
+    broken.handle(broken.handshake(300));
+    broken.pass(80ms);
+    broken.handle(Stalled{80ms});
+    broken.handle(IncomingLost{"reset"});
+    QCOMPARE(wordsOf(broken.beat(LifePath::Packet)), std::string("Refuse:AlreadyOpen"));
+    broken.handle(IncomingUp{});
+    QVERIFY(find<SessionInterrupted>(broken.beat()) != nullptr);
+
+    Side restarted; // stalled twice, and nothing comes
+    restarted.becomeOpen();
+    restarted.handle(restarted.handshake(300));
+    for (int stall = 0; stall < 2; ++stall) {
+        restarted.pass(80ms);
+        restarted.handle(Stalled{80ms});
+    }
+    restarted.handle(Tick{});
+    QVERIFY(*restarted.machine.nextDeadline() <= restarted.now.mono + 30ms);
+    restarted.tick(30ms - 1ns);
+    QVERIFY(restarted.machine.state() == SessionState::Reconnecting);
+    const auto lost = restarted.tick(1ns);
+    QCOMPARE(wordsOf(lost).substr(wordsOf(lost).find("DiscardAll")),
              std::string("DiscardAll CloseLanes Lost:PeerRestarted Refuse:StandBy"));
 }
 
