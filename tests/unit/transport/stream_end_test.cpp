@@ -152,6 +152,22 @@ private Q_SLOTS:
         QCOMPARE(textOf(std::span(connection.buffer).first(step.bytes)), std::string("command"));
     }
 
+    /// Nothing may come after it for a long time.
+    void commandBehindNewKeysIsReadWithThem()
+    {
+        Connection connection;
+        QVERIFY(connection.shakeHands());
+        QCOMPARE(SSL_key_update(connection.near->tls(), SSL_KEY_UPDATE_NOT_REQUESTED), 1);
+        QCOMPARE(SSL_do_handshake(connection.near->tls()), 1);
+        constexpr int keysSize = 27;    // of the record: header, message, type, tag
+        constexpr int commandSize = 29; // likewise
+        QVERIFY(connection.say("command"));
+        QTRY_VERIFY(unread(connection.farSocket.number()) >= keysSize + commandSize);
+        const auto step = connection.read();
+        QVERIFY(!step.failure);
+        QCOMPARE(textOf(std::span(connection.buffer).first(step.bytes)), std::string("command"));
+    }
+
     void commandsAskForNoBufferWhereTheyAreKept()
     {
         QVERIFY(counting);
