@@ -11,7 +11,7 @@ namespace {
 
 using Life = std::function<void()>;
 
-constexpr std::size_t workerStack = 256 * 1024; // sealing and opening records takes a few KiB of it
+constexpr std::size_t workerStack = 512 * 1024; // sealing and opening records takes some ten KiB of it, more under a sanitizer
 
 void* liveAsWorker(void* given)
 {
