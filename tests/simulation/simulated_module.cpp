@@ -251,9 +251,10 @@ void SimulatedModule::tell(SessionEvent::Kind kind, IncidentId incident)
 void SimulatedModule::housekeeping()
 {
     const auto now = m_device.now().mono;
-    if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
+    if (carriesMessages(m_machine.state()) && now >= m_nextReport &&
+        !m_laneZero.queue().waits(tasks::Rank::Safety, protocol::LinkReport::number)) {
         m_nextReport = now + reportPeriod;
-        m_laneZero.push({encode(protocol::LinkReport{}, m_device.surroundings().idOf(m_peer)), tasks::Rank::Safety, 1, std::nullopt, {}});
+        m_laneZero.push({encode(protocol::LinkReport{}, m_device.surroundings().idOf(m_peer)), tasks::Rank::Safety, 0, std::nullopt, {}});
     }
     if (m_device.settings().mutant == Mutant::AutoResume && m_machine.state() == SessionState::StandBy)
         reopen(false, m_machine.incident());

@@ -181,6 +181,7 @@ void DistributedModule::perform(session::SessionAction& action)
         void operator()(const session::SessionInterrupted& interrupted)
         {
             ++module.m_interruptions;
+            module.m_bulk.reportMissed(); // those that came meanwhile were passed over
             module.m_host.greet(module.m_peer.id);
             auto event = module.event(SessionEvent::Kind::Interrupted);
             event.duration = interrupted.duration;
@@ -328,12 +329,8 @@ void DistributedModule::housekeeping()
     const auto now = m_host.now().mono;
     checkDeadlines(now);
     greetAnew();
-    if (carriesMessages(m_machine.state()) && now >= m_nextReport) {
-        m_nextReport = now + reportPeriod(m_link.timing.heartbeat);
-        const auto report = m_books.takeReport(now, backlog());
-        m_latency = report.oneWayNs > 0 ? std::optional(std::chrono::nanoseconds(report.oneWayNs)) : std::nullopt;
-        sendSession(report, m_peer.id);
-    }
+    if (carriesMessages(m_machine.state()) && now >= m_nextReport)
+        sendReport(now);
     if (now >= m_nextDrops) {
         m_nextDrops = now + 1s;
         showDrops();
@@ -343,6 +340,18 @@ void DistributedModule::housekeeping()
     m_measurement.housekeeping();
     m_bulk.retire(now);
     showStatus();
+}
+
+/// Not while the one before it waits: a peer that does not read must not fill our memory, and what a report that was left out had counted
+/// would be a queue to the peer. The window goes on instead.
+void DistributedModule::sendReport(session::Instant now)
+{
+    if (m_laneZero.queue().waits(tasks::Rank::Safety, protocol::LinkReport::number))
+        return;
+    m_nextReport = now + reportPeriod(m_link.timing.heartbeat);
+    const auto report = m_books.takeReport(now, backlog());
+    m_latency = report.oneWayNs > 0 ? std::optional(std::chrono::nanoseconds(report.oneWayNs)) : std::nullopt;
+    sendSession(report, m_peer.id);
 }
 
 /// A session that is over owes nothing more; one that is interrupted does.

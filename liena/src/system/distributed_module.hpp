@@ -114,6 +114,7 @@ private:
     void laneLost(std::uint8_t lane, const std::string& detail) override;
 
     tasks::Judgement violation(const std::string& detail);
+    void skip(const protocol::DatagramHeader& header, const std::string& why);
     void hearFrom(std::shared_ptr<const MessageSet> set);
     const MessageDefinition* definitionOf(std::uint16_t number) const;
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);
@@ -161,6 +162,7 @@ private:
     void armTimer();
     void greetAnew();
     void showStatus();
+    void sendReport(session::Instant now);
     void checkDeadlines(session::Instant now);
     void showDrops();
     void settle(const tasks::ReceptionTask& ended);

@@ -126,6 +126,7 @@ void DistributedModule::attached(transport::AttachedConnection connection)
         settle(*m_incoming);
         bury(std::move(m_incoming));
     }
+    m_bulk.reportMissed(); // what was not read of the one before is gone
     m_incoming = std::make_unique<tasks::ReceptionTask>(std::move(connection.channel), std::move(connection.decoder), m_host.budget(),
                                                         std::uint8_t{0}, *this);
     auto* task = m_incoming.get();

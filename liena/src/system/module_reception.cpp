@@ -46,10 +46,18 @@ tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::Dat
     if (judgement.verdict == HeaderVerdict::Take && header.message.number == protocol::Probe::number && !admitsProbe(lane, header))
         return {HeaderVerdict::Skip, 0};
     if (judgement.verdict == HeaderVerdict::Skip)
-        drop(judgement.why, header.message.number);
+        skip(header, judgement.why);
     else if (header.message.isSessionManagement() || !std::exchange(m_lifeTold, true))
         handle(session::LifeHeard{pathOf(lane)});
     return {judgement.verdict, judgement.maximum};
+}
+
+/// Received all the same: the peer would take for a queue what no report counts.
+void DistributedModule::skip(const protocol::DatagramHeader& header, const std::string& why)
+{
+    if (!header.message.isSessionManagement())
+        m_books.receivedSegment(header.length, !header.moreSegments);
+    drop(why, header.message.number);
 }
 
 void DistributedModule::received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part,
@@ -127,12 +135,12 @@ void DistributedModule::setLearnt(std::uint64_t token, const Sha256& set, const 
 
 void DistributedModule::receivedApplication(const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned)
 {
+    m_books.received(part.size());
     const auto* definition = definitionOf(header.message.number);
     if (definition == nullptr) // the peer's set changed while the body was awaited
         return drop("unknown message number", header.message.number);
     const auto state = m_machine.state();
     const bool control = definition->priority == Priority::Control;
-    m_books.received(part.size());
     if (!carriesMessages(state) && (control || (state != SessionState::Reconnecting && state != SessionState::Closing)))
         return drop("session not open", header.message.number);
     if (!flowAllowed(*definition, m_peer.id))

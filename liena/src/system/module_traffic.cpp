@@ -97,14 +97,12 @@ void DistributedModule::notSent(const tasks::OutputQueue::Entry& entry, tasks::O
 
 void DistributedModule::sendSession(const protocol::SessionMessage& message, DeviceId target)
 {
-    // A report of a window that nobody has read is worth nothing beside the next; a peer that does not read must not fill our memory.
-    const bool newestOnly = std::holds_alternative<protocol::LinkReport>(message);
     const auto rank = target.isBroadcast() ? tasks::Rank::Incident : tasks::Rank::Safety;
     if (rank == tasks::Rank::Incident && m_laneZero.queue().waiting(rank) >= mostIncidentNews) {
         m_greetingDue = true;
         return;
     }
-    m_laneZero.push({encode(message, target), rank, newestOnly ? 1U : 0U, std::nullopt, {}});
+    m_laneZero.push({encode(message, target), rank, 0, std::nullopt, {}});
 }
 
 /// The peer reads again: it hears what is held here. What is over it hears when it asks.

@@ -32,10 +32,13 @@ public:
         return m_causes.count(cause, number, now);
     }
 
-    void received(std::size_t bytes)
+    void received(std::size_t bytes) { receivedSegment(bytes, true); }
+
+    /// Of a message that is not put together.
+    void receivedSegment(std::size_t bytes, bool last)
     {
-        ++m_received;
-        ++m_window.receivedMessages;
+        m_received += last ? 1 : 0;
+        m_window.receivedMessages += last ? 1 : 0;
         m_window.receivedBytes += bytes;
     }
     void delivered(std::optional<std::chrono::nanoseconds> latency)

@@ -55,6 +55,13 @@ void ArrivalLimit::reported(const Report& report)
         grow();
 }
 
+void ArrivalLimit::forgetWaiting()
+{
+    m_arrivals.clear();
+    m_waiting = 0;
+    m_full.reset();
+}
+
 double ArrivalLimit::recentRate() const
 {
     std::uint64_t bytes = 0;

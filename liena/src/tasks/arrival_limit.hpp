@@ -35,6 +35,9 @@ public:
     /// Messages may have been lost on their way: what did not arrive does not wait.
     void restart() { *this = {}; }
 
+    /// A report may be missing: what it counted as received would be a queue for half a minute. What the way carries is still known.
+    void forgetWaiting();
+
     /// Bytes per second; nothing where the reports know no limit.
     std::optional<double> bytesPerSecond() const;
 

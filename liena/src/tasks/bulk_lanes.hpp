@@ -69,6 +69,9 @@ public:
     void arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, std::uint64_t sentBesides,
                           std::chrono::nanoseconds roundTrip);
 
+    /// One of the peer's reports may not have been heard.
+    void reportMissed() { m_arrivals.forgetWaiting(); }
+
 private:
     static constexpr std::chrono::seconds pauseLimit{2}; ///< of a stream, before it may change its lane
 

@@ -60,6 +60,15 @@ bool OutputQueue::push(Entry&& entry)
     return true;
 }
 
+bool OutputQueue::waits(Rank rank, std::uint16_t number) const
+{
+    for (const auto& [place, stream] : m_classes[static_cast<std::size_t>(rank)].streams)
+        for (const auto& waiting : stream.waiting)
+            if (waiting.entry.message.header.message.number == number)
+                return true;
+    return false;
+}
+
 void OutputQueue::enters(const Entry& entry, std::size_t size)
 {
     ++m_count;

@@ -83,6 +83,9 @@ public:
     };
     const Left& left() const { return m_left; }
 
+    /// A message of that class and number has not left whole.
+    bool waits(Rank rank, std::uint16_t number) const;
+
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }
     std::size_t bytes() const { return m_bytes; }

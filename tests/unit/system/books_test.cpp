@@ -38,6 +38,7 @@ private slots:
     void distinctCausesDoNotFillTheBooks();
     void reportsAreNoMoreFrequentThanHeartbeats();
     void reportCountsItsWindowOnly();
+    void reportCountsWhatIsSkippedByItsSegments();
     void reportsTheMedianLatency_data();
     void reportsTheMedianLatency();
     void reportsTheBacklogWithinItsField();
@@ -108,6 +109,18 @@ void BooksTest::reportCountsItsWindowOnly()
     QCOMPARE(report.oneWayNs, std::uint64_t{3000000});
     QCOMPARE(report.backlogBytes, 12U);
     QVERIFY((books.takeReport(start + 400ms, 0) == protocol::LinkReport{200000, 0, 0, 0, 0, 0, 0, 0}));
+}
+
+void BooksTest::reportCountsWhatIsSkippedByItsSegments()
+{
+    TrafficBooks books;
+    books.receivedSegment(1000, false);
+    books.receivedSegment(1000, false);
+    books.receivedSegment(30, true);
+    const auto report = books.takeReport(start, 0);
+    QCOMPARE(report.receivedBytes, std::uint64_t{2030});
+    QCOMPARE(report.receivedMessages, std::uint64_t{1});
+    QCOMPARE(books.messagesReceived(), std::uint64_t{1});
 }
 
 void BooksTest::reportsTheMedianLatency_data()

@@ -226,6 +226,51 @@ private slots:
         QCOMPARE(limit.waiting(), std::uint64_t{0});
     }
 
+    /// Six pictures in each window, all of which arrive: what one report would have counted is no queue.
+    void aReportThatIsMissingIsNoQueue()
+    {
+        constexpr std::uint64_t picture = 262'144;
+        ArrivalLimit limit;
+        for (std::uint64_t i = 1; i < 300; ++i) {
+            if (i % 50 == 30)
+                limit.forgetWaiting();
+            else
+                limit.reported({200ms, 6 * picture, i * 6 * picture, 0, picture, 1ms});
+            QVERIFY(!limit.bytesPerSecond());
+        }
+        QCOMPARE(limit.waiting(), std::uint64_t{0});
+    }
+
+    void aQueueIsMetThoughAReportIsMissing()
+    {
+        Way way(2 * megabyte);
+        way.wanted = 4 * megabyte;
+        way.run(500ms);
+        QVERIFY(!way.limit.bytesPerSecond());
+        way.limit.forgetWaiting();
+        way.run(3s);
+        QVERIFY(way.limit.bytesPerSecond().has_value());
+        QVERIFY2(way.longestWait < 2, qPrintable(QString::number(way.longestWait)));
+    }
+
+    /// A session that is interrupted again and again: the relay is not flooded anew each time.
+    void whatTheWayCarriesIsKnownAfterAMissingReport()
+    {
+        Way way(2 * megabyte);
+        way.wanted = 4 * megabyte;
+        way.run(10s);
+        const auto known = way.limit.bytesPerSecond();
+        QVERIFY(known.has_value());
+        way.limit.forgetWaiting();
+        QVERIFY(way.limit.bytesPerSecond() == known);
+        way.forget();
+        for (int i = 0; i < 6; ++i) {
+            way.run(10s);
+            way.limit.forgetWaiting();
+        }
+        QVERIFY2(way.longestWait < 1.8, qPrintable(QString::number(way.longestWait)));
+    }
+
     void reportsWithoutSenseDoNoHarm()
     {
         constexpr auto most = std::numeric_limits<std::uint64_t>::max();

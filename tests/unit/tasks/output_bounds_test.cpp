@@ -18,6 +18,7 @@ private slots:
     void refusedMessageSupersedesNothing();
     void sessionManagementAlwaysFits();
     void sessionManagementTakesNoRoomOfStops();
+    void whatIsNotAtItsEndWaits();
 };
 
 void OutputBoundsTest::fullQueueRefuses_data()
@@ -99,6 +100,24 @@ void OutputBoundsTest::sessionManagementTakesNoRoomOfStops()
     QVERIFY(!lane.push(0x0104, Rank::Safety, "stop"));
     lane.queue.discardApplication();
     QVERIFY(lane.push(0x0104, Rank::Safety, "stop"));
+}
+
+void OutputBoundsTest::whatIsNotAtItsEndWaits()
+{
+    constexpr std::uint16_t linkReport = 0x0050;
+    Lane lane;
+    QVERIFY(!lane.queue.waits(Rank::Safety, linkReport));
+    lane.push(0x0010, Rank::Safety, "beat");
+    lane.push(linkReport, Rank::Safety, "abcd");
+    lane.push(0x0104, Rank::Safety, "stop");
+    QVERIFY(lane.queue.waits(Rank::Safety, linkReport));
+    QVERIFY(!lane.queue.waits(Rank::Control, linkReport));
+    QCOMPARE(lane.next(), std::string("beat"));
+    QCOMPARE(lane.next(2), std::string("ab+"));
+    QVERIFY(lane.queue.waits(Rank::Safety, linkReport)); // of a lane that breaks now it leaves once more
+    QCOMPARE(lane.next(2), std::string("cd"));
+    QVERIFY(!lane.queue.waits(Rank::Safety, linkReport));
+    QCOMPARE(lane.next(), std::string("stop"));
 }
 
 QTEST_APPLESS_MAIN(OutputBoundsTest)
