@@ -1,6 +1,8 @@
 // Which stream goes on which lane.
 #include "tasks/bulk_lanes.hpp"
 
+#include "tasks/lane_shares.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -77,7 +79,7 @@ std::size_t BulkLanes::addLane()
     const auto number = static_cast<std::uint8_t>(m_lanes.size() + 1);
     const auto again = [this] { m_retry.after(retryDelay, [this] { connect(); }); };
     OutputLane::Handlers handlers;
-    handlers.up = [] {};
+    handlers.up = [this] { shareLimit(); };
     handlers.failed = [again](const transport::ConnectionFailure&) { again(); };
     handlers.lost = [this, number, again](const std::string& detail, bool) {
         m_arrivals.restart();
@@ -194,14 +196,15 @@ void BulkLanes::arrivalsReported(std::chrono::nanoseconds window, std::uint64_t 
     shareLimit();
 }
 
-/// Each lane as much of it as it has of what all together would send.
+/// With each report, and when a lane comes up, which has no share before.
 void BulkLanes::shareLimit()
 {
-    const auto limit = m_arrivals.bytesPerSecond();
-    const double sum =
-        std::accumulate(m_lanes.begin(), m_lanes.end(), 0.0, [](double so, const auto& lane) { return so + lane->steadyRate(); });
-    for (auto& lane : m_lanes)
-        lane->limitRate(limit && sum > 0 ? std::optional(*limit * lane->steadyRate() / sum) : std::nullopt);
+    std::vector<double> steadyRates;
+    for (const auto& lane : m_lanes)
+        steadyRates.push_back(lane->steadyRate());
+    const auto shares = sharesOf(m_arrivals.bytesPerSecond(), steadyRates);
+    for (std::size_t place = 0; place < m_lanes.size(); ++place)
+        m_lanes[place]->limitRate(shares[place]);
 }
 
 } // namespace liena::tasks
