@@ -93,7 +93,7 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
         handle(session::SessionMessageHeard{*message});
         if (const auto* report = std::get_if<protocol::LinkReport>(&*message); report != nullptr && carriesMessages(state))
             m_bulk.arrivalsReported(std::chrono::microseconds(report->windowUs), report->receivedBytes,
-                                    m_laneZero.queue().left().bytes + m_books.bytesSentInPackets(),
+                                    m_laneZero.left().bytes + m_books.bytesSentInPackets(),
                                     m_machine.clock().lastDelay().value_or(std::chrono::nanoseconds::zero()));
         if (const auto* request = std::get_if<protocol::MeasureRequest>(&*message); request != nullptr && carriesMessages(state))
             m_measurement.heard(*request);

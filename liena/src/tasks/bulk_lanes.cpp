@@ -179,8 +179,9 @@ OutputQueue::Left BulkLanes::left() const
 {
     OutputQueue::Left sum;
     for (const auto& lane : m_lanes) {
-        sum.bytes += lane->queue().left().bytes;
-        sum.largest += lane->queue().left().largest;
+        const auto ofLane = lane->left();
+        sum.bytes += ofLane.bytes;
+        sum.largest += ofLane.largest;
     }
     return sum;
 }

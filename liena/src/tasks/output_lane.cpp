@@ -25,6 +25,13 @@ std::unique_ptr<OutputQueue> OutputLane::makeQueue() const
     return std::make_unique<OutputQueue>(m_handlers.dropped, m_handlers.abandoning);
 }
 
+/// For an empty one.
+std::unique_ptr<OutputQueue> OutputLane::exchangeQueue()
+{
+    m_leftBefore += m_queue->left().bytes;
+    return std::exchange(m_queue, makeQueue());
+}
+
 void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit)
 {
     m_attach = std::move(attach);
@@ -108,7 +115,7 @@ void OutputLane::close(std::chrono::nanoseconds grace)
     cancelAttempt();
     m_queue->discardApplication();
     if (!m_task) {
-        m_queue = makeQueue();
+        exchangeQueue();
         return;
     }
     m_bytesSent += m_task->bytesSent();
@@ -118,7 +125,7 @@ void OutputLane::close(std::chrono::nanoseconds grace)
         std::unique_ptr<TransmissionTask> task;
     };
     auto remains = std::make_shared<Remains>();
-    remains->queue = std::exchange(m_queue, makeQueue());
+    remains->queue = exchangeQueue();
     remains->task = std::move(m_task);
     if (grace <= std::chrono::nanoseconds::zero()) {
         remains->task->close();

@@ -50,6 +50,10 @@ public:
     /// Nothing waits, nothing is being written, and the peer's kernel has all that was.
     bool isDelivered() const;
 
+    /// Application messages that left whole since the lane was made, by connections that are closed, too; the largest is of the queue as
+    /// it is now.
+    OutputQueue::Left left() const { return {m_leftBefore + m_queue->left().bytes, m_queue->left().largest}; }
+
     OutputQueue& queue() { return *m_queue; }
     const OutputQueue& queue() const { return *m_queue; }
 
@@ -71,6 +75,7 @@ private:
     void lost(const std::string& detail, bool identity);
     void bury(std::shared_ptr<void> ended);
     std::unique_ptr<OutputQueue> makeQueue() const;
+    std::unique_ptr<OutputQueue> exchangeQueue();
 
     boost::asio::io_context& m_io;
     TopologyDevice m_peer;
@@ -85,6 +90,7 @@ private:
     bool m_paced = false;
     bool m_gathers = false;
     std::uint64_t m_bytesSent = 0;
+    std::uint64_t m_leftBefore = 0; ///< of queues that were exchanged
 };
 
 } // namespace liena::tasks
