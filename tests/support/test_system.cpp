@@ -58,8 +58,8 @@ TestSystem::TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string>
                       "/>\n  <security mode=\"" + options.mode + "\"/>\n";
     for (const auto& device : m_devices) {
         m_ports.push_back(freePort());
-        xml += "  <device name=\"" + device.name + "\" id=\"" + device.id + "\" message-set=\"" + device.set +
-               "\" host=\"127.0.0.1\" port=\"" + std::to_string(m_ports.back()) + "\" " + device.place + "/>\n";
+        xml += "  <device name=\"" + device.name + "\" id=\"" + device.id + "\" message-set=\"" + device.set + "\" host=\"" + device.host +
+               "\" port=\"" + std::to_string(m_ports.back()) + "\" " + device.place + "/>\n";
     }
     for (const auto& link : links)
         xml += linkElement(link);

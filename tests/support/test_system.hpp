@@ -32,6 +32,7 @@ struct DeviceSpec {
     std::string id;
     std::string set;
     std::string place = {}; ///< attributes of the topology that say what and where it is
+    std::string host = "127.0.0.1";
 };
 
 namespace reference {

@@ -63,11 +63,17 @@ std::filesystem::path registryIn(const std::filesystem::path& folder)
     return made;
 }
 
+DeviceSpec at(const std::string& host, DeviceSpec device)
+{
+    device.host = host;
+    return device;
+}
+
 } // namespace
 
 HostileStage::HostileStage(const Options& options)
-    : system({reference::cockpit, reference::robot, reference::arm, reference::xray}, {"cockpit robot", "robot arm", "robot xray"},
-             {"tls", options.timing}),
+    : system({reference::cockpit, reference::robot, reference::arm, at(options.xrayHost, reference::xray)},
+             {"cockpit robot", "robot arm", "robot xray"}, {"tls", options.timing}),
       robotId(system.idOf("robot")),
       cockpitId(system.idOf("cockpit")),
       xrayId(system.idOf("xray")),

@@ -30,6 +30,7 @@ public:
         /// Wide enough that only an attack can disturb the honest session, on a loaded machine and under sanitizers.
         std::string timing = R"(heartbeat="50ms" suspect="2s" lost="3s" reconnect="6s")";
         std::string unknownSet{}; ///< the robot's register lacks this one
+        std::string xrayHost = "127.0.0.1";
     };
 
     HostileStage() : HostileStage(Options()) {}

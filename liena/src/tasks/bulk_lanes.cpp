@@ -99,7 +99,7 @@ void BulkLanes::connect()
     for (std::size_t i = 0; i < m_lanes.size(); ++i) {
         auto& lane = *m_lanes[i];
         if (!lane.isUp() && !lane.isConnecting() && !lane.queue().empty())
-            lane.connect(m_handlers.attach(static_cast<std::uint8_t>(i + 1)), connectLimit);
+            lane.connect(m_handlers.attach(static_cast<std::uint8_t>(i + 1)), connectLimit, m_handlers.known());
     }
 }
 

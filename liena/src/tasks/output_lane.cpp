@@ -32,11 +32,11 @@ std::unique_ptr<OutputQueue> OutputLane::exchangeQueue()
     return std::exchange(m_queue, makeQueue());
 }
 
-void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit)
+void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit, const std::optional<asio::ip::address>& known)
 {
     m_attach = std::move(attach);
     cancelAttempt();
-    m_client = std::make_unique<transport::TcpClient>(m_io, m_peer, m_identity, limit, [this](transport::TcpClient::Outcome outcome) {
+    const auto ended = [this](transport::TcpClient::Outcome outcome) {
         bury(std::move(m_client));
         auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome);
         if (channel == nullptr)
@@ -46,7 +46,8 @@ void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanosecon
             return m_handlers.failed({ProbeResult::TlsFailure, admitted.error().what});
         }
         established(std::move(*channel));
-    });
+    };
+    m_client = std::make_unique<transport::TcpClient>(m_io, m_peer, m_identity, limit, ended, known);
 }
 
 void OutputLane::cancelAttempt()

@@ -32,8 +32,9 @@ public:
     OutputLane(const OutputLane&) = delete;
     OutputLane& operator=(const OutputLane&) = delete;
 
-    /// Replaces an attempt in hand. `attach` is the first message on the connection.
-    void connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit);
+    /// Replaces an attempt in hand. `attach` is the first message on the connection; `known` as in TcpClient.
+    void connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit,
+                 const std::optional<boost::asio::ip::address>& known = std::nullopt);
 
     bool isUp() const { return m_task != nullptr; }
     bool isConnecting() const { return m_client != nullptr; }

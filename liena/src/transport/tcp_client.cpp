@@ -27,9 +27,11 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
           timer(context)
     {}
 
-    void start(std::chrono::nanoseconds limit)
+    void start(std::chrono::nanoseconds limit, const std::optional<asio::ip::address>& known)
     {
         timer.after(limit, [this] { expire(); });
+        if (known)
+            return startAt(tcp::endpoint(*known, peer.port));
         boost::system::error_code notNumeric;
         const auto address = asio::ip::make_address(peer.host, notNumeric);
         if (!notNumeric)
@@ -148,10 +150,10 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
 };
 
 TcpClient::TcpClient(asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
-                     std::chrono::nanoseconds limit, Handler handler)
+                     std::chrono::nanoseconds limit, Handler handler, const std::optional<asio::ip::address>& known)
     : m_attempt(std::make_shared<Attempt>(io, peer, std::move(identity), std::move(handler)))
 {
-    m_attempt->start(limit);
+    m_attempt->start(limit, known);
 }
 
 TcpClient::~TcpClient() { cancel(); }

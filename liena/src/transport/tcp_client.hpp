@@ -9,6 +9,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <variant>
 
 namespace liena::transport {
@@ -19,9 +20,10 @@ public:
     using Outcome = std::variant<std::shared_ptr<TcpChannel>, ConnectionFailure>;
     using Handler = std::function<void(Outcome)>;
 
-    /// `identity` is null in mode `none`. `handler` is called once, within `limit` and never from here.
+    /// `identity` is null in mode `none`. `handler` is called once, within `limit` and never from here. With `known`, where the peer was
+    /// reached before, nobody is asked for the address of its host: a name server may take seconds.
     TcpClient(boost::asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
-              std::chrono::nanoseconds limit, Handler handler);
+              std::chrono::nanoseconds limit, Handler handler, const std::optional<boost::asio::ip::address>& known = std::nullopt);
     ~TcpClient();
     TcpClient(const TcpClient&) = delete;
     TcpClient& operator=(const TcpClient&) = delete;
