@@ -399,8 +399,20 @@ private Q_SLOTS:
         Theatre theatre(wishes());
         QVERIFY(theatre.openAll());
         QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
-        theatre.robot->freeze();
+        // Just when the console has counted what it sent: only that can have come in time, and all that follows is stale for the robot.
+        constexpr quint64 underway = 5; // for the ten milliseconds that the freezing may take
+        const auto& hand = theatre.models().hand;
+        quint64 inTime = 0;
+        const auto watch = QObject::connect(&hand, &HandState::changed, &theatre.window(), [&, before = hand.commandsSent()] {
+            if (inTime != 0 || hand.commandsSent() == before)
+                return;
+            theatre.robot->freeze();
+            inTime = hand.commandsSent() + underway;
+        });
+        QTRY_VERIFY_WITH_TIMEOUT(inTime != 0, patience);
+        QObject::disconnect(watch);
         QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::StandBy, patience);
+        QVERIFY2(hand.commandsSent() > inTime + 3 * underway, qPrintable(theatre.story()));
         const auto frozen = theatre.robotStatus();
         theatre.robot->thaw();
         QVERIFY2(theatre.robot->waitForLine(QStringLiteral("did not run")), qPrintable(theatre.robot->output()));
@@ -409,8 +421,9 @@ private Q_SLOTS:
         QVERIFY(theatre.click(QStringLiteral("Re-open channel"), sheet));
         QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::Open, patience);
         QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.robotFresh(std::chrono::steady_clock::now()), patience);
-        // What it had applied and not yet reported is at most one report's worth; everything later was stale.
-        QVERIFY(theatre.robotStatus().appliedCommands <= frozen.appliedCommands + 25);
+        QVERIFY(theatre.robotStatus().appliedCommands <= inTime);
+        // Nor was it only refused because the robot held by then: that would not help one that was armed again meanwhile.
+        QCOMPARE(theatre.robotStatus().refusedCommands, frozen.refusedCommands);
         QVERIFY(theatre.robotStatus().holdConfirmed);
         QVERIFY(theatre.phase() != PermitPhase::Armed && theatre.phase() != PermitPhase::Engaged);
         theatre.releaseAll();

@@ -157,6 +157,41 @@ private Q_SLOTS:
                 QVERIFY2(event.detail.find("sealed") == std::string::npos, event.detail.c_str());
     }
 
+    /// Too short for a stall of the process: the session stands, and nothing but its age speaks against a command.
+    void whatWaitedLongerThanItsMaxAgeIsNotDelivered()
+    {
+        Trio trio(R"(cockpit robot|heartbeat="20ms" suspect="4s" lost="5s" reconnect="10s")");
+        auto& [system, robotId, armId, robot, arm, cockpit] = trio;
+        QVERIFY2(trio.opens(), cockpit.story().c_str());
+        QTRY_VERIFY2(streamedUntilHeard(cockpit, robotId, robot, 1), robot.story().c_str());
+
+        std::binary_semaphore stands{0};
+        std::binary_semaphore goOn{0};
+        robot->post([&stands, &goOn] {
+            stands.release();
+            goOn.acquire();
+        });
+        stands.acquire();
+        const auto beats = heartbeatsFrom(cockpit, armId);
+        int sent = 0;
+        for (std::uint32_t sequence = 2; sequence < 22; ++sequence)
+            sent += sendMotion(cockpit, robotId, sequence) ? 1 : 0;
+        // Ten of the arm's heartbeats are 200 ms; a motion command may be 50 ms old.
+        const bool late = QTest::qWaitFor([&trio, beats] { return heartbeatsFrom(trio.cockpit, trio.armId) >= beats + 10; });
+        goOn.release();
+        QVERIFY(late);
+        QCOMPARE(sent, 20);
+        QTRY_VERIFY2(streamedUntilHeard(cockpit, robotId, robot, 22), (cockpit.story() + robot.story()).c_str());
+        for (const auto sequence : motionsHeard(robot))
+            QVERIFY2(sequence == 1 || sequence == 22, std::to_string(sequence).c_str());
+        // It was that, and neither the stall nor what is judged after the age.
+        const auto dropped = robot.events(Kind::MessagesDropped);
+        QVERIFY2(std::ranges::any_of(dropped, [](const auto& event) { return event.detail == "older than its max-age"; }),
+                 robot.story().c_str());
+        QVERIFY2(!robot.heard(Kind::LocalStall) && !robot.heard(Kind::Interrupted), robot.story().c_str());
+        QVERIFY2(!cockpit.heard(Kind::Interrupted, robotId), cockpit.story().c_str());
+    }
+
     void noSecurityIsSaidLoudly()
     {
         TestSystem system({reference::cockpit, reference::robot}, {"cockpit robot"}, {"none"});
