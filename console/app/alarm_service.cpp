@@ -129,10 +129,15 @@ void AlarmService::acknowledge(quint64 alarm, const QString& who) { m_models.ala
 void AlarmService::toggleAudioPause(const QString& who)
 {
     const auto now = std::chrono::steady_clock::now();
+    const auto phase = m_models.permit.phase();
+    const bool armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
     if (m_models.alarms.audioPauseLeft(now))
-        m_models.alarms.resumeAudio(wallTime());
-    else
-        m_models.alarms.pauseAudio(now, wallTime(), who);
+        return m_models.alarms.resumeAudio(now, wallTime());
+    if (armed && !m_models.alarms.audibleForLong(now))
+        return m_models.log.append(
+            LogKind::Operator,
+            tr("audio not paused again: armed, and the sound is back for less than %1 s").arg(AlarmList::leastAudible.count()), wallTime());
+    m_models.alarms.pauseAudio(now, wallTime(), who);
 }
 
 void AlarmService::markIncident(const QString& who)

@@ -157,7 +157,7 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
                         report.other});
     ++m_raised;
     if (report.priority == AlarmPriority::High)
-        m_audioPausedUntil.reset();
+        endPause(now);
     write(wallMs, report.priority, Text::tr("raised: %1").arg(report.text));
     Q_EMIT raised(m_alarms.back().id);
     return true;
@@ -180,15 +180,23 @@ void AlarmList::acknowledge(quint64 id, qint64 wallMs, const QString& who)
 void AlarmList::pauseAudio(Instant now, qint64 wallMs, const QString& who)
 {
     m_audioPausedUntil = now + m_audioPause;
+    m_audibleSince = m_audioPausedUntil;
     note(wallMs, who.isEmpty() ? Text::tr("audio paused") : Text::tr("audio paused by %1").arg(who));
     Q_EMIT changed();
 }
 
-void AlarmList::resumeAudio(qint64 wallMs)
+void AlarmList::resumeAudio(Instant now, qint64 wallMs)
 {
-    m_audioPausedUntil.reset();
+    endPause(now);
     note(wallMs, Text::tr("audio pause ended"));
     Q_EMIT changed();
+}
+
+void AlarmList::endPause(Instant now)
+{
+    if (audioPauseLeft(now))
+        m_audibleSince = now;
+    m_audioPausedUntil.reset();
 }
 
 void AlarmList::restoreLog(const std::vector<AlarmLogEntry>& entries)

@@ -108,6 +108,7 @@ public:
     static constexpr std::chrono::seconds audioPause{60};
     static constexpr std::chrono::seconds leastAudioPause{30};
     static constexpr std::chrono::seconds mostAudioPause{120}; ///< the site's limit
+    static constexpr std::chrono::seconds leastAudible{10};    ///< each medium alarm is heard once in that time, each high one twice
 
     explicit AlarmList(QObject* parent = nullptr);
 
@@ -134,7 +135,12 @@ public:
 
     /// Silences the sound for that long; a new high alarm ends it.
     void pauseAudio(Instant now, qint64 wallMs = 0, const QString& who = {});
-    void resumeAudio(qint64 wallMs);
+    void resumeAudio(Instant now, qint64 wallMs);
+
+    /// Sound can be heard again for `leastAudible` since the last pause ended, however it did, or there was none. While armed nobody pauses
+    /// it sooner: pause after pause would be silence for good.
+    bool audibleForLong(Instant now) const { return !m_audibleSince || now >= *m_audibleSince + leastAudible; }
+
     std::chrono::seconds audioPauseLength() const { return m_audioPause; }
     std::optional<Duration> audioPauseLeft(Instant now) const;
 
@@ -156,6 +162,7 @@ Q_SIGNALS:
 
 private:
     bool raise(const AlarmReport& report, Instant now, qint64 wallMs);
+    void endPause(Instant now);
     void write(qint64 wallMs, AlarmPriority priority, const QString& text);
     void sort();
 
@@ -163,6 +170,7 @@ private:
     std::deque<AlarmLogEntry> m_log;
     std::chrono::seconds m_audioPause = audioPause;
     std::optional<Instant> m_audioPausedUntil;
+    std::optional<Instant> m_audibleSince; ///< the end of the last pause, or of this one
     quint64 m_nextId = 1;
     quint64 m_raised = 0;
 };

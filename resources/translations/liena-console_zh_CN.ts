@@ -613,6 +613,10 @@
         <source>incident marked by %1: %2</source>
         <translation>%1 标记了事件：%2</translation>
     </message>
+    <message>
+        <source>audio not paused again: armed, and the sound is back for less than %1 s</source>
+        <translation>未再次暂停报警声：已解锁，且声音恢复不足 %1 s</translation>
+    </message>
 </context>
 <context>
     <name>console::AxisPanel</name>

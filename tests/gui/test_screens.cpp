@@ -190,6 +190,9 @@ private Q_SLOTS:
         QTRY_VERIFY(stage.desk->second()->isVisible() && stage.desk->third()->isVisible());
         QCOMPARE(stage.desk->second()->screen()->name(), QStringLiteral("second"));
         QCOMPARE(stage.desk->third()->screen()->name(), QStringLiteral("third"));
+        const QPoint alarms = stage.window.mapToGlobal(stage.window.regionGeometry(Region::Alarm).center()); // which nothing may hide
+        for (const SideWindow* side : {stage.desk->second(), stage.desk->third()})
+            QVERIFY(!side->geometry().contains(alarms));
         QVERIFY(stage.desk->second()->findChild<TopologyCanvas*>() != nullptr);
         auto* copy = stage.desk->third()->findChild<ReferenceImageView*>();
         QVERIFY(copy != nullptr);

@@ -55,6 +55,16 @@ std::vector<QWidget*> focusable(QWidget& window)
     return found;
 }
 
+bool soundPaused(const Stage& stage) { return stage.theatre.models().alarms.audioPauseLeft(std::chrono::steady_clock::now()).has_value(); }
+
+/// Presses F9, unless it is paused; while armed a pause waits until the last is some seconds past.
+bool pausesSound(Stage& stage)
+{
+    if (!soundPaused(stage))
+        stage.theatre.strike(Qt::Key_F9);
+    return soundPaused(stage);
+}
+
 /// With each of these no hand holds ARM, though the key comes.
 const std::vector<const char*>& waysToArm()
 {
@@ -299,22 +309,35 @@ private Q_SLOTS:
 
     // Rule 10.
 
-    void alarmsCannotBeSilencedForGoodWhileEngaged()
+    void aHighAlarmIsNotSilencedBeforehand()
     {
         Stage& stage = *m_stage;
         const auto& alarms = stage.theatre.models().alarms;
-        const auto pauseLeft = [&alarms] { return alarms.audioPauseLeft(std::chrono::steady_clock::now()); };
         QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
         stage.theatre.hold(Qt::Key_D);
         QTRY_COMPARE_WITH_TIMEOUT(stage.phase(), PermitPhase::Engaged, patience);
-        if (!pauseLeft())
-            stage.theatre.strike(Qt::Key_F9);
-        QVERIFY(pauseLeft() && *pauseLeft() <= AlarmList::mostAudioPause);
+        QTRY_VERIFY2_WITH_TIMEOUT(pausesSound(stage), qPrintable(stage.theatre.story()), patience);
         stage.xray.show(Pictures::None);
         QTRY_VERIFY2_WITH_TIMEOUT(alarms.unacknowledgedHigh(), qPrintable(stage.theatre.story()), patience);
-        QVERIFY(!pauseLeft()); // a new high alarm ends it
+        QVERIFY(!soundPaused(stage)); // it ends the pause
         QVERIFY(!stage.mayMove());
         stage.xray.show(Pictures::Good);
+        stage.theatre.releaseAll();
+    }
+
+    /// Pause, end, pause: each press by itself is allowed, and all together would be silence for good.
+    void soundIsNotKeptOffByPressingAgain()
+    {
+        Stage& stage = *m_stage;
+        QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
+        QTRY_VERIFY2_WITH_TIMEOUT(pausesSound(stage), qPrintable(stage.theatre.story()), patience);
+        stage.theatre.strike(Qt::Key_F9);
+        QVERIFY(!soundPaused(stage));
+        for (int i = 0; i < 20; ++i) {
+            stage.theatre.strike(Qt::Key_F9);
+            QVERIFY2(!soundPaused(stage), qPrintable(stage.theatre.story()));
+        }
+        QVERIFY2(stage.mayMove(), qPrintable(stage.theatre.story())); // it was armed all the time
         stage.theatre.releaseAll();
     }
 

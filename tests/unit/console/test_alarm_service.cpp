@@ -140,6 +140,35 @@ private Q_SLOTS:
         QCOMPARE(test.step(), AlarmSelfTest::Step::NotDone);
     }
 
+    /// Pause, end, pause: each press by itself is allowed, and all together would be silence for good.
+    void noPauseFollowsAPauseWhileArmed()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        auto& models = room.cockpit.models;
+        const auto pausedAfterAPress = [&] {
+            service.toggleAudioPause({});
+            return models.alarms.audioPauseLeft(std::chrono::steady_clock::now()).has_value();
+        };
+        room.cockpit.openAll();
+        for (int i = 0; i < 3; ++i) // nothing is armed
+            QVERIFY(pausedAfterAPress() && !pausedAfterAPress());
+        QVERIFY(pausedAfterAPress());
+        room.cockpit.arm();
+        QCOMPARE(models.permit.phase(), PermitPhase::Armed);
+        for (int i = 0; i < 5; ++i) // the first ends the pause
+            QVERIFY(!pausedAfterAPress());
+        QCOMPARE(models.log.lines().back().text, QStringLiteral("audio not paused again: armed, and the sound is back for less than 10 s"));
+        QCOMPARE(models.alarms.log().back().text, QStringLiteral("audio pause ended")); // which no press pushes out
+        room.cockpit.engage();
+        QCOMPARE(models.permit.phase(), PermitPhase::Engaged);
+        QVERIFY(!pausedAfterAPress());
+        PermitEvent panic;
+        panic.kind = PermitEventKind::PanicHold;
+        models.permit.apply(panic, room.cockpit.now);
+        QVERIFY(pausedAfterAPress()); // motion has ended
+    }
+
     void aHangIsHeardWheneverSomebodyReliesOnTheSound_data()
     {
         QTest::addColumn<int>("phase");

@@ -298,6 +298,25 @@ private Q_SLOTS:
         QVERIFY(!list.audioPauseLeft(start));
     }
 
+    /// However a pause ended. Who is armed may begin the next one only then.
+    void soundIsAudibleForLongTenSecondsAfterAPause()
+    {
+        AlarmList list;
+        const auto since = [&list](Instant end) { return !list.audibleForLong(end + 9999ms) && list.audibleForLong(end + 10s); };
+        QVERIFY(list.audibleForLong(start)); // there was none
+        list.pauseAudio(start);
+        QVERIFY(!list.audibleForLong(start) && !list.audibleForLong(start + 59s));
+        QVERIFY(since(start + 60s)); // it ended by itself
+        list.resumeAudio(start + 20s, 0);
+        QVERIFY(since(start + 20s));
+        list.pauseAudio(start + 100s);
+        list.update({report(AlarmCondition::ForceStop, AlarmPriority::High, false)}, start + 105s, 0);
+        QVERIFY(since(start + 105s));
+        list.update({report(AlarmCondition::LinkLost, AlarmPriority::High, true)}, start + 200s, 0);
+        list.resumeAudio(start + 200s, 0);
+        QVERIFY(list.audibleForLong(start + 200s)); // what ends no pause counts for nothing
+    }
+
     void eachFurtherGrayDemandsAttentionAnew()
     {
         AlarmList list;
