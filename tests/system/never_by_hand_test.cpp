@@ -5,7 +5,10 @@
 
 #include <QApplication>
 #include <QDeadlineTimer>
+#include <QMouseEvent>
 #include <QWheelEvent>
+
+#include <utility>
 
 using namespace console;
 using console::test::Theatre;
@@ -68,9 +71,40 @@ bool pausesSound(Stage& stage)
 /// With each of these no hand holds ARM, though the key comes.
 const std::vector<const char*>& waysToArm()
 {
-    static const std::vector<const char*> all{"repeated key", "click",  "double click",           "wheel",        "Space",
-                                              "Enter",        "Return", "key under another view", "Ctrl and key", "Alt and key"};
+    static const std::vector<const char*> all{"repeated key", "click",       "double click", "wheel",
+                                              "Space",        "Enter",       "Return",       "key under another view",
+                                              "Ctrl and key", "Alt and key", "sticky keys",  "mouse keys"};
     return all;
+}
+
+/// A modifier that was struck before stands for the next press only: what the key repeats then comes without it.
+void pressAfterStickyModifiers(Stage& stage)
+{
+    constexpr std::pair<Qt::Key, Qt::KeyboardModifier> sticky[] = {
+        {Qt::Key_Control, Qt::ControlModifier}, {Qt::Key_Alt, Qt::AltModifier}, {Qt::Key_Meta, Qt::MetaModifier}};
+    for (const auto& [key, modifier] : sticky) {
+        stage.theatre.strike(key);
+        QTest::keyPress(stage.theatre.keyTarget(), Qt::Key_R, modifier);
+        stage.repeat(Qt::Key_R, 30);
+    }
+}
+
+/// The key pad's keys move the pointer, click while one of them is held, and lock a button: a pointer that creeps off with it holds
+/// nothing.
+void pressByMouseKeys(HoldButton& arm)
+{
+    const auto drag = [&arm](QPoint to) {
+        QMouseEvent move(QEvent::MouseMove, to, arm.mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&arm, &move);
+    };
+    const auto spot = arm.rect().center();
+    for (int i = 0; i < 50; ++i)
+        QTest::mouseClick(&arm, Qt::LeftButton, {}, spot + QPoint(i % 5, 0));
+    QTest::mousePress(&arm, Qt::LeftButton, {}, spot);
+    for (int x = spot.x(); x <= arm.width() + 10; x += 4)
+        drag({x, spot.y()});
+    for (int x = arm.width() + 10; x >= spot.x(); x -= 4)
+        drag({x, spot.y()});
 }
 
 void tryToArm(Stage& stage, HoldButton& arm, const QString& how)
@@ -93,6 +127,10 @@ void tryToArm(Stage& stage, HoldButton& arm, const QString& how)
         QTest::keyPress(stage.theatre.keyTarget(), Qt::Key_R, Qt::ControlModifier);
     } else if (how == QStringLiteral("Alt and key")) {
         QTest::keyPress(stage.theatre.keyTarget(), Qt::Key_R, Qt::AltModifier);
+    } else if (how == QStringLiteral("sticky keys")) {
+        pressAfterStickyModifiers(stage);
+    } else if (how == QStringLiteral("mouse keys")) {
+        pressByMouseKeys(arm);
     } else {
         arm.setFocus();
         QTest::keyPress(&arm, how == QStringLiteral("Space")   ? Qt::Key_Space
@@ -137,6 +175,7 @@ private Q_SLOTS:
         QVERIFY(stage.phase() != PermitPhase::Arming);
         QVERIFY2(stage.staysUnarmed(220), qPrintable(stage.theatre.story()));
         QCOMPARE(stage.robot.armRequests(), asked);
+        QTest::mouseRelease(arm, Qt::LeftButton);
         stage.theatre.strike(Qt::Key_F1);
         stage.theatre.window().setFocus();
         stage.theatre.releaseAll();
@@ -189,7 +228,7 @@ private Q_SLOTS:
         stage.repeat(Qt::Key_Up, 50);
         fumble(stage);
         QVERIFY(stage.phase() != PermitPhase::Engaged);
-        for (const auto modifier : {Qt::ControlModifier, Qt::AltModifier}) {
+        for (const auto modifier : {Qt::ControlModifier, Qt::AltModifier, Qt::MetaModifier}) {
             QTest::keyPress(stage.theatre.keyTarget(), Qt::Key_D, modifier);
             QVERIFY(stage.phase() != PermitPhase::Engaged);
             QTest::keyPress(stage.theatre.keyTarget(), Qt::Key_Up, modifier);
