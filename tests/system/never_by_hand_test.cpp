@@ -1,5 +1,5 @@
 // What a hand must never be able to do, tried through the console's own window and seen at the robot: arm or move by a key that repeats, a
-// click, a wheel or a key with another, make up for what was missed, jump into motion, raise a limit, silence alarms, inject by chance.
+// click, a wheel or a key with another, make up for what was missed, jump into motion, raise a limit, inject by chance.
 #include "never_possible_stage.hpp"
 #include "widgets/theme.hpp"
 
@@ -13,8 +13,6 @@
 using namespace console;
 using console::test::Theatre;
 using Stage = console::test::NeverStage;
-using liena::test::PuppetXray;
-using Pictures = PuppetXray::Pictures;
 
 namespace {
 
@@ -56,16 +54,6 @@ std::vector<QWidget*> focusable(QWidget& window)
         if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus)
             found.push_back(widget);
     return found;
-}
-
-bool soundPaused(const Stage& stage) { return stage.theatre.models().alarms.audioPauseLeft(std::chrono::steady_clock::now()).has_value(); }
-
-/// Presses F9, unless it is paused; while armed a pause waits until the last is some seconds past.
-bool pausesSound(Stage& stage)
-{
-    if (!soundPaused(stage))
-        stage.theatre.strike(Qt::Key_F9);
-    return soundPaused(stage);
 }
 
 /// With each of these no hand holds ARM, though the key comes.
@@ -343,40 +331,6 @@ private Q_SLOTS:
         QCOMPARE(scale(), before);
         stage.theatre.strike(Qt::Key_PageDown); // less is always allowed
         QTRY_VERIFY_WITH_TIMEOUT(scale() < before, patience);
-        stage.theatre.releaseAll();
-    }
-
-    // Rule 10.
-
-    void aHighAlarmIsNotSilencedBeforehand()
-    {
-        Stage& stage = *m_stage;
-        const auto& alarms = stage.theatre.models().alarms;
-        QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
-        stage.theatre.hold(Qt::Key_D);
-        QTRY_COMPARE_WITH_TIMEOUT(stage.phase(), PermitPhase::Engaged, patience);
-        QTRY_VERIFY2_WITH_TIMEOUT(pausesSound(stage), qPrintable(stage.theatre.story()), patience);
-        stage.xray.show(Pictures::None);
-        QTRY_VERIFY2_WITH_TIMEOUT(alarms.unacknowledgedHigh(), qPrintable(stage.theatre.story()), patience);
-        QVERIFY(!soundPaused(stage)); // it ends the pause
-        QVERIFY(!stage.mayMove());
-        stage.xray.show(Pictures::Good);
-        stage.theatre.releaseAll();
-    }
-
-    /// Pause, end, pause: each press by itself is allowed, and all together would be silence for good.
-    void soundIsNotKeptOffByPressingAgain()
-    {
-        Stage& stage = *m_stage;
-        QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
-        QTRY_VERIFY2_WITH_TIMEOUT(pausesSound(stage), qPrintable(stage.theatre.story()), patience);
-        stage.theatre.strike(Qt::Key_F9);
-        QVERIFY(!soundPaused(stage));
-        for (int i = 0; i < 20; ++i) {
-            stage.theatre.strike(Qt::Key_F9);
-            QVERIFY2(!soundPaused(stage), qPrintable(stage.theatre.story()));
-        }
-        QVERIFY2(stage.mayMove(), qPrintable(stage.theatre.story())); // it was armed all the time
         stage.theatre.releaseAll();
     }
 

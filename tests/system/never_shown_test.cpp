@@ -1,5 +1,5 @@
 // What must never be shown, or not be shown: another device's picture, a picture, a number or a tip that looks live and is not, a reduction
-// that nobody is told of, an alarm behind a view. By the pixels of the console's own window.
+// that nobody is told of. By the pixels of the console's own window.
 #include "gui/shown_texts.hpp"
 #include "imaging/live_image_view.hpp"
 #include "imaging/scene_view.hpp"
@@ -295,31 +295,6 @@ private Q_SLOTS:
         QTRY_VERIFY2_WITH_TIMEOUT(!told(), qPrintable(theatre.story()), patience);
         QTRY_COMPARE_WITH_TIMEOUT(marked(), 0, patience);
         QVERIFY(logTells(theatre, QStringLiteral("picture as asked for again")));
-    }
-
-    // Rule 10.
-
-    void noViewHidesAnAlarm()
-    {
-        Stage& stage = *m_stage;
-        auto& window = stage.theatre.window();
-        const QRect place = window.regionGeometry(Region::Alarm);
-        const auto coloured = [&stage, &place] { return countOf(painted(stage, place), theme::colour::medium); };
-        const auto forceStop = [&stage] { return isPresent(stage.theatre, AlarmCondition::ForceStop, AlarmPriority::Medium); };
-        QVERIFY(!forceStop());
-        stage.robot.setForce(2.3);
-        QTRY_VERIFY2_WITH_TIMEOUT(forceStop(), qPrintable(stage.theatre.story()), patience);
-        QTRY_VERIFY_WITH_TIMEOUT(coloured() > place.width() * place.height() / 2, patience);
-        const int most = coloured() * 3 / 4; // its badge flashes, and a button of the band may come or go
-        for (const auto view : {View::Topology, View::Plots, View::Log, View::Start, View::About, View::Preferences, View::Screens,
-                                View::Checklist, View::Cockpit}) {
-            window.showView(view);
-            QCoreApplication::processEvents(); // what has yet to be laid out is
-            QVERIFY2(coloured() > most, qPrintable(QString::number(int(view))));
-        }
-        stage.robot.setForce(0);
-        QTRY_VERIFY2_WITH_TIMEOUT(!forceStop(), qPrintable(stage.theatre.story()), patience);
-        stage.comeToTheFront();
     }
 
     // Rule 6.
