@@ -5,6 +5,8 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QImage>
+#include <QPixmap>
 
 using namespace console;
 using console::test::isPresent;

@@ -24,8 +24,8 @@ public:
     }
 
     std::atomic<bool> armed{false};         ///< it wishes to be
-    std::atomic<bool> moves{false};         ///< the robot's newest report says so
-    std::atomic<bool> holds{false};         ///< and that
+    std::atomic<bool> moves{false};         ///< the robot's newest report says that it moves
+    std::atomic<bool> holds{false};         ///< and that it holds
     std::atomic<std::uint64_t> reports{0};  ///< heard
     std::atomic<std::uint64_t> commands{0}; ///< of motion that left so far
     std::atomic<std::uint64_t> applied{0};  ///< of those by the robot, as it reports

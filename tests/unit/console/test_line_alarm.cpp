@@ -179,6 +179,28 @@ private Q_SLOTS:
         QVERIFY(line.alarm() == nullptr); // not enough is counted yet
     }
 
+    /// 8 and 16: whether it is an alarm the line decides, and how urgent it is the permit.
+    void aSlowLineIsMoreUrgentWhileArmed()
+    {
+        Line line;
+        const auto priority = [&line](AlarmCondition condition) {
+            const auto* alarm = line.alarm(condition);
+            return alarm != nullptr ? std::optional(alarm->priority) : std::nullopt;
+        };
+        QVERIFY(!priority(AlarmCondition::CommandRoundTrip) && !priority(AlarmCondition::ClockUncertain));
+        line.status.roundTrip = 260ms; // this profile: 250 ms there and back, clocks to within 125 ms
+        line.status.clockOffset = 0ms;
+        line.status.clockUncertainty = 130ms;
+        line.run(3s, 1ms, 0);
+        QCOMPARE(priority(AlarmCondition::CommandRoundTrip), std::optional(AlarmPriority::Low));
+        QCOMPARE(priority(AlarmCondition::ClockUncertain), std::optional(AlarmPriority::Low));
+        line.cockpit.arm();
+        QCOMPARE(line.cockpit.models.permit.phase(), PermitPhase::Armed);
+        line.run(turn, 1ms, 0);
+        QCOMPARE(priority(AlarmCondition::CommandRoundTrip), std::optional(AlarmPriority::Medium));
+        QCOMPARE(priority(AlarmCondition::ClockUncertain), std::optional(AlarmPriority::Medium));
+    }
+
     void unknownJitterIsNotJudged()
     {
         LineQuality quality;
