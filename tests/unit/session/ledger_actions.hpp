@@ -14,7 +14,7 @@ inline constexpr DeviceId robot(0x00008208U);
 inline constexpr DeviceId xray(0x20010208U);
 inline constexpr DeviceId cockpit(0x40018208U);
 inline constexpr DeviceId arm(0x60008208U);
-inline constexpr session::Now now{Instant(std::chrono::hours(1)), Timestamp{5000}};
+inline constexpr session::Now now{session::Instant(std::chrono::hours(1)), Timestamp{5000}};
 
 template <typename T>
 std::vector<T> all(const session::LedgerActions& actions)
@@ -26,9 +26,9 @@ std::vector<T> all(const session::LedgerActions& actions)
     return found;
 }
 
-inline std::vector<session::SessionEvent::Kind> told(const session::LedgerActions& actions)
+inline std::vector<SessionEvent::Kind> told(const session::LedgerActions& actions)
 {
-    std::vector<session::SessionEvent::Kind> kinds;
+    std::vector<SessionEvent::Kind> kinds;
     for (const auto& tell : all<session::Tell>(actions))
         kinds.push_back(tell.event.kind);
     return kinds;
