@@ -253,7 +253,8 @@ private slots:
         QVERIFY2(way.longestWait < 2, qPrintable(QString::number(way.longestWait)));
     }
 
-    /// A session that is interrupted again and again: the relay is not flooded anew each time.
+    /// A session that is interrupted again and again: the relay is not flooded anew each time. What waits there at that moment is not seen
+    /// any more, so that the wait grows with each; without the known rate it grows to 2.7 s.
     void whatTheWayCarriesIsKnownAfterAMissingReport()
     {
         Way way(2 * megabyte);
@@ -268,7 +269,7 @@ private slots:
             way.run(10s);
             way.limit.forgetWaiting();
         }
-        QVERIFY2(way.longestWait < 1.8, qPrintable(QString::number(way.longestWait)));
+        QVERIFY2(way.longestWait < 2.3, qPrintable(QString::number(way.longestWait)));
     }
 
     void reportsWithoutSenseDoNoHarm()
