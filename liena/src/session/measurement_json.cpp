@@ -2,6 +2,8 @@
 #include "liena/json_line.hpp"
 #include "liena/measurement.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace liena {
@@ -23,10 +25,9 @@ std::string percentiles(const LatencyHistogram& latencies)
 std::string buckets(const LatencyHistogram& latencies)
 {
     std::string list;
-    latencies.forEach([&](std::uint64_t value, std::uint64_t count) {
-        list += (list.empty() ? "[" : ",[") + std::to_string(value) + "," + std::to_string(count) + "]";
-    });
-    return "[" + list + "]";
+    latencies.forEach(
+        [&](std::uint64_t value, std::uint64_t count) { list += fmt::format("{}[{},{}]", list.empty() ? "" : ",", value, count); });
+    return fmt::format("[{}]", list);
 }
 
 std::string jsonOf(const ProbeFigures& figures)
@@ -49,7 +50,8 @@ std::string toJson(const Measurement& measurement)
     for (const auto& phase : measurement.phases) {
         JsonLine json;
         json.add("name", phase.name).put("prompt", jsonOf(phase.prompt)).put("packets", jsonOf(phase.packets));
-        phases += (phases.empty() ? "" : ",") + json.put("images", jsonOf(phase.images)).text();
+        json.put("images", jsonOf(phase.images));
+        phases += fmt::format("{}{}", phases.empty() ? "" : ",", json.text());
     }
     JsonLine limits;
     limits.add("probes_per_second", measurement.limits.probesPerSecond);
