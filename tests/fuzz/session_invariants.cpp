@@ -76,6 +76,9 @@ void CheckedMachine::noteBefore(const SessionInput& input)
         m_unanswered.insert(handshake->connection);
         m_waitsSince = m_now.mono;
     }
+    m_hearsOfStall = std::holds_alternative<Stalled>(input);
+    if (m_hearsOfStall && isLive(m_state))
+        m_waitsSince = m_now.mono; // nobody read meanwhile: what waits may prove itself anew
     if (const auto* request = std::get_if<ReopenRequested>(&input))
         m_mayReopen = m_state == State::StandBy && (request->seen == 0 || request->seen == m_machine.incident());
     const bool lost = (std::holds_alternative<OutgoingLost>(input) && m_machine.isOutgoingUp()) ||
@@ -161,6 +164,8 @@ void CheckedMachine::entered(const Entered& change)
         m_laneLost.reset();
     if (isDialogue(change.to))
         m_sentSequence = 0;
+    if (change.to == State::Reconnecting)
+        m_ownStall = m_hearsOfStall;
     const bool lost = change.to == State::Reconnecting || (change.to == State::StandBy && isLive(change.from));
     if (lost)
         expect(m_machine.guard().epoch() > m_epoch, "a loss raises the epoch");
@@ -198,8 +203,8 @@ void CheckedMachine::checkState(State before)
     if (isDialogue(m_state) && !isDialogue(before))
         expect(!m_machine.stamper().ready(), "no control before a heartbeat of this session was heard");
     expect(m_unanswered.size() <= 1, "at most one handshake waits");
-    if (!carriesMessages(m_state) && m_state != State::Closing)
-        expect(m_unanswered.empty(), "no handshake waits for a session that is not open or closing");
+    if (!carriesMessages(m_state) && m_state != State::Closing && !(m_state == State::Reconnecting && m_ownStall))
+        expect(m_unanswered.empty(), "no handshake waits for a session that is not open, interrupted by a stall of its own, or closing");
     if (m_machine.clock().samples() > 0)
         expect(m_machine.clock().uncertainty() >= 0ns, "an uncertainty is no less than nothing");
     expect(m_machine.jitter() >= 0ns, "a jitter is no less than nothing");
@@ -214,16 +219,18 @@ Instant CheckedMachine::latestTick() const
     case State::Closing:
         return m_since + longestClosing;
     case State::Reconnecting:
-        return m_since + m_timing.reconnect;
+        return std::min(m_since + m_timing.reconnect, latestProof());
     case State::Open:
     case State::Suspect: {
         const auto silence = m_machine.monitor().lastHeard() + (m_state == State::Open ? m_timing.suspect : m_timing.lost);
-        return m_unanswered.empty() ? silence : std::min(silence, m_waitsSince + m_timing.heartbeat * 3 / 2);
+        return std::min(silence, latestProof());
     }
     default:
         return Instant::max();
     }
 }
+
+Instant CheckedMachine::latestProof() const { return m_unanswered.empty() ? Instant::max() : m_waitsSince + m_timing.heartbeat * 3 / 2; }
 
 void CheckedMachine::checkTick() const
 {
@@ -234,7 +241,8 @@ void CheckedMachine::checkTick() const
     else if (m_state == State::Closing)
         expect(m_now.mono < latestTick(), "a closing takes 1 s at most");
     else if (m_state == State::Reconnecting)
-        expect(m_now.mono < latestTick(), "a loss heals within `reconnect` or is stand-by");
+        expect(m_now.mono < latestTick(),
+               "a loss heals within `reconnect` or is stand-by, and a handshake that a stall held up is answered");
     else if (carriesMessages(m_state))
         expect(m_now.mono < latestTick(), "silence is acted on, and a handshake waits for the proof of life of one heartbeat");
 }

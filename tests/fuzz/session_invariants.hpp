@@ -42,7 +42,8 @@ private:
     void answered(session::ConnectionNumber connection);
     void checkState(SessionState before);
     void checkTick() const;
-    session::Instant latestTick() const; ///< of the state in hand: what is due then changes it
+    session::Instant latestTick() const;  ///< of the state in hand: what is due then changes it
+    session::Instant latestProof() const; ///< a handshake that waits is answered before
 
     LinkTiming m_timing;
     session::SessionMachine m_machine;
@@ -59,7 +60,9 @@ private:
     bool m_left = false;              ///< in the actions in hand: the session stopped carrying messages
     int m_outcomes = 0;               ///< in the actions in hand: opened, failed, closed, interrupted or lost
     std::set<session::ConnectionNumber> m_unanswered;
-    session::Instant m_waitsSince;              ///< of the newest handshake that is unanswered
+    session::Instant m_waitsSince;              ///< of the newest handshake that is unanswered, or of a stall since
+    bool m_hearsOfStall = false;                ///< the event in hand is a stall of this device
+    bool m_ownStall = false;                    ///< which interrupted the session
     std::optional<session::Instant> m_laneLost; ///< in the dialogue in hand
     bool m_mayReopen = false;                   ///< the person was shown the incident that is held
 };
