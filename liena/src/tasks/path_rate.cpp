@@ -42,7 +42,8 @@ constexpr double inOnePiece = 2896;          // bytes: two packets, which the ke
 constexpr double noticing = 12;              // such pieces, until the smoothed round trip shows a queue
 constexpr double usual = 0.0002;             // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
-constexpr std::size_t smallestSegment = 4096;
+// With header and seal two full packets.
+constexpr std::size_t smallestSegment = 2854;
 constexpr std::size_t largestSegment = 16364; // and its header: one TLS record
 
 double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
@@ -361,8 +362,8 @@ std::optional<double> PathRate::known() const
 
 std::size_t PathRate::segment() const
 {
-    const auto half = static_cast<std::size_t>(std::min(m_rate, m_limit.value_or(most)) * 0.0005);
-    return std::clamp(half / smallestSegment * smallestSegment, smallestSegment, largestSegment);
+    const auto quarter = static_cast<std::size_t>(std::min(m_rate, m_limit.value_or(most)) * 0.00025);
+    return std::clamp(quarter / smallestSegment * smallestSegment, smallestSegment, largestSegment);
 }
 
 } // namespace liena::tasks

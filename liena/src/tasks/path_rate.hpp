@@ -80,7 +80,7 @@ public:
     /// When what was sent last showed what the path carries.
     Instant shown() const { return m_shown; }
 
-    /// The largest segment in bytes that a control message should wait for: half a millisecond of the path, within bounds.
+    /// The largest segment in bytes that a control message should wait for: a quarter of a millisecond of the path, within bounds.
     std::size_t segment() const;
 
 private:

@@ -311,7 +311,7 @@ private slots:
         fast.run(4s);
         slow.run(4s);
         QCOMPARE(fast.rate.segment(), std::size_t{16364});
-        QCOMPARE(slow.rate.segment(), std::size_t{4096});
+        QCOMPARE(slow.rate.segment(), std::size_t{2854});
     }
 };
 

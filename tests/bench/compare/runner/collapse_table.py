@@ -1,8 +1,7 @@
 """The part of the table about a link that falls to a tenth."""
-from .conditions import COLLAPSES
+from .conditions import COLLAPSES, SEGMENT_BYTES
 from .load_table import STALL_US, number, verdict
 
-SEGMENT_BYTES = 4096  # of LiENa on a slow link
 BACK_S = 5
 HEAD = ("| | p99 before | p99 during | p99 after | max | limit during | met | frames during | all frames again after, s | met |\n"
         "|---|---|---|---|---|---|---|---|---|---|")
@@ -10,7 +9,7 @@ HEAD = ("| | p99 before | p99 during | p99 after | max | limit during | met | fr
 
 def limit_during(before, path):
     """Of the commands' p99 on the narrow link, from that before the fall; µs."""
-    return before + SEGMENT_BYTES * 8 / path.narrow.megabits + STALL_US
+    return before + SEGMENT_BYTES[0] * 8 / path.narrow.megabits + STALL_US
 
 
 def judge(medians, path, transport_key):
@@ -41,6 +40,7 @@ def sections(medians, transports):
             yield "\n".join([
                 f"### A link that falls from {path.link.name} to {path.narrow.name}", "",
                 f"Commands at 500 Hz beside 15 frames/s of {path.link.frame_bytes // 1024} KiB, which the narrow link cannot carry: "
-                f"{before} s, {narrow} s narrow, {after} s healed. µs. Limit: p99 before the fall, the time of a 4 KiB segment on the narrow link and "
-                f"{STALL_US} µs. *Again*: since then no second had more frames left out, or late by a factor of two, than the worst one before the fall.", "",
+                f"{before} s, {narrow} s narrow, {after} s healed. µs. Limit: p99 before the fall, the time of a "
+                f"{SEGMENT_BYTES[0] / 1024:.1f} KiB segment on the narrow link and {STALL_US} µs. "
+                f"*Again*: since then no second had more frames left out, or late by a factor of two, than the worst one before the fall.", "",
                 HEAD, *lines])

@@ -86,7 +86,7 @@ def what_is_no_target(link):
 def explanation(medians, link_name):
     spread = medians.spread(f"load/{link_name}/0", "raw", "command_p99")
     link = LINKS[link_name]
-    limits = (f"Limits: the same transport's p99 without frames, the time of a {link.segment_bytes() // 1024} KiB segment "
+    limits = (f"Limits: the same transport's p99 without frames, the time of a {link.segment_bytes() / 1024:.1f} KiB segment "
               f"({link.segment_us():.0f} µs), and {STALL_US} µs for p99, {LONG_STALL_US} µs for p99.9.")
     exception = what_is_no_target(link)
     parts = [f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else limits, exception,

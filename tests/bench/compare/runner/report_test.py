@@ -28,12 +28,12 @@ class ReportTest(unittest.TestCase):
     def test_limit_adds_a_segment_and_the_stall(self):
         medians = report.Medians({"load/100m/0": {"liena": [{"command_p99": 100}]}})
         limits = load_table.limits_of(medians, conditions.LINKS["100m"], "load/100m/0", "liena")
-        self.assertAlmostEqual(limits[0], 100 + 327.68 + 500)
-        self.assertAlmostEqual(limits[1], 100 + 327.68 + 1500)
+        self.assertAlmostEqual(limits[0], 100 + 228.32 + 500)
+        self.assertAlmostEqual(limits[1], 100 + 228.32 + 1500)
 
-    def test_segment_is_half_a_millisecond_of_the_link_within_bounds(self):
+    def test_segment_is_a_quarter_of_a_millisecond_of_the_link_within_bounds(self):
         found = [conditions.Link("", megabits).segment_bytes() for megabits in (10, 100, 200, 400, 1000)]
-        self.assertEqual(found, [4096, 4096, 12288, 16384, 16384])
+        self.assertEqual(found, [2854, 2854, 5708, 11416, 16364])
 
     @staticmethod
     def beside_frames(**liena):
@@ -62,15 +62,15 @@ class ReportTest(unittest.TestCase):
 
     def test_overload_is_judged_by_commands_alone(self):
         def line(**liena):
-            own = {"command_p99": 900, "command_p999": 1900, "frame_p50": 90, "frame_count": 60, "frames_sent": 150} | liena
+            own = {"command_p99": 800, "command_p999": 1800, "frame_p50": 90, "frame_count": 60, "frames_sent": 150} | liena
             idle = {"command_p99": 100, "command_p999": 300}
             medians = report.Medians({"load/400m-overload/0": {"liena": [idle]}, "load/400m-overload/30": {"liena": [own]}})
             self.assertEqual(targets.load_lines(medians), [])
             return targets.overload_lines(medians)[0]
 
         self.assertIn("conditions | all 1 | 1 | yes |", line())
-        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p99=930))  # above 100 + 328 + 500
-        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p999=1930))
+        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p99=830))  # above 100 + 228 + 500
+        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p999=1830))
 
     @staticmethod
     def with_losses(packets, **others):
@@ -114,14 +114,14 @@ class ReportTest(unittest.TestCase):
         def answers(*rounds):
             return [line.split("|")[3].strip() for line in targets.collapse_lines(self.fallen(*rounds))]
 
-        self.assertEqual(answers((4600, 0.8)), ["1", "1"])  # 900 + 3277 + 500
-        self.assertEqual(answers((4700, 5.0)), ["0", "1"])
-        self.assertEqual(answers((4600, 5.1)), ["1", "0"])
-        self.assertEqual(answers((4600, float("inf"))), ["1", "0"])
+        self.assertEqual(answers((3600, 0.8)), ["1", "1"])  # 900 + 2283 + 500
+        self.assertEqual(answers((3700, 5.0)), ["0", "1"])
+        self.assertEqual(answers((3600, 5.1)), ["1", "0"])
+        self.assertEqual(answers((3600, float("inf"))), ["1", "0"])
         self.assertEqual(answers((None, None)), ["0", "0"])
         self.assertEqual(targets.collapse_lines(report.Medians({})), [])
         table = "\n".join(collapse_table.sections(self.fallen((4700, 5.1)), transports.TRANSPORTS))
-        self.assertIn("| 4 677 | **no** | 48 | 5.1 | **no** |", table)
+        self.assertIn("| 3 683 | **no** | 48 | 5.1 | **no** |", table)
 
     def test_a_failure_is_counted_as_not_met(self):
         medians = self.beside_frames()
