@@ -66,13 +66,17 @@ QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
     for (const QPointF& point : points)
         region += QRectF(point - QPointF(10, 10), QSizeF(20, 20)).toAlignedRect();
     TextPlates plates(overlayFont());
-    const QPoint place = measuredPlace(view.target());
+    QPoint place = measuredPlace(view.target());
     const QString result = m_measurement.text();
     const QString request = tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.wanted());
-    const QRect first = plates.add(result.isEmpty() ? request : result, place, Qt::AlignHCenter | Qt::AlignTop);
+    plates.add(result.isEmpty() ? request : result, place, Qt::AlignHCenter | Qt::AlignBottom);
+    const auto addBelow = [&](const QString& line) {
+        place.setY(plates.add(line, place + QPoint(0, 1), Qt::AlignHCenter | Qt::AlignTop).bottom());
+    };
+    if (const QString depth = m_measurement.depthText(); !depth.isEmpty())
+        addBelow(depth);
     if (m_measurement.pixels() && !m_measurement.isCatheter())
-        plates.add(tr("Right button or B: it is the width of a catheter of 4 F to 8 F"), {place.x(), first.bottom() + 1},
-                   Qt::AlignHCenter | Qt::AlignTop);
+        addBelow(tr("Right button or B: it is the width of a catheter of 4 F to 8 F"));
     plates.paint(painter);
     painter.restore();
     return region + plates.region();

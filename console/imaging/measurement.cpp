@@ -18,6 +18,7 @@ constexpr double thinnestCatheter = 1; ///< Fr
 constexpr double thickestCatheter = 34;
 constexpr int smallestCatheter = 4; ///< of those that a key chooses
 constexpr int largestCatheter = 8;
+constexpr double offPlane = 50; ///< mm, those that the text names
 
 struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::Measurement)
@@ -52,14 +53,14 @@ bool movedInDepth(const QVector3D& way, const XrayGeometry& geometry)
 PixelCalibration calibrationOf(const XrayFrame& frame)
 {
     const std::optional<double> size = pixelSizeAtIsocentre(frame);
-    return size ? PixelCalibration{CalibrationKind::Geometry, *size, 0} : PixelCalibration{};
+    return size ? PixelCalibration{CalibrationKind::Geometry, *size, 0, frame.geometry.sourceObjectDistance} : PixelCalibration{};
 }
 
 PixelCalibration calibrationBy(double french, double widthPixels)
 {
     if (!(french >= thinnestCatheter) || french > thickestCatheter || !(widthPixels > 0) || !std::isfinite(widthPixels))
         return {};
-    return {CalibrationKind::Catheter, french / 3 / widthPixels, french};
+    return {CalibrationKind::Catheter, french / 3 / widthPixels, french, 0};
 }
 
 QString lengthText(double pixels, const PixelCalibration& calibration)
@@ -74,6 +75,16 @@ QString lengthText(double pixels, const PixelCalibration& calibration)
         break;
     }
     return Text::tr("%1 px (uncalibrated)").arg(std::lround(pixels));
+}
+
+// A shadow's length at the object goes with the object's distance from the source: both ways the share is the same.
+QString depthText(const PixelCalibration& calibration)
+{
+    if (calibration.kind == CalibrationKind::Catheter)
+        return Text::tr("true in the catheter's plane only");
+    if (calibration.kind != CalibrationKind::Geometry || !(calibration.distance > 0))
+        return {};
+    return Text::tr("object 5 cm nearer or farther: \u2248 %1 % off").arg(100 * offPlane / calibration.distance, 0, 'f', 0);
 }
 
 std::optional<double> angleAt(QPointF corner, QPointF one, QPointF other)
@@ -122,6 +133,8 @@ QString Measurement::text() const
     const std::optional<double> angle = angleAt(m_points[1], m_points[0], m_points[2]);
     return angle ? Text::tr("%1\u00B0 in the picture's plane").arg(*angle, 0, 'f', 1) : Text::tr("no angle: two points are one");
 }
+
+QString Measurement::depthText() const { return pixels() ? console::depthText(calibration()) : QString(); }
 
 void Measurement::nextCatheter()
 {

@@ -24,11 +24,14 @@ struct PixelCalibration {
     CalibrationKind kind = CalibrationKind::None;
     double pixelSize = 0; ///< mm in the plane it is true for
     double french = 0;    ///< of the catheter
+    double distance = 0;  ///< mm from the source to that plane; 0 = unknown
 
     bool operator==(const PixelCalibration&) const = default;
 };
 
-/// From the frame's geometry; none when any of it is unknown.
+/// From the frame's geometry; none when any of it is unknown. The plane is the isocentre's, square to the beam, as the frame's own SOD
+/// places it: the table's height does not enter, since to tell the patient's plane from it also takes how far the isocentre is from the
+/// source and the patient from the table's top (PS3.3 C.8.19.6.9.1), which no message says.
 PixelCalibration calibrationOf(const XrayFrame& frame);
 
 /// A catheter of `french` (1 Fr = 1/3 mm) that is `widthPixels` wide in the picture; none for numbers that mean nothing.
@@ -36,6 +39,10 @@ PixelCalibration calibrationBy(double french, double widthPixels);
 
 /// `12.4 mm @ isocentre plane (geometry)`, `12.4 mm (8 F catheter)`, `41 px (uncalibrated)`.
 QString lengthText(double pixels, const PixelCalibration& calibration);
+
+/// What such a length is worth off its plane: by how many per cent the truth differs 5 cm nearer to the source or farther from it, where
+/// that is known, or in which plane alone it holds. Empty for pixels.
+QString depthText(const PixelCalibration& calibration);
 
 /// Of the angle at `corner`, 0 … 180 degrees; nothing when an arm has no length.
 std::optional<double> angleAt(QPointF corner, QPointF one, QPointF other);
@@ -57,6 +64,9 @@ public:
 
     /// Empty until complete. An angle is that of the shadows in the picture's plane, and says so.
     QString text() const;
+
+    /// What the length is worth off its plane; empty where there is no complete distance, or no millimetres.
+    QString depthText() const;
 
     /// The distance that stands is the width of a catheter: of 4 F, at the next call of 5 F, … 8 F, and then of none. Another distance
     /// begins with 4 F again, whatever catheter was measured before. Without a distance it does nothing.

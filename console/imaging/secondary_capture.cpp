@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QPainter>
+#include <QStringList>
 #include <QTimeZone>
 
 #include <dcmtk/config/osconfig.h>
@@ -41,7 +42,10 @@ QImage withWords(const Snapshot& snapshot)
     plates.add(words, fitted(font, {words}, image.width() - 4 * plates.gap()), {plates.gap(), plates.gap()}, Qt::AlignLeft | Qt::AlignTop);
     if (const QString measured = snapshot.measurement.text(); !measured.isEmpty()) {
         paintMeasured(painter, snapshot.measurement.points());
-        plates.add(measured, measuredPlace(image.rect()), Qt::AlignHCenter | Qt::AlignTop);
+        const QPoint place = measuredPlace(image.rect());
+        plates.add(measured, place, Qt::AlignHCenter | Qt::AlignBottom);
+        if (const QString depth = snapshot.measurement.depthText(); !depth.isEmpty())
+            plates.add(depth, place + QPoint(0, 1), Qt::AlignHCenter | Qt::AlignTop);
     }
     plates.paint(painter);
     return image.convertToFormat(isGrey ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
@@ -121,8 +125,9 @@ void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
     put(dataset, DCM_ImageType, QStringLiteral("DERIVED\\SECONDARY"));
     put(dataset, DCM_SecondaryCaptureDeviceManufacturer, QStringLiteral("LiENa"));
     put(dataset, DCM_SeriesDescription, QStringLiteral("LiENa console, research system, not a medical device"));
-    const QString measured = snapshot.measurement.text();
-    put(dataset, DCM_ImageComments, exportWords(snapshot) + (measured.isEmpty() ? QString() : QStringLiteral("  ") + measured));
+    QStringList comments{exportWords(snapshot), snapshot.measurement.text(), snapshot.measurement.depthText()};
+    comments.removeAll(QString());
+    put(dataset, DCM_ImageComments, comments.join(QStringLiteral("  ")));
     const QString values = picture.isCalibrated ? Text::tr("  values are driving levels of a calibrated display, not P-values") : QString();
     put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));

@@ -2873,6 +2873,14 @@
         <translation>%1 px（未校准）</translation>
     </message>
     <message>
+        <source>true in the catheter&apos;s plane only</source>
+        <translation>仅在导管所在平面内准确</translation>
+    </message>
+    <message>
+        <source>object 5 cm nearer or farther: ≈ %1 % off</source>
+        <translation>物体近或远 5 cm：误差 ≈ %1 %</translation>
+    </message>
+    <message>
         <source>%1° in the picture&apos;s plane</source>
         <translation>%1°（图像平面内）</translation>
     </message>

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void showsRefusalUntilNextPicture();
     void saysWhatAReducedPictureLost_data();
     void saysWhatAReducedPictureLost();
+    void saysBelowALengthWhatItIsWorth();
 };
 
 void TestLiveImage::showsExactlyWhatWasSent_data()
@@ -204,6 +205,31 @@ void TestLiveImage::saysWhatAReducedPictureLost()
         const QRegion outside = pane.view.overlayRegion() - QRegion(pane.view.pictureRect());
         QVERIFY2(!said || outside.isEmpty(), qPrintable(QStringLiteral("at a width of %1").arg(width)));
     }
+}
+
+void TestLiveImage::saysBelowALengthWhatItIsWorth()
+{
+    DisplayState display;
+    LivePane pane;
+    pane.view.setDisplay(&display);
+    QVERIFY(pane.send(1));
+    const QRect area = pane.view.pictureRect();
+    const auto rowsCovered = [&] {
+        pane.grab();
+        int rows = 0;
+        for (int y = area.top(); y <= area.bottom(); ++y)
+            rows += pane.view.overlayRegion().contains(QPoint(area.center().x(), y)) ? 1 : 0;
+        return rows;
+    };
+    QTest::keyClick(&pane.view, Qt::Key_M);
+    const int request = rowsCovered(); // one line
+    for (const QPoint point : {QPoint(100, 100), QPoint(130, 140)})
+        QTest::mouseClick(&pane.view, Qt::LeftButton, {}, area.topLeft() + point);
+    const int byGeometry = rowsCovered(); // length, depth, and what the right button does
+    QTest::keyClick(&pane.view, Qt::Key_B);
+    const int byCatheter = rowsCovered(); // length and depth
+    QVERIFY(byCatheter > request);
+    QCOMPARE(byGeometry - request, 2 * (byCatheter - request));
 }
 
 QTEST_MAIN(TestLiveImage)

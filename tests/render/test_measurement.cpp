@@ -52,6 +52,8 @@ private Q_SLOTS:
     void belongsToThePictureThatStands();
     void noticesATableThatCreeps();
     void calibratesByCatheter();
+    void saysWhatALengthIsWorthOffItsPlane_data();
+    void saysWhatALengthIsWorthOffItsPlane();
     void takesTheDistanceThatStandsForTheCatheter();
 };
 
@@ -184,6 +186,37 @@ void TestMeasurement::calibratesByCatheter()
     QCOMPARE(calibrationBy(8, 0).kind, CalibrationKind::None);
     QCOMPARE(calibrationBy(0, 8).kind, CalibrationKind::None);
     QVERIFY(!angleAt({1, 1}, {1, 1}, {2, 2}));
+}
+
+void TestMeasurement::saysWhatALengthIsWorthOffItsPlane_data()
+{
+    QTest::addColumn<double>("distance"); // SOD, mm
+    QTest::addColumn<QString>("said");
+    QTest::newRow("usual") << 750.0 << QStringLiteral("object 5 cm nearer or farther: \u2248 7 % off");
+    QTest::newRow("near to the source") << 500.0 << QStringLiteral("object 5 cm nearer or farther: \u2248 10 % off");
+    QTest::newRow("unknown") << 0.0 << QString();
+}
+
+void TestMeasurement::saysWhatALengthIsWorthOffItsPlane()
+{
+    QFETCH(double, distance);
+    QFETCH(QString, said);
+    Measurement measurement;
+    measurement.setMode(MeasureMode::Distance);
+    const auto frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
+    frame->geometry.sourceObjectDistance = distance;
+    measurement.follow(*frame);
+    measurement.add({0, 0});
+    QCOMPARE(measurement.depthText(), QString()); // of one point
+    measurement.add({30, 40});
+    QCOMPARE(measurement.depthText(), said);
+    measurement.nextCatheter();
+    QCOMPARE(measurement.depthText(), QStringLiteral("true in the catheter's plane only"));
+    measurement.setMode(MeasureMode::Angle);
+    for (const QPointF point : {QPointF(0, 0), QPointF(10, 0), QPointF(10, 10)})
+        measurement.add(point);
+    QVERIFY(measurement.isComplete());
+    QCOMPARE(measurement.depthText(), QString());
 }
 
 /// Measured once more, and better; and never of a distance that is not on the screen.
