@@ -33,6 +33,7 @@ struct LinkFigures {
     bool fromPeerConnected = false;
     LinkState peerState = LinkState::Closed; ///< as the peer last said it
 
+    /// At `now`, not when the figures were read: never less than the truth then, and more by at most the time since they were read.
     std::optional<Duration> heardAgo(Instant now) const
     {
         return lastHeard ? std::optional<Duration>(now > *lastHeard ? now - *lastHeard : Duration::zero()) : std::nullopt;

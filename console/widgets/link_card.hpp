@@ -16,6 +16,8 @@ public:
     explicit LinkCard(quint32 peer, QWidget* parent = nullptr);
 
     quint32 peer() const { return m_peer; }
+
+    /// Ages are those of `now`, however old the figures are; they stand until the next call.
     void setLink(const LinkNode& link, const DeviceNode& device, Instant now);
 
     QSize sizeHint() const override;

@@ -5,6 +5,7 @@
 #include "widgets/dose_panel.hpp"
 #include "widgets/force_gauge.hpp"
 #include "widgets/hand_block.hpp"
+#include "widgets/link_card.hpp"
 #include "widgets/status_strip.hpp"
 #include "widgets/trends_pane.hpp"
 
@@ -244,6 +245,24 @@ private Q_SLOTS:
         QVERIFY(block.accessibleDescription().contains(QStringLiteral("scale 0.80 : 1, was 1.00")));
         reading.scaleBefore.reset();
         QVERIFY(!shown().contains(QStringLiteral("was")));
+    }
+
+    /// Also while no new figures are read: what is not heard grows older with each look at it.
+    void aLinkWasHeardAsLongAgoAsItIsNow()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll(); // heard 12 ms before the figures were read
+        auto* card = stage.window.findChild<LinkCard*>();
+        QVERIFY(card != nullptr);
+        const auto shownAfter = [&](Duration since) {
+            stage.window.refresh(stage.cockpit.now + since);
+            return painted(*card);
+        };
+        QVERIFY2(shownAfter(0ms).contains(QStringLiteral("ago12\u00A0ms")), qPrintable(painted(*card)));
+        QVERIFY2(shownAfter(100ms).contains(QStringLiteral("ago112\u00A0ms")), qPrintable(painted(*card)));
+        QVERIFY2(shownAfter(350ms).contains(QStringLiteral("ago362\u00A0ms")), qPrintable(painted(*card)));
+        QVERIFY2(shownAfter(5s).contains(QStringLiteral("ago5.0\u00A0s")), qPrintable(painted(*card)));
     }
 
     /// As near to its value as can be, and apart from what stands above.
