@@ -46,6 +46,12 @@ bool ownsRobot(const ConsoleModels& models)
     return self != nullptr && models.instrument.robot().value.owner == self->id;
 }
 
+std::optional<quint32> anotherOwner(const ConsoleModels& models)
+{
+    const quint32 owner = models.instrument.robot().value.owner;
+    return owner != 0 && !ownsRobot(models) ? std::optional(owner) : std::nullopt;
+}
+
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now)
 {
     GuardReadings r;
@@ -58,7 +64,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.robotState = status.state;
     r.robotHoldConfirmed = status.holdConfirmed;
     r.robotPermit = status.permit;
-    r.anotherHasRobot = isArmed(status.state) && status.owner != 0 && !ownsRobot(models);
+    r.anotherHasRobot = isArmed(status.state) && anotherOwner(models);
     r.spentPermit = models.permit.state().spentPermit;
     r.drivesHealthy = models.instrument.drivesHealthy(now);
     r.armFault = armFault(models);

@@ -10,6 +10,9 @@ namespace console {
 /// The robot names this console as the one that has armed it.
 bool ownsRobot(const ConsoleModels& models);
 
+/// The device that the robot, as it last reported, names instead; nothing while nobody has armed it, or this console.
+std::optional<quint32> anotherOwner(const ConsoleModels& models);
+
 /// `robot`: the device that is moved; nothing when the topology has none. `windowActive`: the hand may use the keyboard.
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now);
 

@@ -1,4 +1,4 @@
-// A filled lamp is pressed, an empty one is not, a dashed one is not known.
+// A filled lamp is pressed, a grey one at another console; an empty one is not pressed, a dashed one is not known.
 #include "widgets/hand_block.hpp"
 
 #include "widgets/axis_panel.hpp"
@@ -52,43 +52,64 @@ double HandBlock::askedWidth() const
     return (m_hand.forceToHand ? std::max(motion, force) : motion) + theme::px(this, 14);
 }
 
-void HandBlock::setState(const HandState& hand, const InstrumentState& instrument, Instant now)
+void HandBlock::setState(const HandState& hand, const InstrumentState& instrument, const QString& owner, Instant now)
 {
-    const Lamp received = !instrument.robotFresh(now) ? Lamp::Unknown : instrument.robot().value.engaged ? Lamp::On : Lamp::Off;
-    if (m_hand == hand.reading() && m_received == received)
+    const bool fresh = instrument.robotFresh(now);
+    const QString another = fresh ? owner : QString();
+    const Lamp pressed = another.isEmpty() ? Lamp::On : Lamp::AnothersOn;
+    const Lamp received = !fresh ? Lamp::Unknown : instrument.robot().value.engaged ? pressed : Lamp::Off;
+    if (m_hand == hand.reading() && m_received == received && m_owner == another)
         return;
     const bool other = m_hand.forceToHand.has_value() != hand.reading().forceToHand.has_value();
     m_hand = hand.reading();
     m_received = received;
+    m_owner = another;
     if (other)
         updateGeometry();
-    setAccessibleDescription(tr("Dead-man sent %1, at the robot %2, clutch %3")
-                                 .arg(m_hand.deadMan ? tr("pressed") : tr("released"),
-                                      m_received == Lamp::Unknown ? tr("unknown")
-                                      : m_received == Lamp::On    ? tr("pressed")
-                                                                  : tr("released"),
-                                      m_hand.clutch ? tr("pressed") : tr("released")) +
-                             (m_hand.forceToHand ? tr(", force to hand %1").arg(forceText()) : QString()) +
-                             (m_hand.scaleBefore ? tr(", scale %1").arg(scaleText()) : QString()));
+    setToolTip(m_owner.isEmpty() ? QString()
+                                 : tr("%1 has armed the robot: the dead-man at the robot is not yours").arg(m_owner).toHtmlEscaped());
+    setAccessibleDescription(
+        tr("Dead-man sent %1, at the robot %2, clutch %3")
+            .arg(m_hand.deadMan ? tr("pressed") : tr("released"), receivedWords(), m_hand.clutch ? tr("pressed") : tr("released")) +
+        (m_hand.forceToHand ? tr(", force to hand %1").arg(forceText()) : QString()) +
+        (m_hand.scaleBefore ? tr(", scale %1").arg(scaleText()) : QString()));
     update();
+}
+
+QString HandBlock::lampWord(Lamp lamp)
+{
+    switch (lamp) {
+    case Lamp::Unknown:
+        return tr("unknown");
+    case Lamp::Off:
+        return tr("released");
+    case Lamp::On:
+    case Lamp::AnothersOn:
+        break;
+    }
+    return tr("pressed");
+}
+
+QString HandBlock::receivedWords() const
+{
+    const QString word = lampWord(m_received);
+    return m_owner.isEmpty() ? word : tr("%1 (that of %2)").arg(word, m_owner);
 }
 
 void HandBlock::paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const
 {
     const double side = std::min(where.height() * 0.9, lampSide());
     const QRectF disc(where.left(), where.center().y() - side / 2, side, side);
-    const bool on = lamp == Lamp::On;
-    painter.setPen(QPen(on ? colour::armed : colour::strongLine, 1.8, lamp == Lamp::Unknown ? Qt::DashLine : Qt::SolidLine));
-    painter.setBrush(on ? QBrush(colour::armed) : QBrush(Qt::NoBrush));
+    const bool ours = lamp == Lamp::On;
+    const bool on = ours || lamp == Lamp::AnothersOn;
+    painter.setPen(QPen(ours ? colour::armed : colour::strongLine, 1.8, lamp == Lamp::Unknown ? Qt::DashLine : Qt::SolidLine));
+    painter.setBrush(on ? QBrush(ours ? colour::armed : colour::secondary) : QBrush(Qt::NoBrush));
     painter.drawRoundedRect(disc, side * 0.22, side * 0.22);
     icons::draw(painter, disc.adjusted(side * 0.15, side * 0.15, -side * 0.15, -side * 0.15),
                 deadMan ? icons::Icon::DeadMan : icons::Icon::Clutch, on ? colour::onAlarm : colour::secondary);
     painter.setPen(on ? colour::bright : colour::secondary);
     painter.drawText(QRectF(disc.right() + side * 0.25, where.top(), where.right() - disc.right(), where.height()),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     lamp == Lamp::Unknown ? tr("unknown")
-                     : on                  ? tr("pressed")
-                                           : tr("released"));
+                     Qt::AlignLeft | Qt::AlignVCenter, lampWord(lamp));
 }
 
 void HandBlock::paintLamps(QPainter& painter, const QRectF& where) const
@@ -99,7 +120,12 @@ void HandBlock::paintLamps(QPainter& painter, const QRectF& where) const
     const double cell = cellWidth();
     painter.setPen(colour::secondary);
     painter.drawText(QRectF(where.left() + names, where.top(), cell, head), Qt::AlignLeft | Qt::AlignVCenter, tr("Sent"));
-    painter.drawText(QRectF(where.left() + names + cell, where.top(), cell, head), Qt::AlignLeft | Qt::AlignVCenter, tr("At the robot"));
+    const QRectF atRobot(where.left() + names + cell, where.top(), cell + theme::px(this, 18), head); // some of the gap behind it, too
+    painter.setPen(m_owner.isEmpty() ? colour::secondary : colour::bright);
+    painter.drawText(atRobot, Qt::AlignLeft | Qt::AlignVCenter,
+                     m_owner.isEmpty()
+                         ? tr("At the robot")
+                         : QFontMetricsF(painter.font()).elidedText(tr("Of %1").arg(m_owner), Qt::ElideRight, atRobot.width()));
     const QRectF first(where.left(), where.top() + head, names, row);
     const QRectF second = first.translated(0, row);
     painter.setPen(colour::text);

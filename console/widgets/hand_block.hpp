@@ -14,7 +14,10 @@ class HandBlock : public QWidget {
     Q_OBJECT
 public:
     explicit HandBlock(QWidget* parent = nullptr);
-    void setState(const HandState& hand, const InstrumentState& instrument, Instant now);
+
+    /// `owner`: the other console that has armed the robot, whose dead-man the robot then reports; empty for none.
+    void setState(const HandState& hand, const InstrumentState& instrument, const QString& owner, Instant now);
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -22,7 +25,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    enum class Lamp { Unknown, Off, On };
+    enum class Lamp { Unknown, Off, On, AnothersOn };
     struct Row {
         QString name, value;
     };
@@ -30,6 +33,8 @@ private:
     double cellWidth() const;
     double askedWidth() const;
     double lampSide() const;
+    static QString lampWord(Lamp lamp);
+    QString receivedWords() const;
     void paintLamps(QPainter& painter, const QRectF& where) const;
     void paintLamp(QPainter& painter, const QRectF& where, bool deadMan, Lamp lamp) const;
     QString forceText() const;
@@ -39,6 +44,7 @@ private:
 
     HandReading m_hand;
     Lamp m_received = Lamp::Unknown;
+    QString m_owner; ///< of the robot, where it is another console; empty while that is not known
 };
 
 } // namespace console

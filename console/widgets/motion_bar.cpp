@@ -1,6 +1,7 @@
 // The bar's parts from left to right; what they show comes from the permit, the hand and the robot.
 #include "widgets/motion_bar.hpp"
 
+#include "model/present_readings.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/focus_return.hpp"
 #include "widgets/guard_list.hpp"
@@ -287,7 +288,8 @@ void MotionBar::refresh(Instant now)
 {
     m_permit->setPermit(m_models.permit, now);
     m_guards->setChecklist(m_models.permit.checklist(), m_models.permit.state());
-    m_hand->setState(m_models.hand, m_models.instrument, now);
+    const auto owner = anotherOwner(m_models);
+    m_hand->setState(m_models.hand, m_models.instrument, owner ? m_models.sessions.titleOf(*owner) : QString(), now);
     m_masters->setMasters(m_models.hand.masters(), masterMayChange(m_models.permit.phase()), now);
     const bool beam = m_models.xray.fresh(now) && m_models.xray.beamOn();
     const bool operates = m_models.role == OperatorRole::Operator;

@@ -1730,6 +1730,18 @@
         <translation>阻力 0.00 N</translation>
     </message>
     <message>
+        <source>%1 has armed the robot: the dead-man at the robot is not yours</source>
+        <translation>%1 已解锁机器人：机器人端的握持开关不是您的</translation>
+    </message>
+    <message>
+        <source>%1 (that of %2)</source>
+        <translation>%1（%2 的握持开关）</translation>
+    </message>
+    <message>
+        <source>Of %1</source>
+        <translation>属于 %1</translation>
+    </message>
+    <message>
         <source>Dead-man sent %1, at the robot %2, clutch %3</source>
         <translation>握持开关：已发送 %1，机器人端 %2，离合 %3</translation>
     </message>

@@ -236,7 +236,7 @@ private Q_SLOTS:
         block.resize(block.sizeHint());
         const auto shown = [&] {
             hand.set(reading);
-            block.setState(hand, instrument, {});
+            block.setState(hand, instrument, {}, {});
             return painted(block);
         };
         QVERIFY2(!shown().contains(QStringLiteral("was")), qPrintable(shown()));
@@ -245,6 +245,62 @@ private Q_SLOTS:
         QVERIFY(block.accessibleDescription().contains(QStringLiteral("scale 0.80 : 1, was 1.00")));
         reading.scaleBefore.reset();
         QVERIFY(!shown().contains(QStringLiteral("was")));
+    }
+
+    void aDeadManOfAnotherConsoleIsNeverShownAsOurs()
+    {
+        const HandState hand;
+        InstrumentState instrument;
+        const Instant now = Instant{} + 1h;
+        RobotStatus status;
+        status.state = RobotState::Engaged;
+        status.engaged = true;
+        instrument.receiveRobot(status, now);
+        HandBlock block;
+        block.resize(block.sizeHint());
+        const auto show = [&](const QString& owner, Duration later) {
+            block.setState(hand, instrument, owner, now + later);
+            return painted(block);
+        };
+        const auto looksPressed = [&block] {
+            const QImage seen = block.grab().toImage();
+            for (int y = 0; y < seen.height(); ++y)
+                for (int x = 0; x < seen.width(); ++x)
+                    if (seen.pixelColor(x, y) == theme::colour::armed)
+                        return true;
+            return false;
+        };
+        QVERIFY(show({}, 0ms).contains(QStringLiteral("At the robot")));
+        QVERIFY(looksPressed());
+        const QString other = QStringLiteral("Console <2>");
+        QString words = show(other, 0ms);
+        QVERIFY2(words.contains(QStringLiteral("Of Con")) && words.contains(QStringLiteral("pressed")), qPrintable(words));
+        QVERIFY2(!words.contains(QStringLiteral("At the robot")), qPrintable(words));
+        QVERIFY(!looksPressed());
+        QVERIFY(block.accessibleDescription().contains(QStringLiteral("at the robot pressed (that of Console <2>)")));
+        QVERIFY(block.toolTip().contains(other.toHtmlEscaped()));
+        words = show(other, 1s); // the robot is not heard: nor is whose it is
+        QVERIFY2(words.contains(QStringLiteral("At the robot")) && !words.contains(QStringLiteral("pressed")), qPrintable(words));
+        QVERIFY(block.toolTip().isEmpty());
+    }
+
+    void theBarTellsWhoHasTheRobot()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        const auto* block = stage.window.findChild<HandBlock*>();
+        const auto atRobot = [&](quint32 owner) {
+            RobotStatus status = stage.cockpit.status(RobotState::Engaged);
+            status.owner = owner;
+            stage.cockpit.models.instrument.receiveRobot(status, stage.cockpit.now);
+            stage.window.refresh(stage.cockpit.now);
+            return block->accessibleDescription();
+        };
+        QVERIFY2(atRobot(cockpitId).contains(QStringLiteral("at the robot pressed, ")), qPrintable(block->accessibleDescription()));
+        QVERIFY2(atRobot(0x40018209).contains(QStringLiteral("at the robot pressed (that of 0x40018209), ")),
+                 qPrintable(block->accessibleDescription()));
+        QVERIFY2(atRobot(0).contains(QStringLiteral("at the robot pressed, ")), qPrintable(block->accessibleDescription()));
     }
 
     /// Also while no new figures are read: what is not heard grows older with each look at it.
