@@ -39,6 +39,7 @@ PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject*
       m_patient{options.patient, options.patientId},
       m_models(models),
       m_review(m_ring),
+      m_hold(m_ring),
       m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
@@ -57,6 +58,7 @@ bool PictureDesk::prepare(QString* error)
     const GreyScale scale(*read.measurement);
     m_pipeline.setGreyScale(scale);
     m_review.setGreyScale(scale);
+    m_hold.setGreyScale(scale);
     return true;
 }
 
@@ -89,6 +91,7 @@ void PictureDesk::connectLive()
     connect(&m_display, &DisplayState::changed, this, [this](const DisplaySettings& settings) {
         m_pipeline.setSettings(settings);
         m_review.setSettings(settings);
+        m_hold.setSettings(settings);
     });
     connect(&m_pipeline, &FramePipeline::pictureReady, m_live, &LiveImageView::showPicture);
     connect(&m_pipeline, &FramePipeline::pictureReady, &m_hold, &ImageHold::take);
@@ -142,6 +145,7 @@ void PictureDesk::connectRoadmap()
     connect(&m_models.xray, &XraySystemState::statusChanged, this, [this] {
         const auto& status = m_models.xray.status();
         m_models.roadmap.noteTable(status.value.geometry.table, *status.received);
+        m_hold.noteTable(status.value.geometry.table, *status.received);
         for (PictureCanvas* view : std::initializer_list<PictureCanvas*>{m_live, m_reference, m_copy.data()})
             if (view)
                 view->noteTable(status.value.geometry.table);

@@ -39,6 +39,9 @@ public:
     /// Folder of saved pictures, from the next one on; empty: the person's own.
     void setFolder(const QString& folder);
 
+    /// Of how many pictures the last image hold is the mean, from the next one on; 1: the last picture.
+    void setHoldPictures(int pictures) { m_hold.setPictures(pictures); }
+
     /// A second pane with what the reference pane shows, for a screen of its own; the caller's.
     ReferenceImageView* makeReferenceCopy();
 

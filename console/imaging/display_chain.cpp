@@ -1,7 +1,9 @@
 // The display chain, stage after stage.
 #include "imaging/display_chain.hpp"
 
+#include "imaging/exposure.hpp"
 #include "imaging/frame_decoder.hpp"
+#include "imaging/mean_picture.hpp"
 
 #include <QCoreApplication>
 
@@ -14,9 +16,7 @@ namespace console {
 namespace {
 
 constexpr int framesPerNoise = 8; ///< the noise is read anew from every eighth picture
-constexpr double gainStep = 0.1;  ///< share of the brightness by which two pictures of one run do not differ without a new gain
 constexpr double kStep = 0.05;    ///< by which K may fall from one picture to the next; it may rise at once
-constexpr ProjectionTolerance resting{0.05, 0.5}; ///< from one picture to the next: a C-arm that does not turn
 constexpr std::chrono::seconds longestGap{1};
 constexpr int storedBits = 16;
 
@@ -29,16 +29,6 @@ GreyWindow withinPicture(GreyWindow window, GreyWindow picture)
     if (!picture.isKnown())
         return window;
     return {std::clamp(window.centre, picture.centre - picture.width / 2, picture.centre + picture.width / 2), window.width};
-}
-
-/// Of every eighth row.
-double brightnessOf(const cv::Mat& stored)
-{
-    double sum = 0;
-    int rows = 0;
-    for (int row = 0; row < stored.rows; row += 8, ++rows)
-        sum += cv::mean(stored.row(row))[0];
-    return rows > 0 ? sum / rows : 0;
 }
 
 /// Between the two pulses; between two as they were announced when the clock tells nothing sensible.
@@ -65,11 +55,13 @@ bool comesNext(const XrayFrame& before, const XrayFrame& now)
 
 } // namespace
 
-QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture)
+QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture,
+                              std::span<const std::shared_ptr<const XrayFrame>> earlier)
 {
     const Instant begun = present();
     if (QString refusal = decodeFrame(frame, m_incoming); !refusal.isEmpty())
         return refusal;
+    picture.meanOf = meanWith(frame, earlier, m_incoming);
     cv::swap(m_incoming, m_stored);
     const Instant decoded = present();
     picture.about = frame;
@@ -102,11 +94,9 @@ bool DisplayChain::continues(const XrayFrame& frame) const
     if (!m_last)
         return false;
     const XrayFrame& before = m_last->about;
-    const double brightness = brightnessOf(m_stored);
     return hasSameValues(before, frame) && sameProjection(before.geometry, frame.geometry, resting) &&
            before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
-           before.mask == frame.mask && comesNext(before, frame) &&
-           std::abs(brightness - m_brightness) <= gainStep * std::max(m_brightness, 1.0);
+           before.mask == frame.mask && comesNext(before, frame) && sameBrightness(m_brightness, brightnessOf(m_stored));
 }
 
 // It rises at once, since the latency must not wait, and falls slowly, since noise that comes and goes looks like something.

@@ -10,7 +10,9 @@
 
 #include <opencv2/core.hpp>
 
+#include <memory>
 #include <optional>
+#include <span>
 
 namespace console {
 
@@ -19,15 +21,16 @@ namespace console {
 class DisplayChain {
 public:
     /// A picture, or why there is none. `filterRoom`: how much older what is shown may still become; the filter's delay and the time until
-    /// the next picture stay within it.
-    QString process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture);
+    /// the next picture stay within it. With `earlier` frames of its run, the newest first, it is the mean with those that can go into it.
+    QString process(const XrayFrame& frame, const DisplaySettings& settings, Duration filterRoom, DisplayPicture& picture,
+                    std::span<const std::shared_ptr<const XrayFrame>> earlier = {});
 
     /// The last picture once more under other settings; false when there was none. For the temporal filter no time passes.
     bool redraw(const DisplaySettings& settings, DisplayPicture& picture);
 
     void setGreyScale(const GreyScale& greyScale) { m_table.setGreyScale(greyScale); }
 
-    /// The last frame's values as sent; until the next process().
+    /// The last frame's values as sent, or the mean; until the next process().
     const cv::Mat& stored() const { return m_stored; }
 
 private:
@@ -40,7 +43,7 @@ private:
     GreyWindow automaticWindow(ShutterShape shape);
 
     cv::Mat m_incoming;  ///< what a refused frame leaves behind is never shown
-    cv::Mat m_stored;    ///< as sent
+    cv::Mat m_stored;    ///< as sent, or their mean
     cv::Mat m_filtered;  ///< CV_32FC1, after the temporal filter
     cv::Mat m_work;      ///< CV_32FC1, after the edge enhancement
     cv::Mat m_quantised; ///< CV_16UC1: stored values times 2 to the unused bits

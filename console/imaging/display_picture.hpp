@@ -30,6 +30,7 @@ struct DisplayPicture {
     QImage image;    ///< Format_RGB32, one pixel for each of the frame's
     XrayFrame about; ///< without its pixels
     PictureRole role = PictureRole::Live;
+    int meanOf = 1; ///< pictures, of which `about` is the last; 1: it is no mean
     GreyWindow window;
     bool windowIsAutomatic = false;
     DisplaySettings settings; ///< that it was made with

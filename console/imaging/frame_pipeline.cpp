@@ -41,13 +41,25 @@ FramePipeline::~FramePipeline()
 
 void FramePipeline::showFrame(std::shared_ptr<const XrayFrame> frame)
 {
-    if (!frame)
-        return;
+    if (frame)
+        put(std::move(frame), {});
+}
+
+void FramePipeline::showMean(std::vector<std::shared_ptr<const XrayFrame>> frames)
+{
+    auto newest = std::move(frames.front());
+    frames.erase(frames.begin());
+    put(std::move(newest), std::move(frames));
+}
+
+void FramePipeline::put(std::shared_ptr<const XrayFrame> frame, std::vector<std::shared_ptr<const XrayFrame>> earlier)
+{
     {
         const std::lock_guard lock(m_mutex);
         ++m_counts.received;
-        // The replaced frame is let go outside the lock: its memory may be large.
+        // What is replaced is let go outside the lock: its memory may be large.
         std::swap(m_next.frame, frame);
+        std::swap(m_next.earlier, earlier);
         if (frame)
             ++m_counts.replacedBeforeDecoding;
     }
@@ -115,6 +127,7 @@ std::optional<FramePipeline::Work> FramePipeline::waitForWork()
     m_mustRedraw = false;
     Work work = m_next;
     m_next.frame.reset();
+    m_next.earlier.clear();
     m_next.greyScale.reset();
     return work;
 }
@@ -145,7 +158,7 @@ void FramePipeline::carryOut(Worker& worker, const Work& work)
             return;
         }
     }
-    const QString refusal = worker.chain.process(*work.frame, work.settings, work.filterRoom, picture);
+    const QString refusal = worker.chain.process(*work.frame, work.settings, work.filterRoom, picture, work.earlier);
     if (!refusal.isEmpty()) {
         refuse(work.frame->frame, refusal);
         return;

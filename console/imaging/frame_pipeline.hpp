@@ -14,6 +14,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 namespace console {
 
@@ -38,6 +39,10 @@ public:
     ~FramePipeline() override;
 
     void showFrame(std::shared_ptr<const XrayFrame> frame) override;
+
+    /// `frames` are of one run, the newest first, and not none: the picture is that one, with the mean of as many as can go into it for its
+    /// values. Any thread.
+    void showMean(std::vector<std::shared_ptr<const XrayFrame>> frames);
 
     FrameCounts counts() const;
 
@@ -69,7 +74,8 @@ private:
     };
     /// What the decoding thread is to do next.
     struct Work {
-        std::shared_ptr<const XrayFrame> frame; ///< nothing: the last picture once more
+        std::shared_ptr<const XrayFrame> frame;                ///< nothing: the last picture once more
+        std::vector<std::shared_ptr<const XrayFrame>> earlier; ///< with which it is to be a mean; none: as it is
         DisplaySettings settings;
         Duration filterRoom{};
         std::optional<GreyScale> greyScale;
@@ -82,6 +88,7 @@ private:
     };
     class Worker;
 
+    void put(std::shared_ptr<const XrayFrame> frame, std::vector<std::shared_ptr<const XrayFrame>> earlier);
     void run();
     std::optional<Work> waitForWork();
     void carryOut(Worker& worker, const Work& work);

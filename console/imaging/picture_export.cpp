@@ -47,7 +47,7 @@ QString exportWords(const Snapshot& snapshot)
 {
     const DisplayPicture& picture = snapshot.picture;
     // Saved, nothing is live any more.
-    QStringList words{picture.role == PictureRole::Live ? Text::tr("SNAPSHOT") : word(picture.role)};
+    QStringList words{picture.role == PictureRole::Live ? Text::tr("SNAPSHOT") : roleWords(picture)};
     const bool wasLive = snapshot.condition == PictureCondition::Live || snapshot.condition == PictureCondition::None;
     if (followsLive(picture.role) && !wasLive)
         words << word(snapshot.condition);

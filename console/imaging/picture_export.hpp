@@ -24,7 +24,8 @@ struct Snapshot {
     PatientIdentity patient{};
 };
 
-/// What a saved picture says of itself in words: role, why it was not live, source, how it was reduced, time of the pulse.
+/// What a saved picture says of itself in words: role, of how many pictures it is a mean, why it was not live, source, how it was reduced,
+/// time of the pulse.
 QString exportWords(const Snapshot& snapshot);
 
 /// `liena_2026-01-31T12-03-41.250_review_run3_frame17`, without folder and ending; times in UTC.

@@ -82,6 +82,14 @@ double scaleBarLength(double pictureWidthMm)
     return decade;
 }
 
+QString meanWords(const DisplayPicture& picture) { return picture.meanOf > 1 ? Text::tr("MEAN OF %1").arg(picture.meanOf) : QString(); }
+
+QString roleWords(const DisplayPicture& picture)
+{
+    const QString mean = meanWords(picture);
+    return mean.isEmpty() ? word(picture.role) : QStringLiteral("%1 \u00B7 %2").arg(word(picture.role), mean);
+}
+
 QString windowLine(const DisplayPicture& picture)
 {
     QString line = Text::tr("C %1  W %2").arg(std::lround(picture.window.centre)).arg(std::lround(picture.window.width));

@@ -15,6 +15,10 @@ double scaleBarLength(double pictureWidthMm);
 /// The wall-clock time of the pulse, to the tenth of a second.
 QString clockTime(quint64 captureNs);
 
+/// `MEAN OF 4`; empty for a picture that is no mean. With its role the words that say what it is: `LAST IMAGE HOLD · MEAN OF 4`.
+QString meanWords(const DisplayPicture& picture);
+QString roleWords(const DisplayPicture& picture);
+
 /// `C 2048  W 4096  AUTO`, and what else is not as sent: calibration first, then inverse, noise reduction, edges, shutter.
 QString windowLine(const DisplayPicture& picture);
 QString treatmentLine(const DisplayPicture& picture);

@@ -117,10 +117,10 @@ void ReferenceImageView::placeWords(TextPlates& plates, const QRect& area) const
         place(m_place, plates.font());
 }
 
-/// REVIEW, and SIMULATED or RECORDED when it is that; LIVE is never said here.
+/// REVIEW, of how many pictures it is a mean, and SIMULATED or RECORDED when it is that; LIVE is never said here.
 QString ReferenceImageView::head() const
 {
-    QStringList words{word(m_picture->role)};
+    QStringList words{roleWords(*m_picture)};
     if (m_picture->about.source != PictureSource::Live)
         words << word(m_picture->about.source);
     if (m_picture->role == PictureRole::Roadmap && m_condition != PictureCondition::Live)

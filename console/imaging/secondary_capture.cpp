@@ -129,7 +129,8 @@ void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
     comments.removeAll(QString());
     put(dataset, DCM_ImageComments, comments.join(QStringLiteral("  ")));
     const QString values = picture.isCalibrated ? Text::tr("  values are driving levels of a calibrated display, not P-values") : QString();
-    put(dataset, DCM_DerivationDescription, windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
+    const QString mean = picture.meanOf > 1 ? meanWords(picture) + QStringLiteral("  ") : QString();
+    put(dataset, DCM_DerivationDescription, mean + windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
     put(dataset, DCM_QualityControlImage, about.source == PictureSource::Live ? QStringLiteral("NO") : QStringLiteral("YES"));
     putLossy(dataset, about);

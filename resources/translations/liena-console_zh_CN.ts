@@ -3431,6 +3431,10 @@
         <source>ZOOM %1×</source>
         <translation>缩放 %1×</translation>
     </message>
+    <message>
+        <source>MEAN OF %1</source>
+        <translation>%1 帧平均</translation>
+    </message>
 </context>
 <context>
     <name>console::PictureOverlay</name>

@@ -239,7 +239,8 @@ void TestReferenceImage::roadmapIsAsFrozenAsTheLivePicture()
 
 void TestReferenceImage::holdsLastPictureOfRun()
 {
-    ImageHold hold;
+    const CineRing ring;
+    ImageHold hold(ring);
     std::vector<DisplayPicture> held;
     QObject::connect(&hold, &ImageHold::held, this, [&held](const DisplayPicture& picture) { held.push_back(picture); });
     hold.endRun();
@@ -267,7 +268,8 @@ void TestReferenceImage::holdsLastPictureOfRun()
 /// It counts its runs and pictures from the first again: they are not late ones of the run that is held.
 void TestReferenceImage::holdsNothingOfAnXraySystemThatBeganAnew()
 {
-    ImageHold hold;
+    const CineRing ring;
+    ImageHold hold(ring);
     std::vector<DisplayPicture> held;
     QObject::connect(&hold, &ImageHold::held, this, [&held](const DisplayPicture& picture) { held.push_back(picture); });
     for (quint32 number = 1; number <= 3; ++number)

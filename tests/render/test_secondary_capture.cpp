@@ -14,6 +14,7 @@ private Q_SLOTS:
     void saysWhatWasLostOnTheWay_data();
     void saysWhatWasLostOnTheWay();
     void keepsTheColourOfVessels();
+    void saysOfHowManyPicturesItIsTheMean();
 };
 
 void TestSecondaryCapture::saysWhatWasLostOnTheWay_data()
@@ -72,6 +73,25 @@ void TestSecondaryCapture::saysWhatWasLostOnTheWay()
     const QString comments = valueOf(dataset, DCM_ImageComments);
     QVERIFY2(words.isEmpty() ? !comments.contains(QStringLiteral("REDUCED")) : comments.contains(words), qPrintable(comments));
     QCOMPARE(exportWords({sent}).contains(QStringLiteral("REDUCED")), !words.isEmpty()); // in the pixels and below the PNG
+}
+
+void TestSecondaryCapture::saysOfHowManyPicturesItIsTheMean()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    DisplayPicture sent = picture(PictureRole::Hold);
+    for (const int meanOf : {1, 4}) {
+        sent.meanOf = meanOf;
+        QCOMPARE(saveSecondaryCapture({sent}, path), QString());
+        DcmFileFormat file;
+        QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+        const QString comments = valueOf(*file.getDataset(), DCM_ImageComments);
+        const QString derivation = valueOf(*file.getDataset(), DCM_DerivationDescription);
+        QCOMPARE(comments.startsWith(QStringLiteral("LAST IMAGE HOLD \u00B7 MEAN OF 4  ")), meanOf == 4);
+        QCOMPARE(comments.contains(QStringLiteral("MEAN")), meanOf == 4);
+        QCOMPARE(derivation.startsWith(QStringLiteral("MEAN OF 4  C ")), meanOf == 4);
+        QCOMPARE(derivation.contains(QStringLiteral("MEAN")), meanOf == 4);
+    }
 }
 
 /// All other pictures stay grey, whatever colour their words have.
