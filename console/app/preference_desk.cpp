@@ -64,6 +64,7 @@ void PreferenceDesk::apply()
         m_window->setTrendSpan(p.trendSpan);
     m_models.xray.setRequestedRate(p.pulseRate);
     m_models.patientSide = p.patientSide;
+    m_pictures.setHoldPictures(p.holdPictures);
     if (m_options.pictures.isEmpty())
         m_pictures.setFolder(p.pictureFolder);
     DisplaySettings shown = m_pictures.display().settings();

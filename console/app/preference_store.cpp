@@ -27,7 +27,8 @@ constexpr std::array<const char*, 5> windowWords{"as-sent", "automatic", "full-r
 
 constexpr std::array<const char*, 2> methodWords{"unsharp-mask", "multi-scale"}; // as in EdgeMethod
 
-constexpr std::array<const char*, pulseRates.size()> rateWords{"7.5", "15", "30"}; // as in pulseRates
+constexpr std::array<const char*, pulseRates.size()> rateWords{"7.5", "15", "30"};  // as in pulseRates
+constexpr std::array<const char*, holdCounts.size()> holdWords{"1", "2", "4", "8"}; // as in holdCounts
 
 /// Reads entries one by one, and says of each that makes no sense which it is.
 class Entries {
@@ -104,9 +105,14 @@ constexpr const char* noiseKey = "noise-reduction";
 constexpr const char* edgeKey = "edge";
 constexpr const char* methodKey = "edge-method";
 constexpr const char* rateKey = "pulse-rate";
+constexpr const char* holdKey = "hold-pictures";
 constexpr const char* patientSideKey = "patient-side";
 
-int placeOf(double pulseRate) { return int(std::find(pulseRates.begin(), pulseRates.end(), pulseRate) - pulseRates.begin()); }
+template <typename Number, std::size_t n>
+int placeOf(const std::array<Number, n>& values, Number value)
+{
+    return int(std::find(values.begin(), values.end(), value) - values.begin());
+}
 
 Preferences readEntries(QSettings& settings, QStringList& troubles)
 {
@@ -124,7 +130,8 @@ Preferences readEntries(QSettings& settings, QStringList& troubles)
     p.noiseReduction = entries.number(noiseKey, 0, 100, p.noiseReduction);
     p.edge = entries.number(edgeKey, 0, 100, p.edge);
     p.edgeMethod = EdgeMethod(entries.choice(methodKey, methodWords, int(p.edgeMethod)));
-    p.pulseRate = pulseRates.at(std::size_t(entries.choice(rateKey, rateWords, placeOf(p.pulseRate))));
+    p.pulseRate = pulseRates.at(std::size_t(entries.choice(rateKey, rateWords, placeOf(pulseRates, p.pulseRate))));
+    p.holdPictures = holdCounts.at(std::size_t(entries.choice(holdKey, holdWords, placeOf(holdCounts, p.holdPictures))));
     p.patientSide = entries.text(patientSideKey);
     const Preferences bounded = withinBounds(p);
     if (bounded.pictureFolder != p.pictureFolder.trimmed())
@@ -146,7 +153,8 @@ void writeEntries(QSettings& settings, const Preferences& p)
     set(noiseKey, p.noiseReduction);
     set(edgeKey, p.edge);
     set(methodKey, QString::fromLatin1(methodWords.at(std::size_t(p.edgeMethod))));
-    set(rateKey, QString::fromLatin1(rateWords.at(std::size_t(placeOf(p.pulseRate)))));
+    set(rateKey, QString::fromLatin1(rateWords.at(std::size_t(placeOf(pulseRates, p.pulseRate)))));
+    set(holdKey, QString::fromLatin1(holdWords.at(std::size_t(placeOf(holdCounts, p.holdPictures)))));
     set(patientSideKey, p.patientSide);
 }
 

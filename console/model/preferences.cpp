@@ -49,6 +49,8 @@ Preferences withinBounds(Preferences preferences)
     preferences.edge = std::clamp(preferences.edge, 0, 100);
     if (std::find(pulseRates.begin(), pulseRates.end(), preferences.pulseRate) == pulseRates.end())
         preferences.pulseRate = Preferences().pulseRate;
+    if (std::find(holdCounts.begin(), holdCounts.end(), preferences.holdPictures) == holdCounts.end())
+        preferences.holdPictures = Preferences().holdPictures;
     if (preferences.window == WindowChoice::Fixed) // a window by hand belongs to one picture
         preferences.window = WindowChoice::AsSent;
     preferences.pictureFolder = oneLine(preferences.pictureFolder, Preferences::mostFolder);

@@ -23,6 +23,9 @@ QString word(Brightness brightness);
 /// Pictures per second while the X-ray pedal is down. A slower one would be late by the age limit's reckoning.
 inline constexpr std::array<double, 3> pulseRates{7.5, 15, 30};
 
+/// Of how many pictures the last image hold is the mean; 1: the last picture.
+inline constexpr std::array<int, 4> holdCounts{1, 2, 4, 8};
+
 struct Preferences {
     static constexpr int mostFolder = 1024; ///< characters
     static constexpr int mostContact = 80;
@@ -37,6 +40,7 @@ struct Preferences {
     int edge = 0;                               ///< %
     EdgeMethod edgeMethod = EdgeMethod::UnsharpMask;
     double pulseRate = 15; ///< one of pulseRates
+    int holdPictures = 1;  ///< one of holdCounts
     QString patientSide;   ///< how a person there is called, as the prompt shows it; empty: not set up
 
     bool operator==(const Preferences&) const = default;

@@ -47,6 +47,11 @@ QString languageName(const QString& language)
     return language == QLatin1String("zh_CN") ? QStringLiteral("\u7B80\u4F53\u4E2D\u6587") : PreferencesView::tr("as the computer");
 }
 
+QString holdName(int pictures)
+{
+    return pictures > 1 ? PreferencesView::tr("mean of %1").arg(pictures) : PreferencesView::tr("the last picture");
+}
+
 } // namespace
 
 PreferencesView::PreferencesView(QWidget* parent)
@@ -92,6 +97,7 @@ QWidget* PreferencesView::makeEntries()
     column->setSpacing(12);
     addGeneral(column);
     addPictures(column);
+    addHold(column);
     column->addStretch(1);
     area->setWidget(body);
     return area;
@@ -171,6 +177,20 @@ void PreferencesView::addPictures(QVBoxLayout* column)
     connect(m_edgeMethod, &ChoiceRow::chosen, this, [this](int i) { ask([i](Preferences& p) { p.edgeMethod = EdgeMethod(i); }); });
 }
 
+void PreferencesView::addHold(QVBoxLayout* column)
+{
+    QStringList holds;
+    for (const int pictures : holdCounts)
+        holds << holdName(pictures);
+    m_hold =
+        addChoice(column, tr("Last image hold"),
+                  tr("What is held when a run ends. A mean of its last pictures has less noise, and what moved is blurred in it. It says "
+                     "how many went in; those of another exposure or place do not."),
+                  holds);
+    connect(m_hold, &ChoiceRow::chosen, this,
+            [this](int i) { ask([i](Preferences& p) { p.holdPictures = holdCounts.at(std::size_t(i)); }); });
+}
+
 QLineEdit* PreferencesView::addText(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QString& whenEmpty,
                                     int mostLetters)
 {
@@ -229,6 +249,7 @@ void PreferencesView::setPreferences(const Preferences& preferences)
     m_noise->setValue(placeOf(strengths, preferences.noiseReduction), tr("%1 %").arg(preferences.noiseReduction));
     m_edge->setValue(placeOf(strengths, preferences.edge), tr("%1 %").arg(preferences.edge));
     m_edgeMethod->setValue(int(preferences.edgeMethod), word(preferences.edgeMethod));
+    m_hold->setValue(placeOf(holdCounts, preferences.holdPictures), holdName(preferences.holdPictures));
 }
 
 void PreferencesView::setReadOnly(const QString& why)
@@ -236,7 +257,7 @@ void PreferencesView::setReadOnly(const QString& why)
     m_readOnly = !why.isEmpty();
     m_state->setText(m_readOnly ? why : tr("Kept for you on this computer. Nothing here changes how the robot moves."));
     setInk(m_state, m_readOnly ? colour::bright : colour::secondary);
-    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge, m_edgeMethod})
+    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge, m_edgeMethod, m_hold})
         row->setReadOnly(m_readOnly);
     m_folder->setReadOnly(m_readOnly);
     m_patientSide->setReadOnly(m_readOnly);

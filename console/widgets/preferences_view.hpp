@@ -43,6 +43,7 @@ private:
     ChoiceRow* addChoice(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QStringList& choices);
     void addGeneral(QVBoxLayout* column);
     void addPictures(QVBoxLayout* column);
+    void addHold(QVBoxLayout* column);
     QLineEdit* addText(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QString& whenEmpty, int mostLetters);
     template <typename Change>
     void ask(Change change);
@@ -62,6 +63,7 @@ private:
     ChoiceRow* m_edge = nullptr;
     ChoiceRow* m_edgeMethod = nullptr;
     ChoiceRow* m_rate = nullptr;
+    ChoiceRow* m_hold = nullptr;
     QLineEdit* m_folder = nullptr;
     QLineEdit* m_patientSide = nullptr;
     bool m_readOnly = false;

@@ -3838,6 +3838,22 @@
         <source>The unsharp mask raises what is as wide as a wire, multi-scale raises weak detail of every size and takes more of this computer. Neither raises noise.</source>
         <translation>反锐化掩模增强导丝粗细的细节；多尺度增强各种大小的微弱细节，占用更多计算资源。两者都不放大噪声。</translation>
     </message>
+    <message>
+        <source>the last picture</source>
+        <translation>最后一帧</translation>
+    </message>
+    <message>
+        <source>mean of %1</source>
+        <translation>%1 帧平均</translation>
+    </message>
+    <message>
+        <source>Last image hold</source>
+        <translation>末帧保持</translation>
+    </message>
+    <message>
+        <source>What is held when a run ends. A mean of its last pictures has less noise, and what moved is blurred in it. It says how many went in; those of another exposure or place do not.</source>
+        <translation>曝光结束时保持的图像。最后几帧的平均噪声较低，但运动部分会模糊。图像上注明实际参与平均的帧数；曝光条件或位置不同的帧不参与。</translation>
+    </message>
 </context>
 <context>
     <name>console::ProgramFacts</name>

@@ -108,6 +108,9 @@ private Q_SLOTS:
         stage.choose(QStringLiteral("Edges by: multi-scale"));
         stage.choose(QStringLiteral("Brightness: dim"));
         stage.choose(QStringLiteral("X-ray pulses: 30 /s"));
+        QCOMPARE(stage.desk.preferences().holdPictures, 1);
+        stage.choose(QStringLiteral("Last image hold: mean of 4"));
+        QCOMPARE(stage.desk.preferences().holdPictures, 4);
         QVERIFY(stage.window.findChild<TrendsPane*>()->span() == TrendSpan::TenMinutes);
         QCOMPARE(stage.pictures.display().settings().noiseReduction, 40);
         QCOMPARE(stage.pictures.display().settings().edgeMethod, EdgeMethod::MultiScale);

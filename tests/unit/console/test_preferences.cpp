@@ -45,6 +45,7 @@ Preferences unusual()
     p.edge = 30;
     p.edgeMethod = EdgeMethod::MultiScale;
     p.pulseRate = 7.5;
+    p.holdPictures = 8;
     return p;
 }
 
@@ -86,6 +87,9 @@ private Q_SLOTS:
         QTest::newRow("window by hand") << QByteArray("window=fixed") << QStringLiteral("window");
         QTest::newRow("noise") << QByteArray("noise-reduction=-5") << QStringLiteral("noise-reduction");
         QTest::newRow("edge method") << QByteArray("edge-method=magic") << QStringLiteral("edge-method");
+        QTest::newRow("hold of three") << QByteArray("hold-pictures=3") << QStringLiteral("hold-pictures");
+        QTest::newRow("hold of none") << QByteArray("hold-pictures=0") << QStringLiteral("hold-pictures");
+        QTest::newRow("hold is a word") << QByteArray("hold-pictures=many") << QStringLiteral("hold-pictures");
         QTest::newRow("language") << QByteArray("language=tlh") << QStringLiteral("language");
         QTest::newRow("patient side") << QByteArray("patient-side=\"a\\x1b[2Jb\"") << QStringLiteral("patient-side");
         QTest::newRow("folder with a comma, no quotes") << QByteArray("picture-folder=/tmp/a,b") << QStringLiteral("picture-folder");
@@ -182,12 +186,14 @@ private Q_SLOTS:
         p.audioPause = 4000s;
         p.noiseReduction = 900;
         p.pulseRate = 3;
+        p.holdPictures = 3;
         p.window = WindowChoice::Fixed;
         p.language = QStringLiteral("xx");
         const Preferences bounded = withinBounds(p);
         QCOMPARE(bounded.audioPause, 120s);
         QCOMPARE(bounded.noiseReduction, 100);
         QCOMPARE(bounded.pulseRate, 15.0);
+        QCOMPARE(bounded.holdPictures, 1);
         QVERIFY(bounded.window == WindowChoice::AsSent);
         QVERIFY(bounded.language.isEmpty());
     }
