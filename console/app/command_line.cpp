@@ -86,12 +86,12 @@ struct Declared {
         QStringLiteral("FOLDER")};
     QCommandLineOption pictures{
         QStringLiteral("pictures"),
-        QStringLiteral("Folder for saved pictures. Default: that of the preferences (F6), else liena in the person's folder of "
+        QStringLiteral("Folder for saved pictures. Default: that of the preferences (Ctrl+,), else liena in the person's folder of "
                        "pictures."),
         QStringLiteral("FOLDER")};
     QCommandLineOption preferences{
         QStringLiteral("preferences"),
-        QStringLiteral("File of the person's preferences (F6); other options win over it. Default: %1; an unattended run has none.")
+        QStringLiteral("File of the person's preferences (Ctrl+,); other options win over it. Default: %1; an unattended run has none.")
             .arg(preferenceFile()),
         QStringLiteral("FILE")};
     QCommandLineOption display{QStringLiteral("display"),
@@ -127,7 +127,7 @@ struct Declared {
     QCommandLineOption language{
         QStringLiteral("language"),
         QStringLiteral(
-            "Language of the screen: %1. Default: the person's preference (F6), else the system's where it is one of them, else en; "
+            "Language of the screen: %1. Default: the person's preference (Ctrl+,), else the system's where it is one of them, else en; "
             "en with --unattended.")
             .arg(languages().join(QStringLiteral(" or "))),
         QStringLiteral("NAME")};

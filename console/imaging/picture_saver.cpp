@@ -46,7 +46,7 @@ void PictureSaver::save(const Snapshot& snapshot, const QImage& pane)
         const QString path = freePath(QDir(folder).filePath(exportName(snapshot.picture)));
         QString reason;
         if (!QDir().mkpath(folder))
-            reason = tr("The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).").arg(folder);
+            reason = tr("The folder %1 cannot be made. Name another one with --pictures or in the preferences (Ctrl+,).").arg(folder);
         const QString dicom = path + QStringLiteral(".dcm");
         if (reason.isEmpty())
             reason = saveSecondaryCapture(snapshot, dicom, series);

@@ -329,7 +329,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
         content.flaps = Text::tr("%1 time in 2 min").arg(ordinal(incident.flaps));
     content.rollCall = rollCall(incident, sessions);
     addPatient(content, sessions, around.robot);
-    content.call = around.patientSide.isEmpty() ? Text::tr("How to call the patient side is not set up: preferences, F6")
+    content.call = around.patientSide.isEmpty() ? Text::tr("How to call the patient side is not set up: preferences (Ctrl+,)")
                                                 : Text::tr("Call the patient side: %1").arg(around.patientSide);
     addSeen(content, around);
     content.evidence = evidence(incident, sessions);

@@ -1,4 +1,4 @@
-// F5: every condition of the motion permit with its state, and how many are missing.
+// F6: every condition of the motion permit with its state, and how many are missing.
 #pragma once
 
 #include "model/permit_model.hpp"

@@ -16,9 +16,8 @@ void CockpitWindow::addViewKeys()
         connect(shortcut, &QShortcut::activated, this, [this, view] { toggleView(view); });
     };
     bind(Qt::Key_F3, View::Plots);
-    bind(Qt::Key_F5, View::Checklist);
-    bind(Qt::Key_F6, View::Preferences);
-    bind(Qt::Key_F7, View::Screens);
+    bind(Qt::Key_F6, View::Checklist);
+    bind(Qt::Key_F7, View::Screens); // F5 is kept for the editor
     const auto act = [this](const QKeySequence& keys, auto what) {
         auto* shortcut = new QShortcut(keys, this);
         shortcut->setAutoRepeat(false);
@@ -26,6 +25,7 @@ void CockpitWindow::addViewKeys()
     };
     act(Qt::Key_F10, [this] { setArrangement(swapped(m_arrangement, Arrangement::ReferenceBeside)); });
     act(Qt::Key_F11, [this] { setArrangement(swapped(m_arrangement, Arrangement::SceneBeside)); });
+    act(Qt::CTRL | Qt::Key_Comma, [this] { toggleView(View::Preferences); });
     for (int place = 0; place < 9; ++place)
         act(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_1 + place)), [this, place] { Q_EMIT layoutRequested(place); });
     connect(m_strip, &StatusStrip::aboutRequested, this, [this] { toggleView(View::About); });
@@ -35,8 +35,8 @@ void CockpitWindow::addViewKeys()
 void CockpitWindow::setKeyLegend(const QString& legend)
 {
     m_motion->setKeyLegend({tr("Esc emergency stop \u00B7 F12 hold \u00B7 F9 audio pause"), legend,
-                            tr("F1 cockpit \u00B7 F2 topology \u00B7 F3 plots \u00B7 F4 log \u00B7 F5 conditions \u00B7 F6 preferences "
-                               "\u00B7 F7 screens \u00B7 F8 alarm test \u00B7 F10 F11 swap")});
+                            tr("F1 cockpit \u00B7 F2 topology \u00B7 F3 plots \u00B7 F4 log \u00B7 F6 conditions "
+                               "\u00B7 F7 screens \u00B7 F8 alarm test \u00B7 F10 F11 swap \u00B7 Ctrl+, preferences")});
 }
 
 void CockpitWindow::setResetHeld(bool held) { m_motion->setResetHeld(held); }

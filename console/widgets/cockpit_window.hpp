@@ -25,11 +25,11 @@ class TrendsPane;
 /// Shows the models on its own clock and emits what a person asks for; owns nothing of what it shows. GUI thread only. `models` must
 /// outlive the window.
 ///
-/// Keys: F1 cockpit, F2 topology, F3 plots, F4 log, F5 conditions, F6 preferences, F7 screens, F10 and F11 reference or scene beside the
-/// live picture, Ctrl+1 … Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency stop, wherever the focus
-/// is. All other keys belong to the hand while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand
-/// has none, and `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on, nor is what is
-/// pressed with Ctrl, Alt or Meta.
+/// Keys: F1 cockpit, F2 topology, F3 plots, F4 log, F6 conditions, F7 screens, F10 and F11 reference or scene beside the live picture,
+/// Ctrl+, (with a comma) preferences, Ctrl+1 … Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency
+/// stop, wherever the focus is. F5 does nothing yet. All other keys belong to the hand while the cockpit itself has the focus; while a
+/// sheet, a view or another window has it, the hand has none, and `handFocusChanged(false)` says so before the first key goes elsewhere.
+/// Space and Enter are never handed on, nor is what is pressed with Ctrl, Alt or Meta.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:

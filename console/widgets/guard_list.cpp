@@ -46,7 +46,7 @@ void drawGuardMark(QPainter& painter, const QRectF& where, GuardMark mark)
 GuardList::GuardList(QWidget* parent) : QAbstractButton(parent)
 {
     theme::setTextRole(this, TextRole::Caption);
-    setAccessibleName(tr("Conditions for motion; F5 shows all of them"));
+    setAccessibleName(tr("Conditions for motion; F6 shows all of them"));
     setFocusPolicy(Qt::TabFocus); // a press leaves the keys to the hand until the view has them
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }

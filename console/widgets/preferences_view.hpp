@@ -1,4 +1,4 @@
-// F6: what a person sets up for themselves, each entry with what it does.
+// Ctrl+,: what a person sets up for themselves, each entry with what it does.
 #pragma once
 
 #include "model/preferences.hpp"

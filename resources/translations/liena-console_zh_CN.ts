@@ -933,8 +933,8 @@
         <translation>Esc 急停 · F12 保持 · F9 暂停报警声</translation>
     </message>
     <message>
-        <source>F1 cockpit · F2 topology · F3 plots · F4 log · F5 conditions · F6 preferences · F7 screens · F8 alarm test · F10 F11 swap</source>
-        <translation>F1 驾驶舱 · F2 拓扑 · F3 曲线 · F4 日志 · F5 运动条件 · F6 首选项 · F7 屏幕 · F8 报警自检 · F10 F11 互换</translation>
+        <source>F1 cockpit · F2 topology · F3 plots · F4 log · F6 conditions · F7 screens · F8 alarm test · F10 F11 swap · Ctrl+, preferences</source>
+        <translation>F1 驾驶舱 · F2 拓扑 · F3 曲线 · F4 日志 · F6 运动条件 · F7 屏幕 · F8 报警自检 · F10 F11 互换 · Ctrl+, 首选项</translation>
     </message>
 </context>
 <context>
@@ -1404,8 +1404,8 @@
 <context>
     <name>console::GuardList</name>
     <message>
-        <source>Conditions for motion; F5 shows all of them</source>
-        <translation>运动条件；F5 显示全部</translation>
+        <source>Conditions for motion; F6 shows all of them</source>
+        <translation>运动条件；F6 显示全部</translation>
     </message>
     <message>
         <source>All conditions are met</source>
@@ -3525,8 +3525,8 @@
         <translation>图像仍在保存。完成后请再次保存。</translation>
     </message>
     <message>
-        <source>The folder %1 cannot be made. Name another one with --pictures or in the preferences (F6).</source>
-        <translation>无法创建文件夹 %1。请用 --pictures 或在首选项 (F6) 中指定另一个。</translation>
+        <source>The folder %1 cannot be made. Name another one with --pictures or in the preferences (Ctrl+,).</source>
+        <translation>无法创建文件夹 %1。请用 --pictures 或在首选项 (Ctrl+,) 中指定另一个。</translation>
     </message>
 </context>
 <context>
@@ -4269,8 +4269,8 @@
         <translation>尚不清楚。LiENa 正自行重新连接；若不成功，系统将待机，本提示单会给出更多说明。</translation>
     </message>
     <message>
-        <source>How to call the patient side is not set up: preferences, F6</source>
-        <translation>患者端的呼叫方式未设置：首选项，F6</translation>
+        <source>How to call the patient side is not set up: preferences (Ctrl+,)</source>
+        <translation>患者端的呼叫方式未设置：首选项 (Ctrl+,)</translation>
     </message>
     <message>
         <source>Call the patient side: %1</source>

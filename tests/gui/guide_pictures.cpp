@@ -233,9 +233,11 @@ private:
 
     bool views()
     {
-        for (const auto& [key, name] : {std::pair{Qt::Key_F3, "plots"}, std::pair{Qt::Key_F4, "log"}, std::pair{Qt::Key_F5, "conditions"},
-                                        std::pair{Qt::Key_F6, "preferences"}, std::pair{Qt::Key_F7, "screens"}}) {
-            QTest::keyClick(&m_theatre.window(), key);
+        using Keys = QKeyCombination;
+        for (const auto& [keys, name] :
+             {std::pair{Keys(Qt::Key_F3), "plots"}, std::pair{Keys(Qt::Key_F4), "log"}, std::pair{Keys(Qt::Key_F6), "conditions"},
+              std::pair{Qt::CTRL | Qt::Key_Comma, "preferences"}, std::pair{Keys(Qt::Key_F7), "screens"}}) {
+            QTest::keyClick(&m_theatre.window(), keys.key(), keys.keyboardModifiers());
             if (!take(name))
                 return false;
         }

@@ -1,4 +1,4 @@
-// F6: what is shown and changed, when it may not be, and what brightness never touches.
+// Ctrl+,: what is shown and changed, when it may not be, and what brightness never touches.
 #include "app/picture_desk.hpp"
 #include "app/preference_desk.hpp"
 #include "cockpit_stage.hpp"
@@ -52,7 +52,7 @@ struct Prepared : CockpitStage {
     {
         if (!ready())
             return false;
-        QTest::keyClick(&window, Qt::Key_F6);
+        QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
         return view->isVisible();
     }
 
@@ -97,6 +97,32 @@ class TestPreferencesView : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void initTestCase() { theme::apply(*qApp); }
+
+    /// A field that somebody types into lets them through, and no part of them is the hand's.
+    void itsKeysWorkInAFieldAndAreNoneOfTheHands()
+    {
+        Prepared stage;
+        QVERIFY(stage.ready());
+        QSignalSpy pressed(&stage.window, &CockpitWindow::handKeyPressed);
+        const auto strike = [](Qt::KeyboardModifiers modifiers) {
+            for (const auto type : {QTest::Press, QTest::Release})
+                QTest::sendKeyEvent(type, QApplication::focusWidget(), Qt::Key_Comma, QStringLiteral(","), modifiers);
+        };
+        QTest::keyClick(&stage.window, Qt::Key_F4);
+        auto* words = stage.named<QLineEdit>(QStringLiteral("Only lines with these words"));
+        QVERIFY(words != nullptr);
+        words->setFocus();
+        strike(Qt::NoModifier);
+        QCOMPARE(stage.window.view(), View::Log);
+        strike(Qt::ControlModifier);
+        QVERIFY(stage.view->isVisible());
+        QCOMPARE(words->text(), QStringLiteral(","));
+        strike(Qt::ControlModifier);
+        QCOMPARE(stage.window.view(), View::Cockpit);
+        QTest::keyClick(&stage.window, Qt::Key_F6); // that of the conditions now
+        QVERIFY(!stage.view->isVisible());
+        QCOMPARE(pressed.count(), 0);
+    }
 
     void aChoiceIsInForceAndKeptAtOnce()
     {

@@ -48,6 +48,8 @@ void press(Stage& stage)
     stage.theatre.strike(K);
 }
 
+void pressForPreferences(Stage& stage) { QTest::keyClick(stage.theatre.keyTarget(), Qt::Key_Comma, Qt::ControlModifier); }
+
 template <View V>
 void bring(Stage& stage)
 {
@@ -141,8 +143,8 @@ const std::vector<Attempt>& interruptions()
         {"topology in front", press<Qt::Key_F2>, backToCockpit},
         {"plots in front", press<Qt::Key_F3>, backToCockpit},
         {"log in front", press<Qt::Key_F4>, backToCockpit},
-        {"conditions in front", press<Qt::Key_F5>, backToCockpit},
-        {"preferences in front", press<Qt::Key_F6>, backToCockpit},
+        {"conditions in front", press<Qt::Key_F6>, backToCockpit},
+        {"preferences in front", pressForPreferences, backToCockpit},
         {"screens in front", press<Qt::Key_F7>, backToCockpit},
         {"about in front", clickAbout, backToCockpit},
         {"start page in front", bring<View::Start>, backToCockpit},

@@ -24,7 +24,7 @@ constexpr int patience = Theatre::patience;
 /// Those that end motion, or let go of what it needs, are tried by system.never_possible and others; D and Up are held.
 bool endsMotion(int key)
 {
-    const bool view = key >= Qt::Key_F1 && key <= Qt::Key_F7;
+    const bool view = key >= Qt::Key_F1 && key <= Qt::Key_F7 && key != Qt::Key_F5;
     return view || key == Qt::Key_F12 || key == Qt::Key_Escape || key == Qt::Key_F || key == Qt::Key_D || key == Qt::Key_Up;
 }
 
@@ -111,6 +111,8 @@ private Q_SLOTS:
         int tried = 0;
         for (const int key : keysOfAKeyboard()) {
             for (const auto modifier : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier}) {
+                if (key == Qt::Key_Comma && modifier == Qt::ControlModifier)
+                    continue; // the preferences: a view ends motion
                 if (!stage.mayMove())
                     QVERIFY2(moves(), qPrintable(stage.theatre.story())); // a busy computer paints too late, and motion ends
                 strike(key, modifier);
