@@ -114,6 +114,7 @@ void CockpitApplication::buildLog()
 {
     auto* view = new LogView(m_models.log, m_models.alarmLog);
     view->setPathSuggestion(suggestedLogPath);
+    m_pictures.joinLog(*view);
     m_window->setLogView(view);
     connect(view, &LogView::leaveRequested, m_window.get(), [this] { m_window->showView(View::Cockpit); });
     connect(view, &LogView::saveRequested, &m_logSaver, &LogSaver::save);

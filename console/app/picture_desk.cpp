@@ -4,6 +4,7 @@
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
 #include "widgets/cockpit_window.hpp"
+#include "widgets/log_view.hpp"
 #include "widgets/picture_controls.hpp"
 #include "widgets/picture_pane.hpp"
 #include "widgets/review_controls.hpp"
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <initializer_list>
 
 namespace console {
 
@@ -132,23 +132,35 @@ void PictureDesk::connectReference()
     connect(m_reviewControls, &ReviewControls::saveRequested, this, &PictureDesk::saveReference);
 }
 
+void PictureDesk::joinLog(LogView& log)
+{
+    auto* picture = makeReferenceCopy();
+    picture->setFocusPolicy(Qt::NoFocus); // to look at; what is done with a picture is done in its pane
+    picture->setAttribute(Qt::WA_TransparentForMouseEvents);
+    log.setReview([this](Instant moment) { return m_ring.frameOf(moment).picture; }, picture);
+    connect(&log, &LogView::reviewRequested, this, &PictureDesk::reviewAt);
+    connect(&log, &LogView::reviewStepRequested, &m_review, &CineReview::step);
+    connect(&log, &LogView::reviewPlayRequested, &m_review, &CineReview::setPlaying);
+    connect(&m_review, &CineReview::placeChanged, &log, [this, &log] { log.showReview(m_review.moment(), m_review.isPlaying()); });
+    connect(&m_pipeline, &FramePipeline::pictureReady, &log, &LogView::refreshReview);
+}
+
 void PictureDesk::connectRoadmap()
 {
     auto& roadmap = m_models.roadmap;
     connect(m_reviewControls, &ReviewControls::roadmapRequested, this, &PictureDesk::beginRoadmap);
     connect(m_reviewControls, &ReviewControls::opacityChanged, this, [this](double opacity) {
-        for (auto* view : {m_reference, m_copy.data()})
-            if (view)
-                view->setOpacity(opacity);
+        for (auto* view : references())
+            view->setOpacity(opacity);
     });
     connect(&m_pipeline, &FramePipeline::pictureReady, this, &PictureDesk::mapPicture);
     connect(&m_models.xray, &XraySystemState::statusChanged, this, [this] {
         const auto& status = m_models.xray.status();
         m_models.roadmap.noteTable(status.value.geometry.table, *status.received);
         m_hold.noteTable(status.value.geometry.table, *status.received);
-        for (PictureCanvas* view : std::initializer_list<PictureCanvas*>{m_live, m_reference, m_copy.data()})
-            if (view)
-                view->noteTable(status.value.geometry.table);
+        m_live->noteTable(status.value.geometry.table);
+        for (auto* view : references())
+            view->noteTable(status.value.geometry.table);
     });
     connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
     connect(&roadmap, &RoadmapState::changed, this, [this] {
@@ -176,6 +188,15 @@ void PictureDesk::showReview()
 {
     if (!m_review.open())
         return answer(false, tr("there is nothing to review yet"));
+    endRoadmap();
+}
+
+/// As with showReview(), and whatever is armed: the live picture, and what may move by it, is not touched.
+void PictureDesk::reviewAt(Instant moment)
+{
+    const auto found = m_ring.frameOf(moment);
+    if (found.picture != MomentPicture::Kept || !m_review.openAt(found.number))
+        return answer(false, tr("no picture of that moment is kept any more"));
     endRoadmap();
 }
 
@@ -228,9 +249,7 @@ void PictureDesk::showVessels()
 {
     const auto& roadmap = m_models.roadmap;
     const auto condition = m_models.picture.reading(std::chrono::steady_clock::now()).condition;
-    for (auto* view : {m_reference, m_copy.data()}) {
-        if (!view)
-            continue;
+    for (auto* view : references()) {
         view->setVessels(roadmap.isValid() ? m_vessels : QImage());
         view->setCondition(condition);
     }
@@ -248,28 +267,37 @@ void PictureDesk::showHold()
 
 void PictureDesk::showReference(const DisplayPicture& picture)
 {
-    m_reference->showPicture(picture);
-    if (m_copy)
-        m_copy->showPicture(picture);
+    for (auto* view : references())
+        view->showPicture(picture);
 }
 
 void PictureDesk::showPlace(const QString& place)
 {
-    m_reference->setPlace(place);
-    if (m_copy)
-        m_copy->setPlace(place);
+    for (auto* view : references())
+        view->setPlace(place);
 }
 
 ReferenceImageView* PictureDesk::makeReferenceCopy()
 {
-    m_copy = new ReferenceImageView;
-    theme::setTextRole(m_copy, theme::TextRole::Caption);
-    m_copy->setDisplay(&m_display);
-    m_copy->setOpacity(m_reference->opacity());
+    auto* copy = new ReferenceImageView;
+    theme::setTextRole(copy, theme::TextRole::Caption);
+    copy->setDisplay(&m_display);
+    copy->setOpacity(m_reference->opacity());
     if (m_reference->picture())
-        m_copy->showPicture(*m_reference->picture());
+        copy->showPicture(*m_reference->picture());
+    std::erase_if(m_copies, [](const auto& other) { return other.isNull(); });
+    m_copies.emplace_back(copy);
     showVessels();
-    return m_copy;
+    return copy;
+}
+
+std::vector<ReferenceImageView*> PictureDesk::references() const
+{
+    std::vector<ReferenceImageView*> all{m_reference};
+    for (const auto& copy : m_copies)
+        if (copy)
+            all.push_back(copy);
+    return all;
 }
 
 void PictureDesk::saveLive()
@@ -301,9 +329,8 @@ void PictureDesk::save(const DisplayPicture& picture, PictureCanvas& pane)
 void PictureDesk::answer(bool trouble, const QString& text)
 {
     note(trouble, text);
-    for (auto* view : {m_reference, m_copy.data()})
-        if (view)
-            view->tell(text);
+    for (auto* view : references())
+        view->tell(text);
 }
 
 void PictureDesk::note(bool trouble, const QString& text)

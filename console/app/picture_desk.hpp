@@ -15,11 +15,13 @@
 #include <QPointer>
 
 #include <optional>
+#include <vector>
 
 namespace console {
 
 class CockpitWindow;
 class LiveImageView;
+class LogView;
 class PictureCanvas;
 class ReferenceImageView;
 class ReviewControls;
@@ -42,8 +44,11 @@ public:
     /// Of how many pictures the last image hold is the mean, from the next one on; 1: the last picture.
     void setHoldPictures(int pictures) { m_hold.setPictures(pictures); }
 
-    /// A second pane with what the reference pane shows, for a screen of its own; the caller's.
+    /// Another pane with what the reference pane shows, for a place of its own; the caller's. After build().
     ReferenceImageView* makeReferenceCopy();
+
+    /// Lets the log lead to the pictures of its lines, and follow the review; after build(). `log` goes first.
+    void joinLog(LogView& log);
 
     FramePipeline& pipeline() { return m_pipeline; }
     DisplayState& display() { return m_display; }
@@ -55,11 +60,13 @@ private:
     void connectSaving();
     void showHold();
     void showReview();
+    void reviewAt(Instant moment);
     void beginRoadmap();
     void endRoadmap();
     void mapPicture(const DisplayPicture& live);
     void showVessels();
     void showReference(const DisplayPicture& picture);
+    std::vector<ReferenceImageView*> references() const;
     void showPlace(const QString& place);
     void saveLive();
     void saveReference();
@@ -80,12 +87,12 @@ private:
     PictureSaver m_saver;
     DisplayState m_display;
     std::optional<DisplayPicture> m_held;
-    QImage m_vessels;                           ///< of the roadmap that is wanted
-    bool m_roadmapRemoved = false;              ///< and none was made since
-    quint32 m_displacementSeen = 0;             ///< frame
-    LiveImageView* m_live = nullptr;            ///< the window's
-    ReferenceImageView* m_reference = nullptr;  ///< the window's
-    QPointer<ReferenceImageView> m_copy;        ///< of the reference pane, when there is one
+    QImage m_vessels;                          ///< of the roadmap that is wanted
+    bool m_roadmapRemoved = false;             ///< and none was made since
+    quint32 m_displacementSeen = 0;            ///< frame
+    LiveImageView* m_live = nullptr;           ///< the window's
+    ReferenceImageView* m_reference = nullptr; ///< the window's
+    std::vector<QPointer<ReferenceImageView>> m_copies;
     ReviewControls* m_reviewControls = nullptr; ///< the window's
     PictureCanvas* m_saving = nullptr;          ///< whose picture is being saved
 };

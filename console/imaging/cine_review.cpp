@@ -29,12 +29,14 @@ CineReview::CineReview(const CineRing& ring, QObject* parent) : QObject(parent),
     });
 }
 
-bool CineReview::open()
+bool CineReview::open() { return openAt(std::max<quint64>(m_ring.range().end, 1) - 1); }
+
+bool CineReview::openAt(quint64 number)
 {
-    const CineRing::Range range = m_ring.range();
-    if (range.isEmpty())
+    if (m_ring.range().isEmpty())
         return false;
-    show(range.end - 1);
+    m_timer.stop();
+    show(number);
     return true;
 }
 
@@ -42,6 +44,7 @@ void CineReview::close()
 {
     m_timer.stop();
     m_place.reset();
+    m_moment.reset();
     Q_EMIT placeChanged();
 }
 
@@ -103,7 +106,10 @@ void CineReview::show(quint64 number)
         return;
     m_place = std::clamp(number, range.first, range.end - 1);
     m_atEnd = *m_place + 1 == range.end;
-    m_pipeline.showFrame(m_ring.at(*m_place));
+    if (const auto frame = m_ring.at(*m_place)) {
+        m_moment = frame->arrival;
+        m_pipeline.showFrame(frame);
+    }
     Q_EMIT placeChanged();
 }
 

@@ -23,6 +23,9 @@ public:
 
     /// At the newest frame, standing still; false when there is none.
     bool open();
+
+    /// The same at the frame of that number in the ring, or at the nearest that there still is.
+    bool openAt(quint64 number);
     void close();
 
     void step(int frames);
@@ -37,6 +40,9 @@ public:
     /// `12 of 180, 11.2 s before the newest`; empty while closed.
     QString place() const;
 
+    /// When the frame that is shown came here; nothing while closed.
+    std::optional<Instant> moment() const { return m_moment; }
+
 Q_SIGNALS:
     void pictureReady(const console::DisplayPicture& picture);
     void placeChanged();
@@ -49,6 +55,7 @@ private:
     FramePipeline m_pipeline;
     QTimer m_timer;
     std::optional<quint64> m_place;
+    std::optional<Instant> m_moment;
     quint64 m_filmEnd = 0; ///< behind its last frame
     bool m_atEnd = false;  ///< what is shown was the newest when it was shown, or the last of the film
 };

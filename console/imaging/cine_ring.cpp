@@ -2,6 +2,7 @@
 #include "imaging/cine_ring.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -54,6 +55,18 @@ std::shared_ptr<const XrayFrame> CineRing::at(quint64 number) const
     if (number < m_first || number >= m_first + m_frames.size())
         return nullptr;
     return m_frames[static_cast<std::size_t>(number - m_first)];
+}
+
+CineRing::OfMoment CineRing::frameOf(Instant moment) const
+{
+    const std::lock_guard lock(m_mutex);
+    const auto next =
+        std::upper_bound(m_frames.begin(), m_frames.end(), moment, [](Instant at, const auto& frame) { return at < frame->arrival; });
+    if (next == m_frames.begin())
+        return {m_first > 0 ? MomentPicture::Gone : MomentPicture::NotTaken};
+    if (moment - (*std::prev(next))->arrival > longestGap)
+        return {MomentPicture::NotTaken};
+    return {MomentPicture::Kept, m_first + static_cast<quint64>(next - m_frames.begin()) - 1};
 }
 
 std::size_t CineRing::bytes() const

@@ -1,6 +1,7 @@
 // The frames of the last minute, for review.
 #pragma once
 
+#include "model/log_moments.hpp"
 #include "model/xray_frame.hpp"
 
 #include <chrono>
@@ -17,6 +18,7 @@ namespace console {
 class CineRing {
 public:
     static constexpr std::chrono::seconds longest{60};
+    static constexpr std::chrono::seconds longestGap{2}; ///< frames further apart are not of one run
 
     /// A quarter of the computer's memory, from 512 MiB to 4 GiB: a minute of 1024 x 1024 pixels of 16 bits at 30 pictures a second takes
     /// 3.5 GiB. It is taken as frames come.
@@ -39,6 +41,14 @@ public:
 
     /// Nothing when it is gone or not yet there.
     std::shared_ptr<const XrayFrame> at(quint64 number) const;
+
+    struct OfMoment {
+        MomentPicture picture = MomentPicture::NotTaken;
+        quint64 number = 0; ///< of the frame, when it is kept
+    };
+    /// The last frame that was here by `moment`, if it came within the `longestGap` before. By arrivals: no clock that is set, here or at
+    /// the X-ray system, leads to another frame.
+    OfMoment frameOf(Instant moment) const;
 
     std::size_t bytes() const;
 

@@ -101,7 +101,7 @@ void AlarmList::update(const std::vector<AlarmReport>& present, Instant now, qin
         if (lasts(missing, alarm.missingSince, endDelay(alarm.condition), now) && alarm.present) {
             alarm.present = false;
             different = true;
-            write(wallMs, alarm.priority, Text::tr("ended: %1").arg(alarm.text));
+            write(wallMs, alarm.priority, Text::tr("ended: %1").arg(alarm.text), now);
         }
     }
     std::erase_if(m_alarms, [](const Alarm& alarm) { return !alarm.present && (!alarm.latching || alarm.acknowledged); });
@@ -158,19 +158,19 @@ bool AlarmList::raise(const AlarmReport& report, Instant now, qint64 wallMs)
     ++m_raised;
     if (report.priority == AlarmPriority::High)
         endPause(now);
-    write(wallMs, report.priority, Text::tr("raised: %1").arg(report.text));
+    write(wallMs, report.priority, Text::tr("raised: %1").arg(report.text), now);
     Q_EMIT raised(m_alarms.back().id);
     return true;
 }
 
-void AlarmList::acknowledge(quint64 id, qint64 wallMs, const QString& who)
+void AlarmList::acknowledge(quint64 id, qint64 wallMs, const QString& who, Instant now)
 {
     const auto place = std::find_if(m_alarms.begin(), m_alarms.end(), [id](const Alarm& alarm) { return alarm.id == id; });
     if (place == m_alarms.end() || place->acknowledged)
         return;
     place->acknowledged = true;
     write(wallMs, place->priority,
-          who.isEmpty() ? Text::tr("acknowledged: %1").arg(place->text) : Text::tr("acknowledged by %1: %2").arg(who, place->text));
+          who.isEmpty() ? Text::tr("acknowledged: %1").arg(place->text) : Text::tr("acknowledged by %1: %2").arg(who, place->text), now);
     if (!place->present)
         m_alarms.erase(place);
     sort();
@@ -181,14 +181,14 @@ void AlarmList::pauseAudio(Instant now, qint64 wallMs, const QString& who)
 {
     m_audioPausedUntil = now + m_audioPause;
     m_audibleSince = m_audioPausedUntil;
-    note(wallMs, who.isEmpty() ? Text::tr("audio paused") : Text::tr("audio paused by %1").arg(who));
+    note(wallMs, who.isEmpty() ? Text::tr("audio paused") : Text::tr("audio paused by %1").arg(who), now);
     Q_EMIT changed();
 }
 
 void AlarmList::resumeAudio(Instant now, qint64 wallMs)
 {
     endPause(now);
-    note(wallMs, Text::tr("audio pause ended"));
+    note(wallMs, Text::tr("audio pause ended"), now);
     Q_EMIT changed();
 }
 
@@ -214,9 +214,9 @@ std::optional<Duration> AlarmList::audioPauseLeft(Instant now) const
     return *m_audioPausedUntil - now;
 }
 
-void AlarmList::write(qint64 wallMs, AlarmPriority priority, const QString& text)
+void AlarmList::write(qint64 wallMs, AlarmPriority priority, const QString& text, Instant now)
 {
-    m_log.push_back({wallMs, priority, text});
+    m_log.push_back({wallMs, priority, text, now});
     while (m_log.size() > logLimit)
         m_log.pop_front();
     Q_EMIT logged(m_log.back());

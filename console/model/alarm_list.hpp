@@ -78,7 +78,8 @@ struct Alarm {
 struct AlarmLogEntry {
     qint64 wallMs = 0;
     AlarmPriority priority = AlarmPriority::Low;
-    QString text; ///< `raised: …`, `ended: …`, `acknowledged by …: …`
+    QString text;                ///< `raised: …`, `ended: …`, `acknowledged by …: …`
+    std::optional<Instant> at{}; ///< for comparing: a wall clock may be set; nothing for those of earlier runs
 };
 
 /// For how long a condition must be gone before it has ended. It is raised at once, and one that trembles at its limit stays one alarm,
@@ -128,7 +129,7 @@ public:
     void update(const std::vector<AlarmReport>& present, Instant now, qint64 wallMs);
 
     /// `who` is for the log; empty when nobody said who it is.
-    void acknowledge(quint64 id, qint64 wallMs, const QString& who = {});
+    void acknowledge(quint64 id, qint64 wallMs, const QString& who = {}, Instant now = std::chrono::steady_clock::now());
 
     /// How long a pause lasts, within its bounds; one that runs already keeps its end.
     void setAudioPause(std::chrono::seconds length) { m_audioPause = std::clamp(length, leastAudioPause, mostAudioPause); }
@@ -150,7 +151,10 @@ public:
     void restoreLog(const std::vector<AlarmLogEntry>& entries);
 
     /// Something about alarms that is no condition: a self-test, a start.
-    void note(qint64 wallMs, const QString& text) { write(wallMs, AlarmPriority::Low, text); }
+    void note(qint64 wallMs, const QString& text, Instant now = std::chrono::steady_clock::now())
+    {
+        write(wallMs, AlarmPriority::Low, text, now);
+    }
 
     quint64 raisedInAll() const { return m_raised; }
 
@@ -163,7 +167,7 @@ Q_SIGNALS:
 private:
     bool raise(const AlarmReport& report, Instant now, qint64 wallMs);
     void endPause(Instant now);
-    void write(qint64 wallMs, AlarmPriority priority, const QString& text);
+    void write(qint64 wallMs, AlarmPriority priority, const QString& text, Instant now);
     void sort();
 
     std::vector<Alarm> m_alarms;

@@ -34,6 +34,8 @@ QVariant AlarmLogModel::data(const QModelIndex& index, int role) const
         return word(entry.priority);
     case LogTextRole:
         return entry.text;
+    case LogInstantRole:
+        return entry.at ? QVariant::fromValue(*entry.at) : QVariant();
     default:
         return {};
     }

@@ -28,12 +28,14 @@ QVariant EventLog::data(const QModelIndex& index, int role) const
         return word(line.kind);
     case LogTextRole:
         return line.text;
+    case LogInstantRole:
+        return QVariant::fromValue(line.at);
     default:
         return {};
     }
 }
 
-void EventLog::append(LogKind kind, const QString& text, qint64 wallMs)
+void EventLog::append(LogKind kind, const QString& text, qint64 wallMs, Instant at)
 {
     if (rowCount() >= m_limit) {
         beginRemoveRows({}, 0, 0);
@@ -42,7 +44,7 @@ void EventLog::append(LogKind kind, const QString& text, qint64 wallMs)
         endRemoveRows();
     }
     beginInsertRows({}, rowCount(), rowCount());
-    m_lines.push_back({wallMs, kind, text});
+    m_lines.push_back({wallMs, kind, text, at});
     endInsertRows();
 }
 

@@ -1,6 +1,8 @@
 // What happened, line by line, oldest first; bounded.
 #pragma once
 
+#include "model/instant.hpp"
+
 #include <QAbstractListModel>
 #include <QString>
 
@@ -16,6 +18,7 @@ struct LogLine {
     qint64 wallMs = 0; ///< Unix time, milliseconds
     LogKind kind = LogKind::Note;
     QString text;
+    Instant at; ///< for comparing: a wall clock may be set
 };
 
 /// GUI thread only. One column, with the roles of log_roles.hpp.
@@ -32,7 +35,8 @@ public:
     const std::deque<LogLine>& lines() const { return m_lines; }
     quint64 lost() const { return m_lost; } ///< lines that had to go
 
-    void append(LogKind kind, const QString& text, qint64 wallMs);
+    /// Both clocks at the moment of which the line tells; as it happens the second is the present.
+    void append(LogKind kind, const QString& text, qint64 wallMs, Instant at = std::chrono::steady_clock::now());
 
 private:
     int m_limit;

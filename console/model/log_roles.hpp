@@ -11,6 +11,7 @@ enum LogRole : int {
     LogKindRole,                    ///< int, the log's own enumeration
     LogKindWordRole,                ///< QString
     LogTextRole,                    ///< QString
+    LogInstantRole,                 ///< Instant; invalid for lines of earlier runs
 };
 
 } // namespace console

@@ -1,4 +1,4 @@
-// Painting of log lines, and following the newest.
+// Painting of log lines, the mark before one, and following the newest.
 #include "widgets/log_lines.hpp"
 
 #include "model/alarm_list.hpp"
@@ -9,6 +9,7 @@
 
 #include <QDateTime>
 #include <QEvent>
+#include <QKeyEvent>
 #include <QPainter>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
@@ -31,10 +32,10 @@ double widestKind(const QFontMetricsF& metrics)
     return widest;
 }
 
-/// Times stand in cells of one width; the kind has room for the longest word.
+/// Times stand in cells of one width; the kind has room for the longest word, and the mark its own before them, so that nothing jumps.
 class LineDelegate : public QStyledItemDelegate {
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    explicit LineDelegate(LogLines* lines) : QStyledItemDelegate(lines), m_lines(*lines) {}
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
     {
@@ -54,6 +55,10 @@ public:
         const bool today = time.date() == QDate::currentDate();
         const QString clock = time.toString(today ? QStringLiteral("HH:mm:ss.zzz") : QStringLiteral("yyyy-MM-dd HH:mm:ss"));
         QRectF rest = QRectF(option.rect).adjusted(6, 0, -6, 0);
+        const double side = metrics.capHeight();
+        if (m_lines.marked() == index)
+            drawMark(*painter, {rest.left(), rest.center().y() - side / 2, side, side});
+        rest.setLeft(rest.left() + side + gap / 2);
         painter->setPen(chosen ? colour::bright : colour::secondary);
         drawFigures(*painter, rest, Qt::AlignLeft | Qt::AlignVCenter, clock);
         rest.setLeft(rest.left() + figuresWidth(option.font, QStringLiteral("0000-00-00 00:00:00")) + gap);
@@ -64,6 +69,19 @@ public:
                           metrics.elidedText(index.data(LogTextRole).toString(), Qt::ElideRight, rest.width()));
         painter->restore();
     }
+
+private:
+    static void drawMark(QPainter& painter, const QRectF& where)
+    {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colour::bright);
+        painter.drawPolygon(QPolygonF{where.topLeft(), {where.right(), where.center().y()}, where.bottomLeft()});
+        painter.restore();
+    }
+
+    const LogLines& m_lines;
 };
 
 } // namespace
@@ -78,6 +96,7 @@ LogLines::LogLines(QWidget* parent) : QListView(parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setContextMenuPolicy(Qt::NoContextMenu);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { m_follows = atNewest(); });
+    connect(this, &QAbstractItemView::doubleClicked, this, &LogLines::chosen);
 }
 
 void LogLines::setModel(QAbstractItemModel* model)
@@ -87,12 +106,26 @@ void LogLines::setModel(QAbstractItemModel* model)
     scrollToBottom();
 }
 
+void LogLines::mark(const QModelIndex& line)
+{
+    if (m_marked == line)
+        return;
+    m_marked = line;
+    viewport()->update();
+}
+
+void LogLines::bringMarkIntoView()
+{
+    if (m_marked.isValid() && isVisible())
+        scrollTo(m_marked);
+}
+
 bool LogLines::atNewest() const { return verticalScrollBar()->value() >= verticalScrollBar()->maximum(); }
 
 void LogLines::rowsInserted(const QModelIndex& parent, int start, int end)
 {
     QListView::rowsInserted(parent, start, end);
-    if (m_follows && isVisible())
+    if (m_follows && isVisible() && !m_marked.isValid())
         scrollToBottom();
 }
 
@@ -106,8 +139,20 @@ void LogLines::rowsAboutToBeRemoved(const QModelIndex& parent, int start, int en
 void LogLines::showEvent(QShowEvent* event)
 {
     QListView::showEvent(event);
-    if (m_follows)
+    if (m_marked.isValid())
+        bringMarkIntoView();
+    else if (m_follows)
         scrollToBottom();
+}
+
+// Qt's own `activated` would come of a single click, where the desktop wants it so.
+void LogLines::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+        return QListView::keyPressEvent(event);
+    event->accept();
+    if (!event->isAutoRepeat() && currentIndex().isValid())
+        Q_EMIT chosen(currentIndex());
 }
 
 // Whoever comes by Tab begins with the newest line.

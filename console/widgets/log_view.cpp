@@ -1,8 +1,9 @@
-// Which log above, its filters below it, its lines, the chosen line in full, and the way into a file.
+// Which log above, its filters below it, its lines, the chosen line in full, the way to its picture and the way into a file.
 #include "widgets/log_view.hpp"
 
 #include "widgets/labels.hpp"
 #include "widgets/log_lines.hpp"
+#include "widgets/log_review.hpp"
 #include "widgets/sheet_button.hpp"
 #include "widgets/touch_line.hpp"
 
@@ -46,14 +47,34 @@ LogView::LogView(EventLog& events, AlarmLogModel& alarms, QWidget* parent)
     column->setSpacing(6);
     column->addLayout(makeHead());
     column->addLayout(makeFilters());
-    column->addWidget(m_lines, 1);
+    m_middle = new QHBoxLayout;
+    m_middle->setSpacing(10);
+    m_middle->addWidget(m_lines, 3);
+    column->addLayout(m_middle, 1);
     column->addWidget(m_whole);
+    column->addWidget(m_review = new LogReview(this));
+    m_review->hide();
     column->addLayout(makeSaving());
     column->addWidget(m_outcome);
-    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
-        connect(&m_filter, signal, this, &LogView::refreshCount);
-    connect(&m_filter, &QAbstractItemModel::modelReset, this, &LogView::refreshCount);
+    connectLines();
     showLog(Log::Events);
+}
+
+void LogView::connectLines()
+{
+    const auto follow = [this] {
+        refreshCount();
+        markLine();
+    };
+    for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved})
+        connect(&m_filter, signal, this, follow);
+    connect(&m_filter, &QAbstractItemModel::modelReset, this, follow);
+    connect(m_lines, &QAbstractItemView::clicked, this, &LogView::showWhole);
+    connect(m_lines, &LogLines::chosen, this, &LogView::reviewLine);
+    connect(m_review, &LogReview::reviewRequested, this, [this] { reviewLine(m_lines->currentIndex()); });
+    connect(m_review, &LogReview::stepRequested, this, &LogView::reviewStepRequested);
+    connect(m_review, &LogReview::playRequested, this, &LogView::reviewPlayRequested);
+    connect(m_review, &LogReview::focusLeaving, m_lines, [this] { m_lines->setFocus(); });
 }
 
 QPushButton* LogView::addToggle(QHBoxLayout* row, const QString& text, const QString& accessibleName)
@@ -84,7 +105,6 @@ QHBoxLayout* LogView::makeHead()
     connect(leave, &QPushButton::clicked, this, &LogView::leaveRequested);
     connect(m_logs[0], &QPushButton::clicked, this, [this] { showLog(Log::Events); });
     connect(m_logs[1], &QPushButton::clicked, this, [this] { showLog(Log::Alarms); });
-    connect(m_lines, &QAbstractItemView::clicked, this, &LogView::showWhole);
     return row;
 }
 
@@ -144,6 +164,8 @@ void LogView::showLog(Log log)
         m_path->setText(m_suggest(logName()));
     showWhole();
     refreshCount();
+    markLine();
+    m_lines->bringMarkIntoView();
 }
 
 /// A log has kinds of its own; what was chosen of the other's says nothing here.
@@ -197,7 +219,51 @@ void LogView::showWhole()
     const auto line = m_lines->currentIndex();
     m_whole->setText(line.isValid() ? line.data().toString() : tr("Choose a line to read it whole."));
     setInk(m_whole, line.isValid() ? colour::text : colour::secondary);
+    refreshReview();
 }
+
+void LogView::setReview(std::function<MomentPicture(Instant)> keeps, QWidget* picture)
+{
+    m_keeps = std::move(keeps);
+    m_picture = picture;
+    m_middle->insertWidget(0, m_picture, 2);
+    m_picture->setVisible(m_reviewed.has_value());
+    m_review->show();
+    refreshReview();
+}
+
+void LogView::refreshReview()
+{
+    if (!m_keeps || !isVisible())
+        return;
+    const auto line = m_lines->currentIndex();
+    if (!line.isValid())
+        return m_review->showLine(std::nullopt);
+    const auto moment = momentOf(line);
+    m_review->showLine(moment ? m_keeps(*moment) : MomentPicture::Gone);
+}
+
+void LogView::reviewLine(const QModelIndex& line)
+{
+    refreshReview();
+    const auto moment = momentOf(line);
+    if (m_keeps && moment && m_keeps(*moment) == MomentPicture::Kept)
+        Q_EMIT reviewRequested(*moment);
+}
+
+void LogView::showReview(std::optional<Instant> moment, bool playing)
+{
+    const bool moved = moment != m_reviewed;
+    m_reviewed = moment;
+    if (m_picture != nullptr)
+        m_picture->setVisible(moment.has_value());
+    m_review->showReview(moment.has_value(), playing);
+    markLine();
+    if (moved)
+        m_lines->bringMarkIntoView();
+}
+
+void LogView::markLine() { m_lines->mark(m_reviewed ? newestLineUntil(m_filter, *m_reviewed) : QModelIndex()); }
 
 QString LogView::logName() const { return m_log == Log::Events ? QStringLiteral("events") : QStringLiteral("alarms"); }
 
@@ -233,6 +299,7 @@ void LogView::showEvent(QShowEvent* event)
 {
     QFrame::showEvent(event);
     refreshCount();
+    refreshReview();
 }
 
 } // namespace console

@@ -2669,6 +2669,53 @@
     </message>
 </context>
 <context>
+    <name>console::LogReview</name>
+    <message>
+        <source>Review from the log</source>
+        <translation>从日志回放</translation>
+    </message>
+    <message>
+        <source>Review this moment</source>
+        <translation>回放此刻</translation>
+    </message>
+    <message>
+        <source>Review the picture of the chosen line&apos;s moment</source>
+        <translation>回放所选行时刻的图像</translation>
+    </message>
+    <message>
+        <source>One picture back</source>
+        <translation>后退一幅</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>One picture on</source>
+        <translation>前进一幅</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop the film</source>
+        <translation>停止播放</translation>
+    </message>
+    <message>
+        <source>▶ is before the last line up to the picture in review.</source>
+        <translation>▶ 位于截至回放图像的最后一行之前。</translation>
+    </message>
+    <message>
+        <source>No picture of this moment is kept: the last 60 s are.</source>
+        <translation>未保留此刻的图像：只保留最近 60 s。</translation>
+    </message>
+    <message>
+        <source>No picture came at this moment, nor shortly before it.</source>
+        <translation>此刻及之前不久没有图像到达。</translation>
+    </message>
+</context>
+<context>
     <name>console::LogSaver</name>
     <message>
         <source>No file is named. Write the name of one, for example %1.</source>
@@ -3332,6 +3379,10 @@
     <message>
         <source>roadmap made of %1 pictures of run %2</source>
         <translation>路图由曝光 %2 的 %1 帧图像制成</translation>
+    </message>
+    <message>
+        <source>no picture of that moment is kept any more</source>
+        <translation>那一刻的图像已不再保留</translation>
     </message>
 </context>
 <context>

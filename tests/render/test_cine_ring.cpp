@@ -30,6 +30,8 @@ private Q_SLOTS:
     void numbersStay();
     void copiesTheBytes();
     void keepsNothingLargerThanItself();
+    void findsTheFrameOfAMoment();
+    void clocksThatAreSetLeadToNoOtherFrame();
 };
 
 void TestCineRing::keepsOneMinute()
@@ -86,6 +88,47 @@ void TestCineRing::keepsNothingLargerThanItself()
     ring.add(*frameAt(1, 0ns));
     QVERIFY(ring.range().isEmpty());
     QCOMPARE(ring.bytes(), std::size_t(0));
+}
+
+void TestCineRing::findsTheFrameOfAMoment()
+{
+    CineRing ring;
+    QVERIFY(ring.frameOf(start).picture == MomentPicture::NotTaken);
+    for (quint32 number = 0; number < 3; ++number)
+        ring.add(*frameAt(number, std::chrono::milliseconds(100) * number));
+    ring.add(*frameAt(3, 10s));
+    const auto numberAt = [&ring](Duration since) {
+        const auto found = ring.frameOf(start + since);
+        return found.picture == MomentPicture::Kept ? int(found.number) : -1;
+    };
+    QCOMPARE(numberAt(-1ns), -1);
+    QVERIFY(ring.frameOf(start - 1ns).picture == MomentPicture::NotTaken); // the first one ever came later
+    QCOMPARE(numberAt(0ns), 0);
+    QCOMPARE(numberAt(99ms), 0);
+    QCOMPARE(numberAt(100ms), 1);
+    QCOMPARE(numberAt(199ms), 1);
+    QCOMPARE(numberAt(200ms + CineRing::longestGap), 2);
+    QCOMPARE(numberAt(201ms + CineRing::longestGap), -1); // between two runs
+    QCOMPARE(numberAt(10s), 3);
+    QCOMPARE(numberAt(10s + CineRing::longestGap), 3);
+    QVERIFY(ring.frameOf(start + 30s).picture == MomentPicture::NotTaken);
+    ring.add(*frameAt(4, 65s)); // the first three go
+    QVERIFY(ring.frameOf(start + 150ms).picture == MomentPicture::Gone);
+    QCOMPARE(numberAt(10s), 3);
+    QCOMPARE(numberAt(65s), 4);
+}
+
+/// The X-ray system's clock goes back by an hour between the second frame and the third.
+void TestCineRing::clocksThatAreSetLeadToNoOtherFrame()
+{
+    CineRing ring;
+    for (quint32 number = 0; number < 4; ++number) {
+        const auto frame = frameAt(number, std::chrono::milliseconds(100) * number);
+        frame->captureNs = 7'200'000'000'000ULL + frame->captureNs - (number < 2 ? 0 : 3'600'000'000'000ULL);
+        ring.add(*frame);
+    }
+    for (quint32 number = 0; number < 4; ++number)
+        QCOMPARE(ring.frameOf(start + std::chrono::milliseconds(100) * number + 50ms).number, quint64(number));
 }
 
 QTEST_APPLESS_MAIN(TestCineRing)

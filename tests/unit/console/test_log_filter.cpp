@@ -2,6 +2,7 @@
 #include "model/alarm_log_model.hpp"
 #include "model/event_log.hpp"
 #include "model/log_filter.hpp"
+#include "model/log_moments.hpp"
 #include "model/log_roles.hpp"
 
 #include <QAbstractItemModelTester>
@@ -52,6 +53,45 @@ private Q_SLOTS:
         QCOMPARE(filter.rowCount(), 0); // words, no pattern
         filter.setWords({});
         QCOMPARE(filter.rowCount(), 4);
+    }
+
+    /// The wall clock goes back by an hour between the second line and the third.
+    void theNewestLineUntilAMomentIsFoundWhateverTheWallClockSays()
+    {
+        const Instant start = std::chrono::steady_clock::now();
+        const auto at = [start](int seconds) { return start + std::chrono::seconds(seconds); };
+        EventLog log;
+        LogFilter filter;
+        filter.setSourceModel(&log);
+        QVERIFY(!newestLineUntil(filter, start).isValid());
+        log.append(LogKind::Note, QStringLiteral("one"), noon, at(1));
+        log.append(LogKind::Link, QStringLiteral("two"), noon + 1000, at(2));
+        log.append(LogKind::Note, QStringLiteral("three"), noon + 2000 - 3'600'000, at(3));
+        const auto textAt = [&](Instant moment) { return newestLineUntil(filter, moment).data(LogTextRole).toString(); };
+        QVERIFY(!newestLineUntil(filter, at(1) - std::chrono::nanoseconds(1)).isValid());
+        QCOMPARE(textAt(at(1)), QStringLiteral("one"));
+        QCOMPARE(textAt(at(3) - std::chrono::nanoseconds(1)), QStringLiteral("two"));
+        QCOMPARE(textAt(at(3)), QStringLiteral("three"));
+        QCOMPARE(textAt(at(99)), QStringLiteral("three"));
+        filter.setKinds({int(LogKind::Note)});
+        QCOMPARE(textAt(at(2)), QStringLiteral("one"));
+        QCOMPARE(momentOf(filter.index(1, 0)), std::optional<Instant>(at(3)));
+        QCOMPARE(momentOf({}), std::nullopt);
+    }
+
+    void alarmsOfEarlierRunsHaveNoMomentAndComeBeforeAll()
+    {
+        AlarmList alarms;
+        const AlarmLogModel model(alarms);
+        const Instant start = std::chrono::steady_clock::now();
+        alarms.restoreLog({{noon + 5000, AlarmPriority::High, QStringLiteral("raised: then")}});
+        alarms.note(noon, QStringLiteral("console started."), start);
+        alarms.update({{AlarmCondition::ForceStop, 0, AlarmPriority::High, true, QStringLiteral("FORCE"), {}}},
+                      start + std::chrono::seconds(1), noon + 1000);
+        QCOMPARE(momentOf(model.index(0, 0)), std::nullopt);
+        QCOMPARE(momentOf(model.index(2, 0)), std::optional<Instant>(start + std::chrono::seconds(1)));
+        QCOMPARE(newestLineUntil(model, start - std::chrono::seconds(1)).row(), 0);
+        QCOMPARE(newestLineUntil(model, start).row(), 1);
     }
 
     void newLinesPassTheFilterToo()
