@@ -3,7 +3,7 @@
 // Those whose cause is a device that dies or a person beside it are tried by system.alarm_losses, those of a line by system.alarm_lines,
 // those of this computer by system.alarm_console, how urgent each is while nothing is armed by system.alarm_priorities; and a disk, a
 // loudspeaker and a watchdog apart from the window by unit.disk_room, unit.alarm_service, unit.alarm_sounder and system.watchdog.
-#include "puppet_theatre.hpp"
+#include "alarm_stage.hpp"
 #include "shown_alarms.hpp"
 #include "widgets/theme.hpp"
 
@@ -17,7 +17,6 @@
 using namespace console;
 using console::test::isPresent;
 using console::test::present;
-using console::test::PuppetTheatre;
 using console::test::puppetWishes;
 using console::test::Theatre;
 using liena::Message;
@@ -29,18 +28,7 @@ namespace {
 
 constexpr int patience = Theatre::patience;
 
-Theatre::Wishes wishesWithArm()
-{
-    auto wishes = puppetWishes();
-    wishes.arm = true;
-    return wishes;
-}
-
-struct Stage : PuppetTheatre {
-    Stage() : PuppetTheatre(wishesWithArm()) {}
-
-    liena::test::PuppetArm arm{theatre.files.settingsOf("arm")};
-
+struct Stage : console::test::AlarmStage {
     const Alarm* alarm(C condition) const { return present(theatre, condition); }
 };
 
@@ -64,22 +52,10 @@ void truth(Stage& stage)
 
 void robotSays(Stage& stage, PuppetRobot::Alter what) { stage.robot.alterStatus(std::move(what)); }
 
-/// From the run that is under way, which has contrast in it.
-void makeRoadmap(Stage& stage)
-{
-    auto& theatre = stage.theatre;
-    stage.xray.show(PuppetXray::Pictures::Filled);
-    const auto shown = theatre.models().picture.paintedCount();
-    (void)QTest::qWaitFor([&] { return theatre.models().picture.paintedCount() > shown + 10; }, patience);
-    theatre.click(QStringLiteral("Roadmap"));
-    (void)QTest::qWaitFor([&] { return theatre.models().roadmap.isValid(); }, patience);
-}
-
 void endRoadmap(Stage& stage)
 {
-    stage.xray.show(PuppetXray::Pictures::Good);
     truth(stage);
-    stage.theatre.click(QStringLiteral("Review"));
+    stage.endRoadmap();
 }
 
 const std::vector<Cause>& causes()
@@ -115,31 +91,31 @@ const std::vector<Cause>& causes()
         {"11 the tracker is silent", C::TrackerStale, AlarmPriority::Medium, [](Stage& s) { s.robot.setTipSilent(true); }, truth},
         {"12 the table moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             makeRoadmap(s);
+             (void)s.makeRoadmap();
              s.xray.alterStatus([](Message& m) { m.set("table_position", std::vector<double>{0, 5, 0}); });
          },
          endRoadmap},
         {"12 the C-arm turns under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             makeRoadmap(s);
+             (void)s.makeRoadmap();
              s.xray.alterFrame([](Message& m) { m.set("primary_angle", 3.0); });
          },
          endRoadmap},
         {"12 the detector moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             makeRoadmap(s);
+             (void)s.makeRoadmap();
              s.xray.alterFrame([](Message& m) { m.set("source_detector_distance", 1100.0); });
          },
          endRoadmap},
         {"12 the zoom changes under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             makeRoadmap(s);
+             (void)s.makeRoadmap();
              s.xray.alterFrame([](Message& m) { m.set("imager_pixel_spacing", 0.2); });
          },
          endRoadmap},
         {"12 the patient moves under a roadmap", C::RoadmapRemoved, AlarmPriority::Low,
          [](Stage& s) {
-             makeRoadmap(s);
+             (void)s.makeRoadmap();
              s.xray.show(PuppetXray::Pictures::Good); // the contrast is gone, which alone is no displacement
              s.xray.movePatient(6);
          },

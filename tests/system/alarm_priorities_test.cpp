@@ -1,7 +1,7 @@
 // One cause, two priorities: while the robot is armed and while nothing is, as the console itself tells them apart; in one console, which
 // is armed in between.
+#include "alarm_stage.hpp"
 #include "hostile_stage.hpp"
-#include "puppet_theatre.hpp"
 #include "shown_alarms.hpp"
 #include "widgets/theme.hpp"
 
@@ -14,7 +14,6 @@
 using namespace console;
 using console::test::isPresent;
 using console::test::present;
-using console::test::PuppetTheatre;
 using console::test::puppetWishes;
 using console::test::Theatre;
 using liena::Message;
@@ -26,19 +25,17 @@ namespace {
 
 constexpr int patience = Theatre::patience;
 
-Theatre::Wishes wishesWithAll()
+Theatre::Wishes wishesWithSecondXray()
 {
     auto wishes = puppetWishes();
-    wishes.arm = true;
     wishes.secondXray = true;
     return wishes;
 }
 
 /// With a robot that can be armed, and with a second X-ray system over a line as the test makes it.
-struct Stage : PuppetTheatre {
-    Stage() : PuppetTheatre(wishesWithAll()) {}
+struct Stage : console::test::AlarmStage {
+    Stage() : AlarmStage(wishesWithSecondXray()) {}
 
-    liena::test::PuppetArm arm{theatre.files.settingsOf("arm")};
     liena::test::ScriptedPeer second{secondRole()};
 
     liena::test::PeerRole secondRole()
