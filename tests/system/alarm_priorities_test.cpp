@@ -99,6 +99,25 @@ private Q_SLOTS:
         QVERIFY2(stage.ends(C::ClockUncertain), qPrintable(stage.theatre.story()));
     }
 
+    /// 12: the picture tells it at any time; an alarm is it as soon as instruments may move without it.
+    void aRemovedRoadmapIsAnAlarmOnlyWhileArmed()
+    {
+        Stage& stage = *m_stage;
+        QVERIFY2(stage.theatre.makeReady(), qPrintable(stage.theatre.story()));
+        QVERIFY2(stage.makeRoadmap(), qPrintable(stage.theatre.story()));
+        stage.xray.alterStatus([](Message& m) { m.set("table_position", std::vector<double>{0, 5, 0}); });
+        const auto& roadmap = stage.theatre.models().roadmap;
+        QTRY_VERIFY2_WITH_TIMEOUT(roadmap.isWanted() && !roadmap.isValid(), qPrintable(stage.theatre.story()), patience);
+        const auto removed = stage.robot.turns();
+        QTRY_VERIFY_WITH_TIMEOUT(stage.robot.turns() > removed + 50, patience); // alarms are looked for several times between
+        QVERIFY(stage.theatre.phase() < PermitPhase::Armed);
+        QVERIFY2(present(stage.theatre, C::RoadmapRemoved) == nullptr, qPrintable(stage.theatre.story()));
+        QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
+        QVERIFY2(stage.tells(C::RoadmapRemoved, AlarmPriority::Low), qPrintable(stage.theatre.story()));
+        stage.endRoadmap();
+        QVERIFY2(stage.ends(C::RoadmapRemoved), qPrintable(stage.theatre.story()));
+    }
+
     /// 3, 5, 6, 11, 13, 15: after an armed time, whose hold is over.
     void whatHappensWhileNothingIsArmedIsLessUrgent()
     {
