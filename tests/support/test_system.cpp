@@ -36,6 +36,22 @@ std::string linkElement(const std::string& link)
     return bar == std::string::npos ? start + "\"/>\n" : start + "\"><timing " + link.substr(bar + 1) + "/></link>\n";
 }
 
+std::filesystem::path deviceSets() { return std::filesystem::path(LIENA_SOURCE_DIR) / "resources" / "devices"; }
+
+/// A copy of them.
+std::filesystem::path setsWithLateCommands(const std::filesystem::path& folder)
+{
+    const auto made = folder / "registry";
+    std::filesystem::copy(deviceSets(), made);
+    QFile file(QString::fromStdString((made / "vascular-robot.xml").string()));
+    auto text = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    file.close();
+    text.replace("lifespan=\"50ms\"", "lifespan=\"60s\"").replace("max-age=\"50ms\"", "max-age=\"20s\"");
+    if (!text.contains("max-age=\"20s\"") || !file.open(QIODevice::WriteOnly) || file.write(text) != text.size())
+        throw std::runtime_error("cannot write " + made.string());
+    return made;
+}
+
 } // namespace
 
 std::uint16_t freePort()
@@ -67,6 +83,7 @@ TestSystem::TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string>
     QFile file(QString::fromStdString(topology().string()));
     if (!file.open(QIODevice::WriteOnly) || file.write(xml.data(), static_cast<qint64>(xml.size())) < 0)
         throw std::runtime_error("cannot write " + topology().string());
+    m_registry = options.lateCommands ? setsWithLateCommands(folder()) : deviceSets();
 }
 
 Settings TestSystem::settingsOf(const std::string& name)
@@ -74,7 +91,7 @@ Settings TestSystem::settingsOf(const std::string& name)
     Settings settings;
     settings.topology = topology();
     settings.device = name;
-    settings.registry = {std::filesystem::path(LIENA_SOURCE_DIR) / "resources" / "devices"};
+    settings.registry = {m_registry};
     settings.store = folder() / ("store-" + name);
     settings.software = "test " + name;
     settings.log = [](LogLevel, std::string_view) {};

@@ -51,6 +51,8 @@ public:
         /// a command's age is judged by it, and a motion command may be no older than 50 ms.
         std::string timing = R"(heartbeat="20ms" suspect="500ms" lost="800ms" reconnect="2s")";
         std::string name = R"(name="test")"; ///< of the topology, and what else its first element says
+        /// The robot takes motion commands that are up to 20 s old, as no real one does: for slow lines and loaded machines.
+        bool lateCommands = false;
     };
 
     /// `links` are as in the topology: "cockpit robot", or with a timing of their own: R"(cockpit robot|heartbeat="20ms")".
@@ -64,6 +66,7 @@ public:
     /// The same as options for one of our programs.
     QStringList argumentsOf(const std::string& name);
     std::filesystem::path topology() const { return folder() / "topology.xml"; }
+    std::filesystem::path registry() const { return m_registry; } ///< where the devices find their sets
     std::filesystem::path folder() const { return m_folder.path().toStdString(); }
     std::uint16_t portOf(const std::string& name) const;
     DeviceId idOf(const std::string& name) const;
@@ -81,6 +84,7 @@ private:
     QTemporaryDir m_folder;
     std::vector<DeviceSpec> m_devices;
     std::vector<std::uint16_t> m_ports;
+    std::filesystem::path m_registry;
     TestAuthority m_authority;
 };
 

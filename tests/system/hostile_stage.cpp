@@ -51,18 +51,6 @@ std::size_t residentBytes()
 
 namespace {
 
-std::filesystem::path registryIn(const std::filesystem::path& folder)
-{
-    const auto made = folder / "registry";
-    std::filesystem::copy(std::filesystem::path(LIENA_SOURCE_DIR) / "resources" / "devices", made);
-    auto text = wire::fileText(made / "vascular-robot.xml");
-    for (const auto& [from, to] : {std::pair<std::string, std::string>("lifespan=\"50ms\"", "lifespan=\"60s\""),
-                                   std::pair<std::string, std::string>("max-age=\"50ms\"", "max-age=\"20s\"")})
-        text.replace(text.find(from), from.size(), to);
-    std::ofstream(made / "vascular-robot.xml") << text;
-    return made;
-}
-
 DeviceSpec at(const std::string& host, DeviceSpec device)
 {
     device.host = host;
@@ -73,12 +61,11 @@ DeviceSpec at(const std::string& host, DeviceSpec device)
 
 HostileStage::HostileStage(const Options& options)
     : system({reference::cockpit, reference::robot, reference::arm, at(options.xrayHost, reference::xray)},
-             {"cockpit robot", "robot arm", "robot xray"}, {"tls", options.timing}),
+             {"cockpit robot", "robot arm", "robot xray"}, {.timing = options.timing, .lateCommands = true}),
       robotId(system.idOf("robot")),
       cockpitId(system.idOf("cockpit")),
       xrayId(system.idOf("xray")),
       armId(system.idOf("arm")),
-      m_registry(registryIn(system.folder())),
       peer(roleOf(system, "xray", "robot")),
       robot(robotSettings(options),
             [this](DistributedSystem& device) {
@@ -87,7 +74,7 @@ HostileStage::HostileStage(const Options& options)
                     m_motions.push_back(message);
                 });
             }),
-      cockpit(settingsOf("cockpit"))
+      cockpit(system.settingsOf("cockpit"))
 {
     if (!cockpit->openChannel(robotId) ||
         !eventually([this] { return robot.heard(Kind::Opened, cockpitId) && cockpit.heard(Kind::Opened, robotId); }))
@@ -96,7 +83,7 @@ HostileStage::HostileStage(const Options& options)
 
 Settings HostileStage::robotSettings(const Options& options)
 {
-    auto settings = settingsOf("robot");
+    auto settings = system.settingsOf("robot");
     if (!options.unknownSet.empty())
         settings.registry = {registryWithout(options.unknownSet)};
     settings.log = [this](LogLevel, std::string_view line) {
@@ -106,17 +93,10 @@ Settings HostileStage::robotSettings(const Options& options)
     return settings;
 }
 
-Settings HostileStage::settingsOf(const std::string& name)
-{
-    auto settings = system.settingsOf(name);
-    settings.registry = {m_registry};
-    return settings;
-}
-
 std::filesystem::path HostileStage::registryWithout(const std::string& set) const
 {
     const auto folder = system.folder() / ("registry-without-" + set);
-    std::filesystem::copy(m_registry, folder);
+    std::filesystem::copy(registry(), folder);
     std::filesystem::remove(folder / (set + ".xml"));
     return folder;
 }

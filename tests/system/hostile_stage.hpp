@@ -52,7 +52,7 @@ public:
     std::string story();
 
     /// Where the devices find their sets: the register's, with motion commands that a loaded machine cannot make too old.
-    std::filesystem::path registry() const { return m_registry; }
+    std::filesystem::path registry() const { return system.registry(); }
     /// A copy of it without one set.
     std::filesystem::path registryWithout(const std::string& set) const;
     std::vector<std::string> log() const; ///< the robot's
@@ -67,7 +67,6 @@ public:
     const DeviceId armId;
 
 private:
-    std::filesystem::path m_registry;
     mutable std::mutex m_mutex;
     std::vector<Message> m_motions;
     std::vector<std::string> m_log;
@@ -78,7 +77,6 @@ public:
     TestDevice cockpit;
 
 private:
-    Settings settingsOf(const std::string& name);
     Settings robotSettings(const Options& options);
 };
 
