@@ -27,6 +27,7 @@ std::vector<liena::test::DeviceSpec> devicesOf(const Theatre::Wishes& wishes)
     std::vector<liena::test::DeviceSpec> devices{titled(reference::cockpit, "Surgeon's cockpit", "surgeon"),
                                                  titled(reference::robot, "Vascular robot", "patient"),
                                                  titled(reference::xray, "C-arm X-ray", "patient")};
+    devices[1].host = wishes.robotHost;
     if (wishes.arm)
         devices.push_back(titled(reference::arm, "Robotic arm", "patient"));
     if (wishes.rival)

@@ -1,0 +1,117 @@
+// Alarms of commands that take long: between the console and a robot that can be armed, over a line as slow as the test says. That of one
+// that cannot be armed at all is tried by system.alarm_lines.
+#include "puppet_theatre.hpp"
+#include "shown_alarms.hpp"
+#include "slow_line.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QTest>
+
+#include <stdexcept>
+#include <string_view>
+
+#include <dlfcn.h>
+#include <netdb.h>
+
+using namespace console;
+using console::test::isPresent;
+using console::test::present;
+using console::test::PuppetTheatre;
+using console::test::puppetWishes;
+using console::test::Theatre;
+using namespace std::chrono_literals;
+using C = AlarmCondition;
+
+namespace {
+
+constexpr int patience = Theatre::patience;
+constexpr const char* host = "robot.liena.test";
+constexpr const char* listening = "127.0.0.2"; ///< where the robot does
+constexpr const char* found = "127.0.0.3";     ///< where everybody else finds it, which is the line
+
+Theatre::Wishes wishes()
+{
+    auto all = puppetWishes();
+    all.robotHost = host;
+    all.profile = PictureProfile::Neuro; // caution from 150 ms on, the limit at 250 ms, and motion goes on up to 450 ms
+    all.system.lateCommands = true;      // the reference robot takes none that is older than 50 ms
+    return all;
+}
+
+struct Stage {
+    liena::test::SlowLine line{QHostAddress(QString::fromLatin1(found)), QHostAddress(QString::fromLatin1(listening))};
+    PuppetTheatre devices{wishes()};
+    Theatre& theatre = devices.theatre;
+
+    Stage()
+    {
+        if (!line.open(theatre.files.portOf("robot")))
+            throw std::runtime_error("the line has no place of its own");
+    }
+
+    bool takesLongerThan(Duration time) const
+    {
+        const auto usual = [this] {
+            return theatre.models().sessions.linkTo(theatre.files.idOf("robot").value())->usualRoundTrip().value_or(0ms);
+        };
+        return QTest::qWaitFor([&] { return usual() > time; }, patience);
+    }
+
+    bool tells(AlarmPriority priority) const
+    {
+        return QTest::qWaitFor([&] { return isPresent(theatre, C::CommandRoundTrip, priority); }, patience);
+    }
+
+    bool ends() const
+    {
+        return QTest::qWaitFor([&] { return present(theatre, C::CommandRoundTrip) == nullptr; }, patience);
+    }
+};
+
+} // namespace
+
+// Stands before the C library's, which Asio asks: by name the line is found, and only the robot itself listens elsewhere.
+extern "C" int getaddrinfo(const char* node, const char* service, const addrinfo* hints, addrinfo** result)
+{
+    using Ask = int (*)(const char*, const char*, const addrinfo*, addrinfo**);
+    static const auto ask = reinterpret_cast<Ask>(::dlsym(RTLD_NEXT, "getaddrinfo"));
+    if (node == nullptr || std::string_view(node) != host)
+        return ask(node, service, hints, result);
+    const bool listens = hints != nullptr && (hints->ai_flags & AI_PASSIVE) != 0;
+    return ask(listens ? listening : found, service, hints, result);
+}
+
+class AlarmRoundTripTest : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance())); }
+
+    /// 8. The robot takes each command that late, and is armed all the same.
+    void commandsThatTakeLongAreMoreUrgentWhileArmed()
+    {
+        Stage stage;
+        auto& theatre = stage.theatre;
+        QVERIFY2(theatre.openAll(), qPrintable(theatre.story()));
+        stage.line.setDelay(200ms);
+        QVERIFY2(stage.takesLongerThan(150ms), qPrintable(theatre.story()));
+        const auto slow = stage.devices.robot.turns();
+        QTRY_VERIFY_WITH_TIMEOUT(stage.devices.robot.turns() > slow + 50, patience); // alarms are looked for several times between
+        QVERIFY2(present(theatre, C::CommandRoundTrip) == nullptr, qPrintable(theatre.story())); // nothing is armed
+        stage.line.setDelay(0ms);
+        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
+        QVERIFY2(present(theatre, C::CommandRoundTrip) == nullptr, qPrintable(theatre.story()));
+        stage.line.setDelay(200ms);
+        QVERIFY2(stage.tells(AlarmPriority::Low), qPrintable(theatre.story()));
+        stage.line.setDelay(330ms);
+        QVERIFY2(stage.tells(AlarmPriority::Medium), qPrintable(theatre.story()));
+        QVERIFY2(theatre.phase() == PermitPhase::Armed, qPrintable(theatre.story())); // it is told, and ends nothing
+        stage.line.setDelay(0ms);
+        QVERIFY2(stage.ends(), qPrintable(theatre.story()));
+        theatre.releaseAll();
+    }
+};
+
+QTEST_MAIN(AlarmRoundTripTest)
+#include "alarm_round_trip_test.moc"
