@@ -1,7 +1,6 @@
 // What a hand must never be able to do, tried through the console's own window and seen at the robot: arm or move by a key that repeats, a
 // click, a wheel or a key with another, make up for what was missed, jump into motion, raise a limit, inject by chance.
 #include "never_possible_stage.hpp"
-#include "widgets/theme.hpp"
 
 #include <QApplication>
 #include <QDeadlineTimer>
@@ -135,9 +134,8 @@ class NeverByHandTest : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
-        m_stage = std::make_unique<Stage>();
-        QVERIFY(m_stage->open());
+        m_stage = console::test::openStage();
+        QVERIFY(m_stage);
     }
 
     void cleanupTestCase() { m_stage.reset(); }

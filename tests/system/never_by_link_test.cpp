@@ -2,7 +2,6 @@
 // was opened to, or change the system that runs. Tried through the console's own window.
 #include "never_possible_stage.hpp"
 #include "widgets/diagnosis_sheet.hpp"
-#include "widgets/theme.hpp"
 
 #include <QApplication>
 #include <QFile>
@@ -123,9 +122,8 @@ class NeverByLinkTest : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
-        m_stage = std::make_unique<Stage>();
-        QVERIFY(m_stage->open());
+        m_stage = console::test::openStage();
+        QVERIFY(m_stage);
     }
 
     void cleanupTestCase() { m_stage.reset(); }

@@ -3,11 +3,14 @@
 
 #include "puppet_theatre.hpp"
 #include "widgets/hold_button.hpp"
+#include "widgets/theme.hpp"
 
+#include <QApplication>
 #include <QTest>
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace console::test {
@@ -96,6 +99,14 @@ struct NeverStage : PuppetTheatre {
         return QTest::qWaitFor([&] { return robot.turns() > ended + 10; }, patience);
     }
 };
+
+/// The one that all slots of a test share, its channels open; null when they do not open.
+inline std::unique_ptr<NeverStage> openStage(const Theatre::Wishes& wishes = puppetWishes())
+{
+    theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
+    auto stage = std::make_unique<NeverStage>(wishes);
+    return stage->open() ? std::move(stage) : nullptr;
+}
 
 /// Something that is done to the cockpit, and how it is undone.
 struct Attempt {

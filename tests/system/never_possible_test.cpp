@@ -8,7 +8,6 @@
 // (system.stand_by, the simulation; the age of each by itself: system.timing), certificates and topologies that differ
 // (system.certificates, hostile_*).
 #include "never_possible_stage.hpp"
-#include "widgets/theme.hpp"
 
 #include <QApplication>
 #include <QFile>
@@ -193,9 +192,8 @@ class NeverPossibleTest : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
-        m_stage = std::make_unique<Stage>();
-        QVERIFY(m_stage->open());
+        m_stage = console::test::openStage();
+        QVERIFY(m_stage);
     }
 
     void cleanupTestCase() { m_stage.reset(); }

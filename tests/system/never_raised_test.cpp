@@ -5,7 +5,6 @@
 #include "never_possible_stage.hpp"
 #include "widgets/hold_button.hpp"
 #include "widgets/stop_button.hpp"
-#include "widgets/theme.hpp"
 
 #include <QAbstractSlider>
 #include <QApplication>
@@ -92,11 +91,10 @@ class NeverRaisedTest : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
         auto wishes = console::test::puppetWishes();
         wishes.preferences.pictureFolder = m_pictures.path(); // Save is tried, too
-        m_stage = std::make_unique<Stage>(wishes);
-        QVERIFY(m_stage->open());
+        m_stage = console::test::openStage(wishes);
+        QVERIFY(m_stage);
     }
 
     void cleanupTestCase() { m_stage.reset(); }

@@ -157,9 +157,8 @@ class NeverShownTest : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
-        m_stage = std::make_unique<Stage>();
-        QVERIFY(m_stage->open());
+        m_stage = console::test::openStage();
+        QVERIFY(m_stage);
         QVERIFY2(showsNew(*m_stage), qPrintable(m_stage->theatre.story()));
     }
 

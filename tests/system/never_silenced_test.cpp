@@ -45,9 +45,8 @@ class NeverSilencedTest : public QObject {
 private Q_SLOTS:
     void initTestCase()
     {
-        theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
-        m_stage = std::make_unique<Stage>();
-        QVERIFY(m_stage->open());
+        m_stage = console::test::openStage();
+        QVERIFY(m_stage);
     }
 
     void cleanupTestCase() { m_stage.reset(); }
