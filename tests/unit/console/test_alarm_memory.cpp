@@ -92,24 +92,23 @@ private Q_SLOTS:
         QCOMPARE(w.priorityOf(C::PictureStale), std::optional(AlarmPriority::Low));
     }
 
-    void whatIsFoundSoonAfterAHoldIsUrgent()
+    void whatIsFoundDuringOrSoonAfterAHoldIsUrgent_data()
     {
-        Watched w;
-        w.cockpit.arm();
-        w.tell(PermitEventKind::PanicHold);
-        settle(w);
-        pass(w, 9900ms);
-        setLink(w, xrayId, LinkState::Reconnecting);
-        QCOMPARE(w.priorityOf(C::ImageLost), std::optional(AlarmPriority::High));
+        QTest::addColumn<bool>("over");
+        QTest::addColumn<int>("passed");
+        QTest::newRow("soon after it") << true << 9900;
+        QTest::newRow("while it lasts") << false << 60'000;
     }
 
-    void whileItHoldsEverythingIsUrgent()
+    void whatIsFoundDuringOrSoonAfterAHoldIsUrgent()
     {
+        QFETCH(bool, over);
+        QFETCH(int, passed);
         Watched w;
         w.cockpit.arm();
         w.tell(PermitEventKind::PanicHold);
-        goOn(w);
-        pass(w, 1min);
+        over ? settle(w) : goOn(w);
+        pass(w, std::chrono::milliseconds(passed));
         setLink(w, xrayId, LinkState::Reconnecting);
         QCOMPARE(w.priorityOf(C::ImageLost), std::optional(AlarmPriority::High));
     }
