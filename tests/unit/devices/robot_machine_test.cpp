@@ -1,65 +1,16 @@
-// The robot's state machine: every state against every event, and the ways that lead to motion.
-#include "robot_machine.hpp"
+// The robot's state machine: every state against every event, and the ways that lead to motion. What a second person beside the robot
+// says is tried by unit.devices_two_persons.
+#include "driven_robot.hpp"
 
 #include <QTest>
 
 using namespace liena;
 using namespace liena::devices;
+using namespace liena::test;
 using namespace std::chrono_literals;
+using Robot = DrivenRobot;
 
 namespace {
-
-const DeviceId cockpit(0x40018208);
-const DeviceId otherCockpit(0x40018209);
-const DeviceId arm(0x60008208);
-const SteadyTime start{1h};
-constexpr std::uint64_t stopToken = 77;
-
-struct Robot {
-    RobotMachine machine{100};
-    SteadyTime now = start;
-    std::uint32_t sequence = 0;
-
-    RobotActions give(const RobotEvent& event) { return machine.handle(event, now); }
-    RobotActions motion(bool engaged, double velocity = 0, DeviceId origin = cockpit)
-    {
-        return give(MotionCommanded{origin, machine.permit(), ++sequence, engaged, {velocity, 0, 0, 0}});
-    }
-    RobotActions arm(DeviceId origin = cockpit) { return give(ArmRequested{origin, machine.permit()}); }
-
-    void wait(std::chrono::nanoseconds duration)
-    {
-        now += duration;
-        give(Ticked{});
-    }
-
-    void bring(RobotState state)
-    {
-        if (state == RobotState::Off)
-            return;
-        give(SwitchedOn{});
-        if (state == RobotState::Hold)
-            return;
-        give(SessionOpened{cockpit});
-        wait(RobotMachine::leastHold);
-        if (state == RobotState::EmergencyStop)
-            give(EmergencyStopCommanded{cockpit, stopToken});
-        if (state == RobotState::Fault)
-            give(DrivesChecked{false, true});
-        if (state == RobotState::Armed || state == RobotState::Engaged) {
-            arm();
-            motion(false);
-        }
-        if (state == RobotState::Engaged)
-            motion(true, 5);
-    }
-};
-
-QByteArray name(RobotState state)
-{
-    const auto text = toString(state);
-    return QByteArray(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 RobotState by(const char* name)
 {
@@ -72,57 +23,8 @@ RobotState by(const char* name)
 
 } // namespace
 
-Q_DECLARE_METATYPE(liena::devices::RobotState)
-
 class RobotMachineTest : public QObject {
     Q_OBJECT
-
-    // The event by its name in the table, for a robot that stands in some state.
-    static RobotEvent event(const QString& name, const Robot& robot)
-    {
-        const std::uint32_t permit = robot.machine.permit();
-        if (name == "arm")
-            return ArmRequested{cockpit, permit};
-        if (name == "arm by another")
-            return ArmRequested{otherCockpit, permit};
-        if (name == "arm, old permit")
-            return ArmRequested{cockpit, permit - 1};
-        if (name == "release")
-            return ReleaseRequested{cockpit, permit};
-        if (name == "neutral")
-            return MotionCommanded{cockpit, permit, 1000, false, {}};
-        if (name == "engaged")
-            return MotionCommanded{cockpit, permit, 1000, true, {5, 0, 0, 0}};
-        if (name == "engaged, old permit")
-            return MotionCommanded{cockpit, permit - 1, 1000, true, {5, 0, 0, 0}};
-        if (name == "engaged by another")
-            return MotionCommanded{otherCockpit, permit, 1000, true, {5, 0, 0, 0}};
-        if (name == "emergency stop")
-            return EmergencyStopCommanded{cockpit, stopToken};
-        if (name == "reset")
-            return ResetCommanded{cockpit, stopToken};
-        if (name == "reset, wrong token")
-            return ResetCommanded{cockpit, stopToken + 1};
-        if (name == "cockpit lost")
-            return SessionLost{cockpit};
-        if (name == "cockpit's session over")
-            return SessionLost{cockpit, true};
-        if (name == "arm's session over")
-            return SessionLost{::arm, true};
-        if (name == "arm lost")
-            return SessionLost{::arm};
-        if (name == "stand-by")
-            return StandByBegan{};
-        if (name == "stall")
-            return ProcessStalled{};
-        if (name == "force stop")
-            return GateStopped{StopCause::ForceStop};
-        if (name == "drive fault")
-            return DrivesChecked{false, true};
-        if (name == "drives well")
-            return DrivesChecked{true, true};
-        qFatal("no event");
-    }
 
 private slots:
     void answersEveryEventInEveryState_data()
@@ -177,7 +79,7 @@ private slots:
         QCOMPARE(name(robot.machine.state()), name(state));
         const std::uint32_t permit = robot.machine.permit();
         const std::uint64_t refused = robot.machine.refusedCommands();
-        const RobotActions actions = robot.give(event(given, robot));
+        const RobotActions actions = robot.give(eventNamed(given, robot));
         QCOMPARE(name(robot.machine.state()), name(expected));
         QCOMPARE(actions.accepted, accepted);
         QCOMPARE(robot.machine.refusedCommands(), refused + (accepted ? 0 : 1));
@@ -392,111 +294,6 @@ private slots:
         QVERIFY(!robot.give(InjectionCommanded{cockpit, robot.machine.permit() - 1}).accepted);
         QVERIFY(!robot.give(InjectionCommanded{otherCockpit, robot.machine.permit()}).accepted);
         QVERIFY(robot.give(InjectionCommanded{cockpit, robot.machine.permit()}).accepted);
-    }
-
-    // Two persons: the robot waits for the word of the one beside it.
-
-    void isNotReadyBeforeTheSecondPersonSaysSo()
-    {
-        Robot robot;
-        QCOMPARE(robot.machine.clearance(), Clearance::NotAsked);
-        robot.machine = RobotMachine(100, ArmingRule::TwoPersons);
-        robot.bring(RobotState::Ready);
-        QCOMPARE(robot.machine.clearance(), Clearance::Awaited);
-        QCOMPARE(name(robot.machine.state()), QByteArray("Hold"));
-        const auto refused = robot.arm();
-        QVERIFY(!refused.accepted);
-        QVERIFY2(refused.reason.find("beside the robot") != std::string_view::npos, std::string(refused.reason).c_str());
-        QVERIFY(robot.give(ClearanceSaid{true}).accepted);
-        QCOMPARE(name(robot.machine.state()), QByteArray("Ready"));
-        robot.arm();
-        robot.motion(false);
-        robot.motion(true, 5);
-        QCOMPARE(name(robot.machine.state()), QByteArray("Engaged"));
-    }
-
-    void holdsWhenTheSecondPersonTakesTheWordBack_data()
-    {
-        QTest::addColumn<RobotState>("state");
-        for (const auto state : {RobotState::Ready, RobotState::Armed, RobotState::Engaged})
-            QTest::newRow(name(state).constData()) << state;
-    }
-
-    void holdsWhenTheSecondPersonTakesTheWordBack()
-    {
-        QFETCH(RobotState, state);
-        Robot robot{RobotMachine(100, ArmingRule::TwoPersons)};
-        robot.bring(RobotState::Hold);
-        robot.give(SessionOpened{cockpit});
-        QVERIFY(robot.give(ClearanceSaid{true}).accepted);
-        robot.bring(state);
-        QCOMPARE(name(robot.machine.state()), name(state));
-        const auto permit = robot.machine.permit();
-        robot.give(ClearanceSaid{false});
-        QCOMPARE(name(robot.machine.state()), QByteArray("Hold"));
-        QVERIFY(robot.machine.permit() != permit);
-        robot.wait(1s);
-        QCOMPARE(name(robot.machine.state()), QByteArray("Hold"));
-        QVERIFY(!robot.arm().accepted);
-    }
-
-    void theWordEndsWithWhatItWasSaidOf_data()
-    {
-        QTest::addColumn<QString>("given");
-        QTest::addColumn<bool>("ends");
-        QTest::newRow("stand-by") << QStringLiteral("stand-by") << true;
-        QTest::newRow("emergency stop") << QStringLiteral("emergency stop") << true;
-        QTest::newRow("drive fault") << QStringLiteral("drive fault") << true;
-        QTest::newRow("release") << QStringLiteral("release") << false;
-        QTest::newRow("force stop") << QStringLiteral("force stop") << false;
-        QTest::newRow("stall") << QStringLiteral("stall") << false;
-        QTest::newRow("session interrupted") << QStringLiteral("cockpit lost") << false;
-        QTest::newRow("session over") << QStringLiteral("cockpit's session over") << true;
-        QTest::newRow("arm's session over") << QStringLiteral("arm's session over") << false;
-    }
-
-    void theWordEndsWithWhatItWasSaidOf()
-    {
-        QFETCH(QString, given);
-        QFETCH(bool, ends);
-        Robot robot{RobotMachine(100, ArmingRule::TwoPersons)};
-        robot.bring(RobotState::Hold);
-        robot.give(SessionOpened{cockpit});
-        QVERIFY(robot.give(ClearanceSaid{true}).accepted);
-        robot.bring(RobotState::Engaged);
-        QCOMPARE(name(robot.machine.state()), QByteArray("Engaged"));
-        robot.give(event(given, robot));
-        QCOMPARE(robot.machine.clearance(), ends ? Clearance::Awaited : Clearance::Given);
-    }
-
-    void theWordIsNotTakenForARobotThatCannotBeArmed_data()
-    {
-        QTest::addColumn<RobotState>("state");
-        for (const auto state : {RobotState::Off, RobotState::EmergencyStop, RobotState::Fault})
-            QTest::newRow(name(state).constData()) << state;
-    }
-
-    void theWordIsNotTakenForARobotThatCannotBeArmed()
-    {
-        QFETCH(RobotState, state);
-        Robot robot{RobotMachine(100, ArmingRule::TwoPersons)};
-        robot.bring(state);
-        QVERIFY(!robot.give(ClearanceSaid{true}).accepted);
-        QCOMPARE(robot.machine.clearance(), Clearance::Awaited);
-
-        Robot standing{RobotMachine(100, ArmingRule::TwoPersons)};
-        standing.bring(RobotState::Hold);
-        standing.give(StandByBegan{});
-        QVERIFY(!standing.give(ClearanceSaid{true}).accepted);
-
-        Robot alone{RobotMachine(100, ArmingRule::TwoPersons)};
-        alone.bring(RobotState::Hold);
-        QVERIFY(!alone.give(ClearanceSaid{true}).accepted); // nobody is in session who could arm
-        QVERIFY(alone.give(ClearanceSaid{false}).accepted);
-
-        Robot unasked;
-        unasked.bring(RobotState::Hold);
-        QVERIFY(!unasked.give(ClearanceSaid{true}).accepted);
     }
 };
 
