@@ -5,6 +5,7 @@
 #include "input/master_rack.hpp"
 #include "model/motion_order.hpp"
 #include "plugged_master.hpp"
+#include "walked_world.hpp"
 
 #include <QTest>
 
@@ -12,54 +13,13 @@
 #include <random>
 
 using namespace console;
+using namespace console::test;
 using namespace std::chrono_literals;
 
 namespace {
 
 constexpr auto turn = 10ms; // of the console's loop
-constexpr auto pictureLimit = 250ms;
-constexpr auto armHold = 1500ms;
 constexpr std::array motionKeys{Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right, Qt::Key_I, Qt::Key_K, Qt::Key_J, Qt::Key_L};
-
-/// What is true of the world, whatever the console makes of it.
-struct World {
-    LinkState link = LinkState::Closed;
-    bool standsBy = false;
-    bool focus = true;
-    bool pictureRuns = true;
-    RobotState robot = RobotState::Ready;
-    bool another = false; ///< console has armed it
-    quint32 permit = 1;
-    double force = 0;
-    Instant now = Instant{} + 1h;
-    Instant shown = now; ///< capture of the newest painted picture
-    Instant pictureSince = now;
-    Instant reported = now; ///< by the robot
-    Instant linkSince = now;
-};
-
-/// What motion needs, from what the person did and the others said.
-struct Needs {
-    const char* brokenBy = "nothing"; ///< what ends motion, and happened last
-    Instant brokenAt{};
-    std::optional<Instant> armSince;  ///< R went down, and is down
-    bool heldInFull = false;          ///< it came up after that, and did not go down again
-    std::optional<Instant> armedAt;   ///< the robot said so, after R was held in full and nothing broke since
-    std::optional<Instant> engagedAt; ///< D went down after that
-    quint32 permit = 0;
-
-    void broken(const char* why, Instant now)
-    {
-        brokenBy = why;
-        brokenAt = now;
-        armedAt.reset();
-        engagedAt.reset();
-        armSince.reset();
-        heldInFull = false;
-    }
-
-    bool wasHeld(Instant now) const { return heldInFull || (armSince && now - *armSince >= armHold); }
-};
 
 class Walk {
 public:
@@ -360,42 +320,7 @@ private:
         feed(Kind::Tick);
     }
 
-    GuardReadings readingsNow()
-    {
-        GuardReadings r;
-        r.robotLink = m_world.link;
-        r.inLinkState = m_world.now - m_world.linkSince;
-        r.identityEqual = carriesMessages(m_world.link);
-        r.heartbeatsOnTime = 50;
-        r.clockUncertainty = 1ms;
-        r.picture.age = m_world.now - m_world.shown;
-        const bool live = *r.picture.age <= pictureLimit;
-        r.picture.condition = live ? PictureCondition::Live : PictureCondition::Frozen;
-        r.picture.mayGuide = true;
-        r.picture.liveFor = live ? Duration(m_world.now - m_world.pictureSince) : Duration{};
-        r.picture.atRate = live;
-        r.picture.keepsRate = live;
-        r.pictureLimit = pictureLimit;
-        r.robotFresh = m_world.now - m_world.reported <= 200ms;
-        r.robotState = m_world.robot;
-        r.robotHoldConfirmed = m_world.robot == RobotState::Ready;
-        r.robotPermit = m_world.permit;
-        r.spentPermit = m_permit.spentPermit;
-        r.drivesHealthy = true;
-        r.roundTrip = 40ms;
-        r.usualRoundTrip = 40ms;
-        r.carried = 100ms;
-        r.recorded = true;
-        r.auditKept = true;
-        r.force = m_world.force;
-        r.incident = m_world.standsBy;
-        r.handAlive = m_rack.read(m_world.now).alive;
-        r.windowActive = m_world.focus;
-        r.deadMan = m_rack.read(m_world.now).deadMan;
-        r.alarmsTested = true;
-        r.interruptionRead = true;
-        return r;
-    }
+    GuardReadings readingsNow() { return readingsOf(m_world, m_rack.read(m_world.now), m_permit.spentPermit); }
 
     /// The network thread's turn.
     QString judge()
@@ -429,7 +354,7 @@ private:
     World m_world;
     Needs m_needs;
     KeyboardMaster m_keyboard;
-    test::PluggedMaster m_pad{MasterKind::GamePad};
+    PluggedMaster m_pad{MasterKind::GamePad};
     MasterRack m_rack{m_keyboard};
     PermitState m_permit;
     MotionSnapshot m_snapshot;
