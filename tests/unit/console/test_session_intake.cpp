@@ -1,0 +1,202 @@
+// Every event and value of a session, as the console's models come to know it.
+#include "link/session_intake.hpp"
+#include "link/translate.hpp"
+#include "linked_models.hpp"
+
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace console;
+using namespace console::test;
+using namespace std::chrono_literals;
+using Kind = liena::SessionEvent::Kind;
+
+namespace {
+
+const Instant start = Instant{} + 1h;
+
+liena::SessionEvent occurred(liena::SessionEvent::Kind kind, liena::DeviceId peer = robot)
+{
+    liena::SessionEvent e;
+    e.kind = kind;
+    e.peer = peer;
+    e.at = start;
+    e.incident.id = 77;
+    e.incident.a = robot;
+    e.incident.b = cockpit;
+    e.incident.cause = liena::LossCause::HeartbeatLost;
+    return e;
+}
+
+} // namespace
+
+class TestSessionIntake : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everySessionStateHasItsOwn()
+    {
+        for (int state = 0; state < 8; ++state)
+            QCOMPARE(int(linkState(static_cast<liena::SessionState>(state))), state);
+        for (int cause = 0; cause < 6; ++cause)
+            QCOMPARE(int(lossKind(static_cast<liena::LossCause>(cause))), cause);
+        for (int probe = 0; probe < 8; ++probe)
+            QCOMPARE(int(probeFinding(static_cast<liena::ProbeResult>(probe))), probe);
+    }
+
+    void ratesAreOfTheTimeBetweenTwoReadings()
+    {
+        liena::LinkStatus before, now;
+        before.messagesReceived = 100;
+        now.messagesReceived = 150;
+        before.bytesSent = 1000;
+        now.bytesSent = 500; // a new session counts from zero
+        QCOMPARE(linkFigures(now, &before, 500ms).messagesInPerSecond, 100.0);
+        QCOMPARE(linkFigures(now, &before, 500ms).bytesOutPerSecond, 0.0);
+        QCOMPARE(linkFigures(now, nullptr, 0ms).messagesInPerSecond, 0.0);
+        QVERIFY(!linkFigures(now, nullptr, 0ms).jitter);
+    }
+
+    void stateThatHealedWithinOneBurstIsToldAllTheSame()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        QSignalSpy changes(&models.sessions, &SessionModel::linkStateChanged);
+        QSignalSpy interruptions(&intake, &SessionIntake::interrupted);
+        for (const auto to : {liena::SessionState::Open, liena::SessionState::Reconnecting, liena::SessionState::Open}) {
+            auto change = occurred(Kind::StateChanged);
+            change.to = to;
+            intake.take(change);
+        }
+        auto healed = occurred(Kind::Interrupted);
+        healed.duration = 300ms;
+        intake.take(healed);
+        QCOMPARE(changes.size(), 3);
+        QCOMPARE(interruptions.size(), 1);
+    }
+
+    void lossRaisesAnIncidentWithItsDiagnosis()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto lost = occurred(Kind::Lost);
+        lost.diagnosis.cause = liena::LossCause::HeartbeatLost;
+        lost.diagnosis.heartbeatsReceived = 12;
+        intake.take(lost);
+        const auto* incident = models.incidents.incident(77);
+        QVERIFY(incident != nullptr);
+        QCOMPARE(incident->peer, robot.value());
+        QCOMPARE(incident->diagnosis->heartbeatsReceived, quint64(12));
+        QCOMPARE(models.sessions.linkTo(robot.value())->incident, quint64(77));
+
+        intake.take(occurred(Kind::IncidentRaised)); // the broadcast comes after the loss
+        QVERIFY(models.incidents.incident(77)->diagnosis.has_value());
+        auto found = occurred(Kind::Diagnosed);
+        found.diagnosis.probe = liena::ProbeResult::ConnectionRefused;
+        intake.take(found);
+        QCOMPARE(models.incidents.incident(77)->diagnosis->probe, ProbeFinding::ConnectionRefused);
+
+        auto failed = occurred(Kind::OpenFailed);
+        failed.reason = liena::RejectReason::Timeout;
+        intake.take(failed);
+        QVERIFY(!models.incidents.incident(77)->reopenFailure.isEmpty());
+        QVERIFY(!models.sessions.linkTo(robot.value())->failure.isEmpty());
+
+        intake.take(occurred(Kind::IncidentEnded));
+        QVERIFY(models.incidents.empty());
+        QCOMPARE(models.sessions.linkTo(robot.value())->incident, quint64(0));
+    }
+
+    void anotherSystemOnTheOtherSideIsKnownUntilItOpens()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto refused = occurred(Kind::OpenFailed);
+        refused.reason = liena::RejectReason::Busy;
+        intake.take(refused);
+        QVERIFY(!models.sessions.linkTo(robot.value())->systemDiffers);
+        for (const auto reason : {liena::RejectReason::TopologyMismatch, liena::RejectReason::MessageSetChanged}) {
+            refused.reason = reason;
+            intake.take(refused);
+            QVERIFY(models.sessions.linkTo(robot.value())->systemDiffers);
+            intake.take(occurred(Kind::Opened));
+            QVERIFY(!models.sessions.linkTo(robot.value())->systemDiffers);
+        }
+    }
+
+    void aLostAuditFileIsTold()
+    {
+        ConsoleModels models;
+        SessionIntake intake(models);
+        const QSignalSpy lost(&intake, &SessionIntake::auditLost);
+        const QSignalSpy restored(&intake, &SessionIntake::auditRestored);
+        auto event = occurred(Kind::AuditLost);
+        event.detail = "disk full";
+        intake.take(event);
+        QCOMPARE(lost.value(0).value(0).toString(), QStringLiteral("disk full"));
+        intake.take(occurred(Kind::AuditRestored));
+        QCOMPARE(restored.count(), 1);
+    }
+
+    void holdIsTimedOnlyWhereTheClocksWereCompared()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        liena::LinkStatus status;
+        status.peer = robot;
+        status.clockOffset = 5s; // the robot's clock is ahead
+        intake.takeFigures({status}, start);
+        auto lost = occurred(Kind::Lost);
+        lost.diagnosis.since = liena::Timestamp{1'000'000'000};
+        intake.take(lost);
+        auto said = occurred(Kind::HoldReported);
+        said.incident.holds = {{robot, true, liena::Timestamp{6'041'000'000}}, {arm, true, liena::Timestamp{1}}};
+        intake.take(said);
+        const auto& holds = models.incidents.incident(77)->holds;
+        QCOMPARE(holds.size(), std::size_t(2));
+        QCOMPARE(*holds[0].afterMs, 41.0);
+        QVERIFY(holds[1].holding && !holds[1].afterMs);
+    }
+
+    void standByOfOthersIsKnown()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto raised = occurred(Kind::IncidentRaised, arm);
+        raised.incident.b = arm;
+        intake.take(raised);
+        intake.take(occurred(Kind::StandByBegan));
+        QCOMPARE(models.incidents.incident(77)->peer, 0U);
+        QVERIFY(models.sessions.link(robot.value(), arm.value())->inIncident);
+        QVERIFY(models.sessions.inStandBy());
+        intake.take(occurred(Kind::StandByEnded));
+        QVERIFY(!models.sessions.inStandBy());
+    }
+
+    void everyEventIsLoggedOrShown_data()
+    {
+        QTest::addColumn<int>("kind");
+        for (const auto kind :
+             {Kind::Opened, Kind::OpenFailed, Kind::Closed, Kind::Interrupted, Kind::ReOpened, Kind::DeadlineMissed, Kind::MessagesDropped,
+              Kind::SendFailed, Kind::IdentityRefused, Kind::LocalStall, Kind::AuditLost, Kind::AuditRestored})
+            QTest::addRow("kind %d", int(kind)) << int(kind);
+    }
+
+    void everyEventIsLoggedOrShown()
+    {
+        QFETCH(int, kind);
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        intake.take(occurred(static_cast<Kind>(kind)));
+        QCOMPARE(models.log.rowCount(), 1);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSessionIntake)
+#include "test_session_intake.moc"
