@@ -36,6 +36,21 @@ void XrayMachine::beamOff(std::string_view reason)
     m_reason = reason;
 }
 
+void XrayMachine::note(DeviceId origin, std::uint32_t press)
+{
+    m_presses[origin] = press;
+    m_refused.erase(origin);
+}
+
+// Whoever pressed while another's pedal was down gets the beam by that one's release only.
+void XrayMachine::end(std::string_view reason)
+{
+    beamOff(reason);
+    for (const auto& [origin, press] : m_refused)
+        m_presses[origin] = press;
+    m_refused.clear();
+}
+
 bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
 {
     if (!isCockpit(request.origin))
@@ -45,7 +60,7 @@ bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
     const bool known = heardUp && seen->second == request.press;
     if (!request.pedal || request.mode == AcquisitionMode::Stop) {
         if (!request.pedal || heardUp)
-            m_presses[request.origin] = request.press;
+            note(request.origin, request.press);
         if (m_owner == request.origin)
             beamOff("the pedal was released");
         return true;
@@ -53,18 +68,20 @@ bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
     if (!heardUp) // nobody knows how long it has been down, nor whether a foot is on it
         return refuse("the pedal was not up in this session yet; release it and press again");
     if (m_standBy && request.mode == AcquisitionMode::Spin) {
-        m_presses[request.origin] = request.press; // spent: the end of the stand-by must not turn the C-arm by itself
+        note(request.origin, request.press); // spent: the end of the stand-by must not turn the C-arm by itself
         if (m_owner == request.origin)
-            beamOff("the system stands by");
+            end("the system stands by");
         return refuse("the system stands by: the C-arm does not turn");
     }
+    if (!known && m_owner != request.origin)
+        m_refused[request.origin] = request.press; // unless it begins below
     if (!(request.pulseRate >= 1 && request.pulseRate <= 30))
         return refuse("the pulse rate is outside 1 to 30 per second");
     if (m_owner && *m_owner != request.origin)
         return refuse("another cockpit's pedal is down");
     if (known && m_owner != request.origin)
         return refuse("this press of the pedal has ended; release it and press again");
-    m_presses[request.origin] = request.press;
+    note(request.origin, request.press);
     if (!known)
         startRun(request);
     // Beyond its reach, where a command of the geometry can bring it, the C-arm turns inward.
@@ -101,8 +118,9 @@ bool XrayMachine::moveTo(DeviceId origin, const CArmGeometry& target)
 void XrayMachine::sessionLost(DeviceId peer)
 {
     if (m_owner == peer)
-        beamOff("the session of the pedal's cockpit is not open");
+        end("the session of the pedal's cockpit is not open");
     m_presses.erase(peer);
+    m_refused.erase(peer);
     if (m_gantryOwner == peer)
         m_target = m_geometry;
 }
@@ -110,22 +128,20 @@ void XrayMachine::sessionLost(DeviceId peer)
 void XrayMachine::setStandBy(bool standsBy)
 {
     m_standBy = standsBy;
-    if (!standsBy)
-        return;
-    beamOff("the system stands by");
-    m_target = m_geometry;
+    if (standsBy)
+        interrupt("the system stands by");
 }
 
 void XrayMachine::interrupt(std::string_view reason)
 {
-    beamOff(reason);
+    end(reason);
     m_target = m_geometry;
 }
 
 void XrayMachine::tick(SteadyTime now)
 {
     if (m_owner && now > m_leaseEnd)
-        beamOff("the pedal's command was not repeated");
+        end("the pedal's command was not repeated");
     const double seconds = std::clamp(std::chrono::duration<double>(now - m_lastTick.value_or(now)).count(), 0.0, 0.1);
     m_lastTick = now;
     moveGantry(seconds);
@@ -149,7 +165,7 @@ void XrayMachine::moveGantry(double seconds)
     if (m_geometry.primaryAngle * m_spinDirection >= spinReach) {
         m_geometry.primaryAngle = m_spinDirection * spinReach;
         m_spinDirection = -m_spinDirection;
-        beamOff("the rotation is complete");
+        end("the rotation is complete");
     }
     m_target.primaryAngle = m_geometry.primaryAngle;
 }

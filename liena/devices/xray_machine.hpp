@@ -57,10 +57,11 @@ struct Dose {
 ///    └────────────────────────────────────────────────────────────────────┘
 ///      pedal up, mode stop, 250 ms of silence, session lost, stand-by, stall
 ///
-/// However the beam ended, its press is spent: only a new press turns it on again, also in stand-by. The stand-by spends every press seen
-/// so far. A pedal that was down before the session began, or while it was interrupted, turns nothing on: it has to be heard up first,
-/// which holds for a system and for a cockpit that were started anew, too. A spin moves the C-arm: in stand-by its press is refused, and
-/// spent. Pure: time comes from the caller.
+/// However the beam ended, its press is spent: only a new press turns it on again, also in stand-by. A press that was refused while another
+/// cockpit's pedal was down begins when that pedal is released; whatever else ends the beam, a stand-by, a stop or a stall spends every
+/// press seen so far. A pedal that was down before the session began, or while it was interrupted, turns nothing on: it has to be heard up
+/// first, which holds for a system and for a cockpit that were started anew, too. A spin moves the C-arm: in stand-by its press is refused,
+/// and spent. Pure: time comes from the caller.
 class XrayMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};
@@ -103,13 +104,16 @@ public:
 
 private:
     bool refuse(std::string_view reason);
+    void note(DeviceId origin, std::uint32_t press);
     void beamOff(std::string_view reason);
+    void end(std::string_view reason); ///< other than by a release: spends refused presses as well
     void startRun(const AcquisitionRequest& request);
     void moveGantry(double seconds);
     double kermaPerPulse() const;
 
     std::optional<DeviceId> m_owner;             ///< of the pressed pedal
     std::map<DeviceId, std::uint32_t> m_presses; ///< the newest of each cockpit heard up in its session: spent unless it is the owner's
+    std::map<DeviceId, std::uint32_t> m_refused; ///< the newest of each cockpit that may yet begin
     SteadyTime m_leaseEnd;
     std::optional<SteadyTime> m_lastTick;
     AcquisitionMode m_mode = AcquisitionMode::Stop;
