@@ -9,7 +9,7 @@ namespace liena::devices {
 
 ArmDevice::ArmDevice(DistributedSystem& system, std::vector<DeviceId> robots, LogSink log)
     : m_system(system), m_log(log), m_robots(robots), m_patientSide(system, log, robots, [this](std::string_view reason) {
-          m_machine.interrupt("stop at the patient's side");
+          m_machine.lock("stop at the patient's side");
           PatientSide::stopRobots(m_system, m_log, reason);
       })
 {}
@@ -80,7 +80,7 @@ void ArmDevice::onEvent(const SessionEvent& event)
         m_machine.setStandBy(false);
         break;
     case Kind::LocalStall:
-        m_machine.interrupt("this process did not run in time");
+        m_machine.lock("this process did not run in time");
         break;
     default:
         break;

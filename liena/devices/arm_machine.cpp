@@ -46,6 +46,13 @@ void ArmMachine::interrupt(std::string_view reason)
     stop();
 }
 
+// The stop makes the robot hold, which is what a stream of refused moves may wait for.
+void ArmMachine::lock(std::string_view reason)
+{
+    interrupt(reason);
+    m_unlocked.clear();
+}
+
 bool ArmMachine::robotHolds(SteadyTime now) const { return m_robotHeld && now - *m_robotHeld <= robotFresh; }
 
 bool ArmMachine::command(const ArmRequest& request, SteadyTime now)
@@ -93,10 +100,8 @@ void ArmMachine::sessionLost(DeviceId peer)
 void ArmMachine::setStandBy(bool standsBy)
 {
     m_standBy = standsBy;
-    if (!standsBy)
-        return;
-    interrupt("the system stands by");
-    m_unlocked.clear();
+    if (standsBy)
+        lock("the system stands by");
 }
 
 void ArmMachine::step(SteadyTime now)

@@ -36,9 +36,9 @@ struct ArmRequest {
 ///    │◄──────────────────────────────────────────┤ robot moves or is silent, session lost, stand-by, lease over: stop and lock
 ///    └◄──────────────────────────────────────────┘ hold, or the targets are reached
 ///
-/// After a stop that nobody asked for, after a stand-by and in a new session the stream of old commands must not set it going: the arm then
-/// wants a `hold` of that cockpit first.
-/// Joints slow down within their deceleration; the brakes close when they stand. Pure: time comes from the caller.
+/// After a stop that nobody asked for, after one pressed at the arm, after a stand-by and in a new session the stream of old commands must
+/// not set it going: the arm then wants a `hold` of that cockpit first. Joints slow down within their deceleration; the brakes close when
+/// they stand. Pure: time comes from the caller.
 class ArmMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};
@@ -56,8 +56,8 @@ public:
 
     void setStandBy(bool standsBy);
 
-    /// Stops and locks: a stall of this process.
-    void interrupt(std::string_view reason);
+    /// Stops, and locks also where it was not moving: a stop beside the patient, a stall of this process.
+    void lock(std::string_view reason);
 
     void step(SteadyTime now);
 
@@ -76,6 +76,7 @@ public:
 private:
     bool robotHolds(SteadyTime now) const;
     bool refuse(std::string_view reason);
+    void interrupt(std::string_view reason);
     void stop();
     void moveJoints(double seconds);
 

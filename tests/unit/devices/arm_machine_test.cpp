@@ -138,7 +138,7 @@ private slots:
         if (cause == 2)
             rig.arm.setStandBy(true);
         if (cause == 3)
-            rig.arm.interrupt("stall");
+            rig.arm.lock("stall");
         if (cause == 4)
             for (int count = 0; count < 60; ++count)
                 rig.round(true, false);
@@ -171,6 +171,19 @@ private slots:
         rig.arm.robotReported(true, rig.now);
         QVERIFY(!rig.move());
         QVERIFY(rig.hold(otherCockpit)); // which says nothing of our hand
+        QVERIFY(!rig.move());
+        QCOMPARE(rig.arm.state(), ArmState::Hold);
+        QVERIFY(rig.hold());
+        QVERIFY(rig.move());
+    }
+
+    void stopDoesNotSetARefusedStreamGoing()
+    {
+        Rig rig;
+        rig.arm.robotReported(false, rig.now);
+        QVERIFY(!rig.move());
+        rig.arm.lock("stop at the patient's side");
+        rig.arm.robotReported(true, rig.now); // for it was stopped as well
         QVERIFY(!rig.move());
         QCOMPARE(rig.arm.state(), ArmState::Hold);
         QVERIFY(rig.hold());
