@@ -56,8 +56,10 @@ void ArmDevice::onCommand(const Message& message)
 
 void ArmDevice::onRobotStatus(const Message& message)
 {
-    if (std::find(m_robots.begin(), m_robots.end(), message.origin()) != m_robots.end())
-        m_machine.robotReported(message.get<bool>("hold_confirmed"), message.arrival());
+    if (std::find(m_robots.begin(), m_robots.end(), message.origin()) == m_robots.end())
+        return;
+    m_machine.robotNamesStop(message.get<std::uint64_t>("emergency_stop_token"));
+    m_machine.robotReported(message.get<bool>("hold_confirmed"), message.arrival());
 }
 
 void ArmDevice::onEvent(const SessionEvent& event)

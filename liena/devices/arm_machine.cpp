@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace liena::devices {
 
@@ -88,6 +89,12 @@ void ArmMachine::robotReported(bool holds, SteadyTime arrived)
     m_robotHeld = holds ? std::optional(arrived) : std::nullopt;
     if (!holds)
         interrupt("the vascular robot no longer holds");
+}
+
+void ArmMachine::robotNamesStop(std::uint64_t token)
+{
+    if (std::exchange(m_robotStop, token) != token && token != 0)
+        lock("the vascular robot was stopped");
 }
 
 void ArmMachine::sessionLost(DeviceId peer)

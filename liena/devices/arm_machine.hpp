@@ -36,9 +36,9 @@ struct ArmRequest {
 ///    │◄──────────────────────────────────────────┤ robot moves or is silent, session lost, stand-by, lease over: stop and lock
 ///    └◄──────────────────────────────────────────┘ hold, or the targets are reached
 ///
-/// After a stop that nobody asked for, after one pressed at the arm, after a stand-by and in a new session the stream of old commands must
-/// not set it going: the arm then wants a `hold` of that cockpit first. Joints slow down within their deceleration; the brakes close when
-/// they stand. Pure: time comes from the caller.
+/// After a stop that nobody asked for, after one pressed at the arm or in force at the robot, after a stand-by and in a new session the
+/// stream of old commands must not set it going: the arm then wants a `hold` of that cockpit first. Joints slow down within their
+/// deceleration; the brakes close when they stand. Pure: time comes from the caller.
 class ArmMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};
@@ -50,6 +50,10 @@ public:
     bool command(const ArmRequest& request, SteadyTime now);
 
     void robotReported(bool holds, SteadyTime arrived);
+
+    /// The emergency stop that the robot's report names; 0: none. One that was not named before locks. To be called before robotReported(),
+    /// since a stopped robot holds.
+    void robotNamesStop(std::uint64_t token);
 
     /// The session of a device left Open, or was interrupted.
     void sessionLost(DeviceId peer);
@@ -89,6 +93,7 @@ private:
     std::set<DeviceId> m_unlocked;   ///< the cockpits whose `hold` was heard since the last lock
     SteadyTime m_leaseEnd;
     std::optional<SteadyTime> m_robotHeld; ///< arrival of the newest report, if it said that the robot holds
+    std::uint64_t m_robotStop = 0;         ///< named last
     std::optional<SteadyTime> m_lastStep;
     bool m_standBy = false;
     std::uint64_t m_refused = 0;

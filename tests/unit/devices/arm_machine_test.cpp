@@ -190,6 +190,26 @@ private slots:
         QVERIFY(rig.move());
     }
 
+    void stopOfTheRobotDoesNotSetARefusedStreamGoing()
+    {
+        Rig rig;
+        rig.arm.robotReported(false, rig.now);
+        QVERIFY(!rig.move());
+        for (const std::uint64_t stop : {7U, 7U, 8U}) {
+            rig.arm.robotNamesStop(stop);
+            rig.arm.robotReported(true, rig.now);
+            QVERIFY(!rig.move());
+        }
+        QVERIFY(rig.hold());
+        rig.arm.robotNamesStop(8);
+        QVERIFY(rig.move()); // the stop that is in force was there before that hold
+        rig.arm.robotNamesStop(0);
+        QCOMPARE(rig.arm.state(), ArmState::Moving);
+        rig.arm.robotNamesStop(9);
+        QCOMPARE(rig.arm.state(), ArmState::Hold);
+        QVERIFY(!rig.move());
+    }
+
     void refusesInStandBy()
     {
         Rig rig;
