@@ -124,7 +124,7 @@ std::optional<PictureRung> PictureLadder::toMeasure(SteadyTime now) const
     for (std::size_t at = 0; at < m_costs.size(); ++at) {
         const Cost& cost = m_costs[at];
         const bool old = !cost.measured || ((at < own || cost.fails) && now - *cost.measured > measureAgain);
-        if (at != own && old && cost.encoding != Encoding::Raw)
+        if (at != own && old && (cost.fails || cost.encoding != Encoding::Raw)) // whose size is known
             return PictureRung{1, cost.encoding, cost.quality};
     }
     return std::nullopt;

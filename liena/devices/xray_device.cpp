@@ -22,6 +22,11 @@ std::vector<DeviceId> viewersOf(const DistributedSystem& system)
     return viewers;
 }
 
+// create() has asked for it.
+MessageDefinition frameDefinition(const DistributedSystem& system) { return system.report("XrayFrame").value().definition(); }
+
+std::size_t mostBytesIn(const MessageDefinition& frame) { return frame.fields.at(frame.indexOf("pixels").value()).count; }
+
 } // namespace
 
 XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink log)
@@ -36,7 +41,8 @@ XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink l
       m_source(std::move(options.source)),
       m_encoder(options.encoding, options.quality),
       m_ladder(options.encoding, options.quality, options.reduction),
-      m_paths(m_viewers, system.report("XrayFrame").value().definition().number), // create() has asked for it
+      m_mostBytes(mostBytesIn(frameDefinition(system))),
+      m_paths(m_viewers, frameDefinition(system).number),
       m_links(options.links ? std::move(options.links) : [&system] { return system.links(); })
 {
     m_machine.fixPulseRate(m_source->ownRate());

@@ -72,7 +72,9 @@ private:
     bool produce(const Exposure& exposure, std::uint64_t frame);
     Message compose(const Exposure& exposure, std::uint64_t frame, const EncodedPicture& pixels, Timestamp captured) const;
     bool deliver(Message message);
+    Result<EncodedPicture> encode(FrameEncoder& encoder, Picture& picture) const; ///< that a message holds
     void encodingFails(const std::string& what);
+    void pictureFails(const std::string& what, std::string_view reason);
     void measure(const PictureRung& rung, std::size_t unencoded);
     void complain(const std::string& what);
 
@@ -98,10 +100,12 @@ private:
     FrameEncoder m_encoder;
     FrameEncoder m_measuring{Encoding::Raw, 0}; ///< of pictures that are not sent
     PictureLadder m_ladder;
+    std::size_t m_mostBytes; ///< of an encoded picture
     ViewerPaths m_paths;
     std::function<std::vector<LinkStatus>()> m_links;
     double m_askedRate = 0;        ///< for the present pulse
     bool m_encodingFailed = false; ///< of the picture before
+    unsigned m_without = 0;        ///< pulses in a row whose picture could not be taken, or never be sent
     Picture m_picture;
     Picture m_spare;
     std::string m_lastComplaint;

@@ -5,6 +5,13 @@
 
 namespace liena::devices {
 
+namespace {
+
+// One broken picture of a recording is no reason to end the run, as pictures come before and after it.
+constexpr unsigned mostWithoutPicture = 3;
+
+} // namespace
+
 XrayDevice::~XrayDevice()
 {
     {
@@ -84,7 +91,7 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
 {
     const Timestamp captured = Timestamp::now();
     if (const auto taken = m_source->next(exposure, m_picture); !taken) {
-        complain(taken.error().what);
+        pictureFails(taken.error().what, "pictures cannot be taken");
         return false;
     }
     const std::size_t unencoded = m_picture.pixels.size() * (m_picture.format.bitsStored > 8 ? 2 : 1);
@@ -92,7 +99,7 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
     if (other)
         m_spare = m_picture; // an encoding may change it
     m_encoder.use(m_ladder.rung().encoding, m_ladder.rung().quality);
-    const auto pixels = m_encoder.encode(m_picture);
+    const auto pixels = encode(m_encoder, m_picture);
     if (!pixels) {
         encodingFails(pixels.error().what);
         return false;
@@ -104,6 +111,15 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
     return sent;
 }
 
+Result<EncodedPicture> XrayDevice::encode(FrameEncoder& encoder, Picture& picture) const
+{
+    auto pixels = encoder.encode(picture);
+    if (pixels && pixels.value()->size() > m_mostBytes)
+        return fail(Errc::ValueRefused, "an encoded picture is larger than the " + std::to_string(m_mostBytes) +
+                                            " bytes that a message holds; permit lossless or lossy pictures, or choose smaller ones");
+    return pixels;
+}
+
 // The next pulse is for another rung. Where none works, pulses would give dose and no picture: the run ends.
 void XrayDevice::encodingFails(const std::string& what)
 {
@@ -112,6 +128,16 @@ void XrayDevice::encodingFails(const std::string& what)
     m_encodingFailed = m_ladder.works();
     if (!m_ladder.works())
         m_system.post([this] { endRun("pictures cannot be encoded"); });
+}
+
+// Another encoding would not help.
+void XrayDevice::pictureFails(const std::string& what, std::string_view reason)
+{
+    complain(what);
+    if (++m_without < mostWithoutPicture)
+        return;
+    m_without = 0;
+    m_system.post([this, reason] { endRun(reason); });
 }
 
 Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const EncodedPicture& pixels, Timestamp captured) const
@@ -135,7 +161,7 @@ Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const
 void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
 {
     m_measuring.use(rung.encoding, rung.quality);
-    const auto pixels = m_measuring.encode(m_spare);
+    const auto pixels = encode(m_measuring, m_spare);
     const auto now = std::chrono::steady_clock::now();
     if (pixels)
         m_ladder.measured(now, rung, pixels.value()->size(), unencoded);
@@ -146,12 +172,15 @@ void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
 // To those who look at pictures: the robot on the same network needs none.
 bool XrayDevice::deliver(Message message)
 {
+    if (message.fault()) {
+        pictureFails(message.fault()->what, "pictures cannot be sent");
+        return false;
+    }
+    m_without = 0;
     bool sent = false;
     for (const DeviceId viewer : m_viewers) {
         const auto accepted = viewer == m_viewers.back() ? m_system.send(viewer, std::move(message)) : m_system.send(viewer, message);
         sent = sent || static_cast<bool>(accepted);
-        if (!accepted && accepted.error().code == Errc::ValueRefused)
-            complain(accepted.error().what);
     }
     return sent;
 }

@@ -19,22 +19,57 @@ constexpr double rawLoad = edge * edge * 2 * askedRate;
 constexpr int patience = 30000;
 constexpr unsigned impossible = 300; ///< of JPEG-LS, which has no more than 255
 
+constexpr std::uint16_t tooLarge = 2900; ///< of raw pictures, which a message holds up to 16 MiB
+
 /// Grey ramps of 12 bits.
 class Ramp : public ImageSource {
 public:
+    explicit Ramp(std::uint16_t edgeOfAll = edge) : m_edge(edgeOfAll) {}
+
     std::string describe() const override { return "a ramp"; }
 
     Result<void> next(const Exposure&, Picture& picture) override
     {
         picture.format = {};
-        picture.format.rows = picture.format.columns = edge;
+        picture.format.rows = picture.format.columns = m_edge;
         picture.format.bitsStored = 12;
         picture.format.windowCentre = 2048;
         picture.format.windowWidth = 4096;
-        picture.pixels.resize(std::size_t(edge) * edge);
+        picture.pixels.resize(std::size_t(m_edge) * m_edge);
         for (std::size_t pixel = 0; pixel < picture.pixels.size(); ++pixel)
-            picture.pixels[pixel] = static_cast<std::uint16_t>((pixel * 37 + pixel / edge * 101) % 4096);
+            picture.pixels[pixel] = static_cast<std::uint16_t>((pixel * 37 + pixel / m_edge * 101) % 4096);
         return ok();
+    }
+
+private:
+    std::uint16_t m_edge;
+};
+
+/// Gives one picture of so many; the others cannot be taken. 0: none at all.
+class Torn : public Ramp {
+public:
+    explicit Torn(unsigned oneOf) : m_oneOf(oneOf) {}
+
+    Result<void> next(const Exposure& exposure, Picture& picture) override
+    {
+        if (m_oneOf == 0 || ++m_count % m_oneOf != 0)
+            return fail(Errc::FileUnreadable, "a picture is torn");
+        return Ramp::next(exposure, picture);
+    }
+
+private:
+    unsigned m_oneOf;
+    unsigned m_count = 0;
+};
+
+/// Whose window is outside the bounds of the message set.
+class Glaring : public Ramp {
+public:
+    Result<void> next(const Exposure& exposure, Picture& picture) override
+    {
+        auto taken = Ramp::next(exposure, picture);
+        picture.format.windowWidth = 1e6;
+        return taken;
     }
 };
 
@@ -61,11 +96,13 @@ Said said(const Message& message)
 /// An X-ray system, and a cockpit that holds the pedal and keeps what it is told.
 class Theatre {
 public:
-    explicit Theatre(Reduction reduction, Encoding encoding = Encoding::Raw, unsigned quality = 0)
-        : m_files({reference::cockpit, reference::xray}, {"cockpit xray"}),
+    explicit Theatre(Reduction reduction, Encoding encoding = Encoding::Raw, unsigned quality = 0,
+                     std::unique_ptr<ImageSource> source = std::make_unique<Ramp>())
+        : m_source(std::move(source)),
+          m_files({reference::cockpit, reference::xray}, {"cockpit xray"}),
           m_xray(m_files.settingsOf("xray"),
                  [this, reduction, encoding, quality](DistributedSystem& system) {
-                     build(system, {std::make_unique<Ramp>(), encoding, quality, reduction, {}});
+                     build(system, {std::move(m_source), encoding, quality, reduction, {}});
                  }),
           m_cockpit(m_files.settingsOf("cockpit"), [this](DistributedSystem& system) { watch(system); })
     {
@@ -138,6 +175,7 @@ private:
         });
     }
 
+    std::unique_ptr<ImageSource> m_source; ///< until the device is built
     TestSystem m_files;
     std::atomic<double> m_rate = -1;
     std::atomic<double> m_pulseRate = 0;
@@ -225,6 +263,44 @@ private slots:
     {
         Theatre theatre(Reduction::None, Encoding::JpegLs, impossible);
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be encoded"), theatre.story().c_str(), patience);
+        QVERIFY(theatre.pictures().empty());
+    }
+
+    void leavesAnEncodingWhosePicturesNoMessageHolds()
+    {
+        Theatre theatre(Reduction::Lossless, Encoding::Raw, 0, std::make_unique<Ramp>(tooLarge));
+        QTRY_VERIFY2_WITH_TIMEOUT(!theatre.pictures().empty(), theatre.story().c_str(), patience);
+        for (const Said& picture : theatre.pictures())
+            QVERIFY(picture.rung >= 2 && picture.encoding == Encoding::JpegLs && encodingOf(picture) == Encoding::JpegLs);
+        QVERIFY(theatre.logged("larger than the 16777216 bytes"));
+    }
+
+    void endsTheRunWhereNoMessageHoldsThePictures()
+    {
+        Theatre theatre(Reduction::None, Encoding::Raw, 0, std::make_unique<Ramp>(tooLarge));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be encoded"), theatre.story().c_str(), patience);
+        QVERIFY(theatre.pictures().empty());
+    }
+
+    void endsTheRunWhereNoPictureCanBeTaken()
+    {
+        Theatre theatre(Reduction::Lossy, Encoding::Raw, 0, std::make_unique<Torn>(0));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be taken"), theatre.story().c_str(), patience);
+        QVERIFY(theatre.logged("a picture is torn"));
+    }
+
+    void goesOnWherePicturesCanBeTakenNowAndThen()
+    {
+        Theatre theatre(Reduction::None, Encoding::Raw, 0, std::make_unique<Torn>(3));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.pictures().size() >= 10, theatre.story().c_str(), patience);
+        QVERIFY(theatre.logged("a picture is torn"));
+        QVERIFY(!theatre.logged("beam off: pictures"));
+    }
+
+    void endsTheRunWhereTheMessageSetRefusesThePictures()
+    {
+        Theatre theatre(Reduction::None, Encoding::Raw, 0, std::make_unique<Glaring>());
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be sent"), theatre.story().c_str(), patience);
         QVERIFY(theatre.pictures().empty());
     }
 

@@ -96,6 +96,24 @@ private slots:
         QCOMPARE(hand.ladder.step(), std::size_t(0));
     }
 
+    void triesRawPicturesThatWereTooLargeAgain()
+    {
+        Hand hand(PictureLadder(Encoding::Raw, 0, Reduction::Lossless));
+        hand.ladder.failed(hand.now, hand.ladder.rung());
+        hand.ladder.measured(hand.now, {1, Encoding::JpegLs, 0}, 60'000, 100'000);
+        QVERIFY(hand.see({{1e9, 0}}));
+        QCOMPARE(describe(hand.ladder.rung(), 15), std::string("15 of 15 /s, lossless"));
+        QVERIFY(!hand.ladder.toMeasure(hand.now));
+        for (int count = 0; count < 60; ++count)
+            hand.see({{1e9, 0}});
+        QVERIFY(hand.ladder.toMeasure(hand.now) == hand.ladder.rungs().front());
+        hand.ladder.measured(hand.now, hand.ladder.rungs().front(), 100'000, 100'000);
+        QVERIFY(!hand.ladder.toMeasure(hand.now));
+        for (int count = 0; count < 20; ++count)
+            hand.see({{1e9, 0}});
+        QCOMPARE(hand.ladder.step(), std::size_t(0));
+    }
+
     void staysWhereNoEncodingWorks()
     {
         Hand hand(PictureLadder(Encoding::JpegLs, 200, Reduction::Lossless));
