@@ -43,7 +43,8 @@ XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink l
       m_ladder(options.encoding, options.quality, options.reduction),
       m_mostBytes(mostBytesIn(frameDefinition(system))),
       m_paths(m_viewers, frameDefinition(system).number),
-      m_links(options.links ? std::move(options.links) : [&system] { return system.links(); })
+      m_links(options.links ? std::move(options.links) : [&system] { return system.links(); }),
+      m_encode(std::move(options.encode))
 {
     m_machine.fixPulseRate(m_source->ownRate());
 }

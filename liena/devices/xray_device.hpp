@@ -25,6 +25,11 @@ struct XrayOptions {
     unsigned quality = 0;
     Reduction reduction = Reduction::Lossy;         ///< what may be done when the way to the viewers does not carry that
     std::function<std::vector<LinkStatus>()> links; ///< what takes DistributedSystem::links()'s place in tests
+
+    /// Of the picture thread; what takes its place in tests may fail.
+    std::function<Result<EncodedPicture>(FrameEncoder&, Picture&)> encode = [](FrameEncoder& encoder, Picture& picture) {
+        return encoder.encode(picture);
+    };
 };
 
 /// Made before the system starts, outlives its run. Commands, events and status are on the network thread; pictures are computed, encoded
@@ -103,6 +108,7 @@ private:
     std::size_t m_mostBytes; ///< of an encoded picture
     ViewerPaths m_paths;
     std::function<std::vector<LinkStatus>()> m_links;
+    std::function<Result<EncodedPicture>(FrameEncoder&, Picture&)> m_encode;
     double m_askedRate = 0;        ///< for the present pulse
     bool m_encodingFailed = false; ///< of the picture before
     unsigned m_without = 0;        ///< pulses in a row whose picture could not be taken, or never be sent

@@ -100,20 +100,22 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
         m_spare = m_picture; // an encoding may change it
     m_encoder.use(m_ladder.rung().encoding, m_ladder.rung().quality);
     const auto pixels = encode(m_encoder, m_picture);
-    if (!pixels) {
-        encodingFails(pixels.error().what);
-        return false;
-    }
-    m_ladder.measured(std::chrono::steady_clock::now(), m_ladder.rung(), pixels.value()->size(), unencoded);
-    const bool sent = deliver(compose(exposure, frame, pixels.value(), captured));
-    if (other)
+    const auto now = std::chrono::steady_clock::now();
+    if (pixels)
+        m_ladder.measured(now, m_ladder.rung(), pixels.value()->size(), unencoded);
+    else
+        m_ladder.failed(now, m_ladder.rung());
+    const bool sent = pixels && deliver(compose(exposure, frame, pixels.value(), captured));
+    if (other) // after the picture has left: it makes none later; where none has, it may be the encoding that works
         measure(*other, unencoded);
+    if (!pixels)
+        encodingFails(pixels.error().what);
     return sent;
 }
 
 Result<EncodedPicture> XrayDevice::encode(FrameEncoder& encoder, Picture& picture) const
 {
-    auto pixels = encoder.encode(picture);
+    auto pixels = m_encode(encoder, picture);
     if (pixels && pixels.value()->size() > m_mostBytes)
         return fail(Errc::ValueRefused, "an encoded picture is larger than the " + std::to_string(m_mostBytes) +
                                             " bytes that a message holds; permit lossless or lossy pictures, or choose smaller ones");
@@ -124,7 +126,6 @@ Result<EncodedPicture> XrayDevice::encode(FrameEncoder& encoder, Picture& pictur
 void XrayDevice::encodingFails(const std::string& what)
 {
     complain(what);
-    m_ladder.failed(std::chrono::steady_clock::now(), m_ladder.rung());
     m_encodingFailed = m_ladder.works();
     if (!m_ladder.works())
         m_system.post([this] { endRun("pictures cannot be encoded"); });
@@ -157,7 +158,6 @@ Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const
     return message;
 }
 
-// After the picture has left: it makes none later.
 void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
 {
     m_measuring.use(rung.encoding, rung.quality);

@@ -116,6 +116,12 @@ public:
         m_device.reset();
     }
 
+    void failWith(std::set<Encoding> encodings)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_failing = std::move(encodings);
+    }
+
     void say(std::optional<double> rate) { m_rate = rate.value_or(-1); }
 
     std::vector<Said> pictures() const
@@ -152,10 +158,21 @@ private:
             }
             return links;
         };
+        options.encode = [this](FrameEncoder& encoder, Picture& picture) -> Result<EncodedPicture> {
+            if (isBroken(encoder.encoding()))
+                return fail(Errc::InvalidArgument, "the encoder is broken");
+            return encoder.encode(picture);
+        };
         m_device = std::move(XrayDevice::create(system, std::move(options), [this](const LogLine& line) {
                                  const std::lock_guard lock(m_mutex);
                                  m_log.append(line.text) += '\n';
                              }).value());
+    }
+
+    bool isBroken(Encoding encoding) const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_failing.contains(encoding);
     }
 
     void watch(DistributedSystem& system)
@@ -184,6 +201,7 @@ private:
     mutable std::mutex m_mutex;
     std::vector<Said> m_pictures;
     std::string m_log;
+    std::set<Encoding> m_failing;
     std::unique_ptr<XrayDevice> m_device;
     TestDevice m_xray;
     TestDevice m_cockpit;
@@ -280,6 +298,17 @@ private slots:
         Theatre theatre(Reduction::None, Encoding::Raw, 0, std::make_unique<Ramp>(tooLarge));
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be encoded"), theatre.story().c_str(), patience);
         QVERIFY(theatre.pictures().empty());
+    }
+
+    void triesTheOtherEncodingsAgainWhereAllHaveFailed()
+    {
+        Theatre theatre(Reduction::Lossy, Encoding::JpegLs);
+        theatre.failWith({Encoding::JpegLs, Encoding::Jpeg});
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("beam off: pictures cannot be encoded"), theatre.story().c_str(), patience);
+        const auto before = theatre.pictures().size(); // those of before the word was heard
+        theatre.failWith({Encoding::Jpeg});            // which was the last to fail
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.pictures().size() >= before + 10, theatre.story().c_str(), patience);
+        QCOMPARE(theatre.pictures().back().encoding, Encoding::JpegLs);
     }
 
     void endsTheRunWhereNoPictureCanBeTaken()
