@@ -192,7 +192,9 @@ void SessionMachine::handshakeInSession(const HandshakeHeard& input)
 {
     // One that does not name this session as lost may have been withdrawn by its sender before this session began, and be read late.
     const bool namesThisLoss = input.diagnosis && input.previous == m_token;
-    if (namesThisLoss || m_state == SessionState::Reconnecting) {
+    // After a stall of our own it is only what was read first: what refutes it may lie unread.
+    const bool interrupted = m_state == SessionState::Reconnecting && m_cause != LossCause::LocalStall;
+    if (namesThisLoss || interrupted) {
         yieldTo(input, "the peer opens anew");
         return;
     }

@@ -347,8 +347,8 @@ private:
     Instant m_lossAt;
     std::optional<Instant> m_retryAt;
 
-    /// A handshake while the session is open: the peer restarted, unless the session proves to live within one and a half heartbeats. It
-    /// goes on waiting only where the interruption is our own stall.
+    /// A handshake while the session is open: the peer restarted, unless the session proves to live within one and a half heartbeats. In
+    /// an interruption it waits only where that is our own stall.
     std::optional<HandshakeHeard> m_pending;
     Instant m_proofDeadline;
 };
