@@ -152,6 +152,26 @@ private Q_SLOTS:
         const auto& body = heard[0].datagram.body;
         QVERIFY(std::string(body.begin(), body.end()).find("after") != std::string::npos);
     }
+
+    /// It would act in a session that still looks whole.
+    void whatWasPostedBeforeItRunsWhenItIsKnown()
+    {
+        SlowLink stage;
+        const auto stalls = [&] { return stage.robot.events(Kind::LocalStall).size(); };
+        const auto before = stalls();
+        stage.peer.habits.heartbeats = false;
+        struct Found {
+            SessionState state = SessionState::Closed;
+            std::size_t stalls = 0;
+        };
+        std::promise<Found> ran;
+        auto found = ran.get_future();
+        stage.stallDuring([&] { stage.robot->post([&] { ran.set_value({stage.link().state, stalls()}); }); });
+        QVERIFY(found.wait_for(20s) == std::future_status::ready);
+        const auto then = found.get();
+        QCOMPARE(words(then.state), words(SessionState::Reconnecting));
+        QCOMPARE(then.stalls, before + 1);
+    }
 };
 
 QTEST_GUILESS_MAIN(SuspendedComputerTest)

@@ -143,7 +143,8 @@ public:
     void audit(std::string_view event, std::string_view who, std::string_view text = {});
 
     /// Runs `task` on the network thread soon; in order of the calls of one thread. Before start() it waits for that; what stop() finds
-    /// waiting runs in stop(), and what comes later never.
+    /// waiting runs in stop(), and what comes later never. A stall of this process is known, and its sessions are interrupted, before it
+    /// runs.
     void post(std::function<void()> task);
 
 private:

@@ -107,6 +107,15 @@ Result<std::unique_ptr<DistributedSystem>> DistributedSystem::create(Settings se
     return std::unique_ptr<DistributedSystem>(new DistributedSystem(std::move(state)));
 }
 
+/// Asio runs what is handed over before it looks at sockets and timers: a stall would be found only after it.
+void DistributedSystem::State::post(std::function<void()> task)
+{
+    asio::post(context, [this, task = std::move(task)] {
+        turned();
+        task();
+    });
+}
+
 Result<void> DistributedSystem::State::checkKnown(std::string_view message) const
 {
     const auto knows = [&](const std::shared_ptr<const MessageSet>& set) { return set && set->find(message) != nullptr; };
@@ -393,6 +402,6 @@ void DistributedSystem::audit(std::string_view event, std::string_view who, std:
     m_state->record({.event = std::string(event), .who = std::string(who), .text = std::string(text), .byApplication = true});
 }
 
-void DistributedSystem::post(std::function<void()> task) { asio::post(m_state->context, std::move(task)); }
+void DistributedSystem::post(std::function<void()> task) { m_state->post(std::move(task)); }
 
 } // namespace liena

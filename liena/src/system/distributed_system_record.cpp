@@ -7,8 +7,6 @@
 #include "system/measure_order.hpp"
 #include "system/status_line.hpp"
 
-#include <boost/asio/post.hpp>
-
 #include <fmt/format.h>
 
 namespace liena {
@@ -47,7 +45,7 @@ std::function<void()> DistributedSystem::State::measureFor(const std::string& re
     record({.event = "measurement-requested", .peer = system::nameIn(topology, wanted.value().peer), .who = ownTopologyDevice.name});
     reply(JsonLine().add("measure", "begun").text());
     auto runs = std::make_shared<bool>(false); // the network thread's: who leaves ends no measurement but its own
-    boost::asio::post(context, [this, wanted = wanted.value(), reply, runs] {
+    post([this, wanted = wanted.value(), reply, runs] {
         const auto done = [reply, runs](const Measurement& found) {
             *runs = false;
             reply(JsonLine().put("measurement", toJson(found)).text());
@@ -63,7 +61,7 @@ std::function<void()> DistributedSystem::State::measureFor(const std::string& re
         }
     });
     return [this, peer = wanted.value().peer, runs] {
-        boost::asio::post(context, [this, peer, runs] {
+        post([this, peer, runs] {
             if (auto* one = module(peer); one != nullptr && *runs)
                 one->stopMeasuring();
         });

@@ -29,6 +29,7 @@
 #include <boost/asio/io_context.hpp>
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
@@ -53,6 +54,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void stop();
     bool isNetworkThread() const { return std::this_thread::get_id() == threadId.load(); }
 
+    void post(std::function<void()> task);
     system::DistributedModule* module(DeviceId peer) const;
     Result<DeviceId> linkedPeer(DeviceId peer) const;
     void recordCommand(std::string_view event, std::optional<DeviceId> peer, IncidentId incident, std::string_view reason);
