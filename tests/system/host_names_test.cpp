@@ -1,9 +1,11 @@
 // A device that the topology gives by name: a session that stands needs no name server.
 #include "hostile_stage.hpp"
+#include "slow_line.hpp"
 
 #include <QTest>
 
 #include <atomic>
+#include <memory>
 #include <string_view>
 
 #include <dlfcn.h>
@@ -19,6 +21,7 @@ constexpr const char* host = "device.liena.test";
 
 std::atomic<int> asked{0};
 std::atomic<bool> answers{true};
+std::atomic<bool> isTwoAddresses{false};
 
 } // namespace
 
@@ -30,7 +33,15 @@ extern "C" int getaddrinfo(const char* node, const char* service, const addrinfo
     if (node == nullptr || std::string_view(node) != host)
         return ask(node, service, hints, result);
     ++asked;
-    return answers ? ask("127.0.0.1", service, hints, result) : EAI_AGAIN;
+    if (!answers)
+        return EAI_AGAIN;
+    const int error = ask(isTwoAddresses ? "127.0.0.2" : "127.0.0.1", service, hints, result);
+    if (error != 0 || !isTwoAddresses)
+        return error;
+    auto* last = *result;
+    while (last->ai_next != nullptr)
+        last = last->ai_next;
+    return ask("127.0.0.1", service, hints, &last->ai_next);
 }
 
 class HostNamesTest : public QObject {
@@ -41,6 +52,7 @@ private Q_SLOTS:
     {
         asked = 0;
         answers = true;
+        isTwoAddresses = false;
     }
 
     void aLaneThatIsMadeAnewGoesWhereItWent()
@@ -53,6 +65,21 @@ private Q_SLOTS:
         QVERIFY(stage.peer.talkBack(wire::Bytes(1))); // ends the robot's lane
         QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Interrupted, stage.xrayId); }), stage.story().c_str());
         QCOMPARE(words(stage.robot.state(stage.xrayId)), words(SessionState::Open));
+        QCOMPARE(asked.load(), 0);
+    }
+
+    void aLaneWhoseAddressIsGoneGoesToAnotherOfTheSameHost()
+    {
+        isTwoAddresses = true;
+        HostileStage stage({.xrayHost = host});
+        auto line = std::make_unique<SlowLine>(QHostAddress("127.0.0.2"), QHostAddress("127.0.0.1"));
+        QVERIFY(line->open(stage.peer.role().port));
+        stage.openPeer();
+        answers = false;
+        asked = 0;
+        line.reset(); // that network is gone
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Interrupted, stage.xrayId); }), stage.story().c_str());
+        QVERIFY2(!stage.robot.heard(Kind::Lost, stage.xrayId), stage.story().c_str());
         QCOMPARE(asked.load(), 0);
     }
 

@@ -47,7 +47,7 @@ DistributedModule::DistributedModule(ModuleHost& host, TopologyDevice peer, Topo
               [this] { return carriesMessages(m_machine.state()); },
               [this](std::uint8_t lane, const std::string& detail) { bulkLaneLost(lane, detail); },
               [this](const tasks::OutputQueue::Entry& entry, tasks::OutputQueue::Fate fate) { notSent(entry, fate); },
-              [this](const protocol::DatagramHeader& begun) { return abandon(begun); }, [this] { return m_reached; }}),
+              [this](const protocol::DatagramHeader& begun) { return abandon(begun); }, [this] { return m_laneZero.addresses(); }}),
       m_datagrams(host.packets(), m_peer.port, host.identity() != nullptr),
       m_couriers(host, m_peer),
       m_timer(host.io()),

@@ -186,7 +186,6 @@ private:
     protocol::Ends m_ends;
     const MessageDefinition* m_judged = nullptr; ///< of the header that was judged last; inside one of the sets of m_ends
 
-    std::optional<boost::asio::ip::address> m_reached; ///< where our lane 0 stood last
     tasks::OutputLane m_laneZero;
     tasks::BulkLanes m_bulk;
     DatagramPath m_datagrams;

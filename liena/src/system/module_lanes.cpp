@@ -19,21 +19,21 @@ constexpr auto connectLimit = 1s;
 
 } // namespace
 
-/// In a session it goes where it went: whoever answers there shows who it is, and a name server that is slow, or cut off together with the
-/// peer, would take longer than the session has.
+/// In a session it goes where it went, or where its host was besides: whoever answers there shows who it is, and a name server that is
+/// slow, or cut off together with the peer, would take longer than the session has.
 void DistributedModule::connectLaneZero()
 {
     const bool dialogue = m_machine.state() == SessionState::Opening || m_machine.state() == SessionState::Reopening;
     m_laneZero.connect(encode(protocol::Attach{protocol::protocolVersion, m_machine.token(), 0}, m_peer.id),
-                       dialogue ? connectLimit : reconnectLimit(m_machine.clock().lastDelay()), dialogue ? std::nullopt : m_reached);
+                       dialogue ? connectLimit : reconnectLimit(m_machine.clock().lastDelay()),
+                       dialogue ? std::vector<boost::asio::ip::address>() : m_laneZero.addresses());
 }
 
 void DistributedModule::laneZeroUp()
 {
     const auto& lane = *m_laneZero.channel();
     const auto token = m_machine.token();
-    m_reached = lane.remote().address();
-    m_datagrams.outgoingUp(token, lane.datagramKey(token), *m_reached, m_host.now().mono);
+    m_datagrams.outgoingUp(token, lane.datagramKey(token), lane.remote().address(), m_host.now().mono);
     handle(session::OutgoingUp{});
 }
 

@@ -33,7 +33,7 @@ public:
         std::function<void(std::uint8_t lane, const std::string& detail)> lost;
         OutputQueue::Report dropped;
         OutputQueue::Abandoning abandoning;
-        std::function<std::optional<boost::asio::ip::address>()> known; ///< where lane 0 reached the peer
+        std::function<std::vector<boost::asio::ip::address>()> known; ///< as of lane 0, for OutputLane::connect()
     };
 
     BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity, std::uint8_t dscp,

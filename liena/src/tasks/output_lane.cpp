@@ -32,11 +32,12 @@ std::unique_ptr<OutputQueue> OutputLane::exchangeQueue()
     return std::exchange(m_queue, makeQueue());
 }
 
-void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit, const std::optional<asio::ip::address>& known)
+void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit, const std::vector<asio::ip::address>& known)
 {
     m_attach = std::move(attach);
     cancelAttempt();
     const auto ended = [this](transport::TcpClient::Outcome outcome) {
+        auto addresses = m_client->addresses();
         bury(std::move(m_client));
         auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome);
         if (channel == nullptr)
@@ -45,6 +46,7 @@ void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanosecon
             (*channel)->close();
             return m_handlers.failed({ProbeResult::TlsFailure, admitted.error().what});
         }
+        m_addresses = std::move(addresses);
         established(std::move(*channel));
     };
     m_client = std::make_unique<transport::TcpClient>(m_io, m_peer, m_identity, limit, ended, known);

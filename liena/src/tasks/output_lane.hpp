@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace liena::tasks {
 
@@ -33,11 +34,13 @@ public:
     OutputLane& operator=(const OutputLane&) = delete;
 
     /// Replaces an attempt in hand. `attach` is the first message on the connection; `known` as in TcpClient.
-    void connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit,
-                 const std::optional<boost::asio::ip::address>& known = std::nullopt);
+    void connect(protocol::EncodedMessage attach, std::chrono::nanoseconds limit, const std::vector<boost::asio::ip::address>& known = {});
 
     bool isUp() const { return m_task != nullptr; }
     bool isConnecting() const { return m_client != nullptr; }
+
+    /// Of the peer's host, the one of the newest connection first; none before there was one.
+    const std::vector<boost::asio::ip::address>& addresses() const { return m_addresses; }
 
     /// The connection; null while there is none.
     const transport::TcpChannel* channel() const { return m_task ? &m_task->channel() : nullptr; }
@@ -86,6 +89,7 @@ private:
     std::unique_ptr<OutputQueue> m_queue;
     std::unique_ptr<TransmissionTask> m_task;
     std::unique_ptr<transport::TcpClient> m_client;
+    std::vector<boost::asio::ip::address> m_addresses;
     protocol::EncodedMessage m_attach;
     PathRate m_rate; ///< kept from one connection to the next: they take the same path
     bool m_paced = false;

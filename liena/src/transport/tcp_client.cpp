@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace liena::transport {
@@ -27,15 +28,15 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
           timer(context)
     {}
 
-    void start(std::chrono::nanoseconds limit, const std::optional<asio::ip::address>& known)
+    void start(std::chrono::nanoseconds limit, const std::vector<asio::ip::address>& known)
     {
         timer.after(limit, [this] { expire(); });
-        if (known)
-            return startAt(tcp::endpoint(*known, peer.port));
+        if (!known.empty())
+            return startAt(known);
         boost::system::error_code notNumeric;
         const auto address = asio::ip::make_address(peer.host, notNumeric);
         if (!notNumeric)
-            return startAt(tcp::endpoint(address, peer.port));
+            return startAt({address});
         resolver.async_resolve(
             peer.host, std::to_string(peer.port),
             [self = shared_from_this()](const boost::system::error_code& error, const tcp::resolver::results_type& results) {
@@ -48,11 +49,14 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
     }
 
     /// In a turn of its own: a socket that cannot be had fails at once, and the owner does not have the client yet.
-    void startAt(const tcp::endpoint& endpoint)
+    void startAt(const std::vector<asio::ip::address>& addresses)
     {
-        asio::post(io, [self = shared_from_this(), endpoint] {
+        std::vector<tcp::endpoint> endpoints;
+        for (const auto& address : addresses)
+            endpoints.emplace_back(address, peer.port);
+        asio::post(io, [self = shared_from_this(), endpoints = std::move(endpoints)]() mutable {
             if (!self->ended)
-                self->connect({endpoint});
+                self->connect(std::move(endpoints));
         });
     }
 
@@ -78,6 +82,8 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
                 return;
             if (refused)
                 return self->tryNext(candidate + 1, refused);
+            std::rotate(self->candidates.begin(), self->candidates.begin() + static_cast<std::ptrdiff_t>(candidate),
+                        self->candidates.begin() + static_cast<std::ptrdiff_t>(candidate) + 1);
             self->begin();
         });
     }
@@ -143,20 +149,28 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
     tcp::resolver resolver;
     tcp::socket socket;
     Timer timer;
-    std::vector<tcp::endpoint> candidates;
+    std::vector<tcp::endpoint> candidates; ///< the one that was reached is the first
     std::shared_ptr<TcpChannel> channel;
     bool connected = false;
     bool ended = false;
 };
 
 TcpClient::TcpClient(asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
-                     std::chrono::nanoseconds limit, Handler handler, const std::optional<asio::ip::address>& known)
+                     std::chrono::nanoseconds limit, Handler handler, const std::vector<asio::ip::address>& known)
     : m_attempt(std::make_shared<Attempt>(io, peer, std::move(identity), std::move(handler)))
 {
     m_attempt->start(limit, known);
 }
 
 TcpClient::~TcpClient() { cancel(); }
+
+std::vector<asio::ip::address> TcpClient::addresses() const
+{
+    std::vector<asio::ip::address> addresses;
+    for (const auto& candidate : m_attempt->candidates)
+        addresses.push_back(candidate.address());
+    return addresses;
+}
 
 void TcpClient::cancel()
 {

@@ -9,8 +9,8 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <variant>
+#include <vector>
 
 namespace liena::transport {
 
@@ -20,13 +20,17 @@ public:
     using Outcome = std::variant<std::shared_ptr<TcpChannel>, ConnectionFailure>;
     using Handler = std::function<void(Outcome)>;
 
-    /// `identity` is null in mode `none`. `handler` is called once, within `limit` and never from here. With `known`, where the peer was
-    /// reached before, nobody is asked for the address of its host: a name server may take seconds.
+    /// `identity` is null in mode `none`. `handler` is called once, within `limit` and never from here. With `known`, the addresses() of a
+    /// connection before, nobody is asked for those of its host: a name server may take seconds.
     TcpClient(boost::asio::io_context& io, const TopologyDevice& peer, std::shared_ptr<security::TlsIdentity> identity,
-              std::chrono::nanoseconds limit, Handler handler, const std::optional<boost::asio::ip::address>& known = std::nullopt);
+              std::chrono::nanoseconds limit, Handler handler, const std::vector<boost::asio::ip::address>& known = {});
     ~TcpClient();
     TcpClient(const TcpClient&) = delete;
     TcpClient& operator=(const TcpClient&) = delete;
+
+    /// All of the peer's host, in the order in which they are tried; where it was reached, that one is the first. None while nobody said
+    /// them.
+    std::vector<boost::asio::ip::address> addresses() const;
 
     /// No callback from now on.
     void cancel();
