@@ -10,7 +10,7 @@ namespace liena::devices {
 ArmDevice::ArmDevice(DistributedSystem& system, std::vector<DeviceId> robots, LogSink log)
     : m_system(system), m_log(log), m_robots(robots), m_patientSide(system, log, robots, [this](std::string_view reason) {
           m_machine.lock("stop at the patient's side");
-          PatientSide::stopRobots(m_system, m_log, reason);
+          m_patientSide.stopRobots(reason);
       })
 {}
 

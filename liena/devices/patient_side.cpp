@@ -96,7 +96,14 @@ PatientSide::PatientSide(DistributedSystem& system, LogSink log, std::vector<Dev
         m_keeper.handle(event, std::chrono::steady_clock::now());
         tellEvent(event);
     });
-    m_system.every(std::chrono::milliseconds(100), [this] { keepLinks(); });
+    if (!linked(m_system, DeviceClass::Hand).empty())
+        complain(m_system.subscribe("RobotStatus", [this](const Message& message) {
+            m_stop.reported(message.origin(), message.get<std::uint64_t>("emergency_stop_token"));
+        }));
+    m_system.every(std::chrono::milliseconds(100), [this] {
+        keepLinks();
+        sendStop();
+    });
 }
 
 std::string PatientSide::nameOf(DeviceId device) const { return nameIn(m_system.topology(), device); }
@@ -111,21 +118,28 @@ std::vector<DeviceId> PatientSide::linked(const DistributedSystem& system, Devic
     return devices;
 }
 
-void PatientSide::stopRobots(DistributedSystem& system, const LogSink& log, std::string_view reason)
+void PatientSide::stopRobots(std::string_view reason)
 {
     std::random_device entropy;
-    const std::uint64_t token = (std::uint64_t{entropy()} << 32U | entropy()) | 1U;
-    for (const DeviceId robot : linked(system, DeviceClass::Hand)) {
-        auto command = system.command(robot, "EmergencyStop");
+    m_stop.say((std::uint64_t{entropy()} << 32U | entropy()) | 1U, reason.substr(0, 128), linked(m_system, DeviceClass::Hand));
+    sendStop();
+}
+
+/// A repeat is harmless; a stop that is thrown away while its link is interrupted is not.
+void PatientSide::sendStop()
+{
+    for (const DeviceId robot : m_stop.robots()) {
+        auto command = m_system.command(robot, "EmergencyStop");
         Result<void> sent = ok();
         if (command) {
-            command.value().set("token", token).set("source", std::string_view(system.self().name)).set("reason", reason.substr(0, 128));
-            sent = system.send(robot, std::move(command.value()));
+            command.value().set("token", m_stop.token()).set("source", std::string_view(m_system.self().name));
+            command.value().set("reason", std::string_view(m_stop.reason()));
+            sent = m_system.send(robot, std::move(command.value()));
         } else {
             sent = command.error();
         }
-        if (!sent)
-            log(LogLevel::Error, "EMERGENCY STOP DID NOT LEAVE: " + sent.error().what + "; press the stop on the robot itself");
+        if (m_stop.isNews(robot, sent ? std::string() : sent.error().what))
+            m_log(LogLevel::Error, "EMERGENCY STOP DID NOT LEAVE: " + sent.error().what + "; press the stop on the robot itself");
     }
 }
 

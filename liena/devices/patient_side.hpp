@@ -3,6 +3,7 @@
 
 #include "link_keeper.hpp"
 #include "person_commands.hpp"
+#include "unheard_stop.hpp"
 
 #include "liena/distributed_system.hpp"
 
@@ -36,8 +37,9 @@ public:
     /// Devices linked to this one that are of a class.
     static std::vector<DeviceId> linked(const DistributedSystem& system, DeviceClass deviceClass);
 
-    /// Sends EmergencyStop to every linked hand: the arm and the X-ray system stop the robot so.
-    static void stopRobots(DistributedSystem& system, const LogSink& log, std::string_view reason);
+    /// Sends EmergencyStop to every linked hand, again each 100 ms until that names it, also over a session that is opened later: the arm
+    /// and the X-ray system stop the robot so.
+    void stopRobots(std::string_view reason);
 
 private:
     void carryOut(const PersonCommand& command);
@@ -46,6 +48,7 @@ private:
     void tellStatus() const;
     void tellEvent(const SessionEvent& event);
     void keepLinks();
+    void sendStop();
     void complain(const Result<void>& result) const;
 
     DistributedSystem& m_system;
@@ -53,6 +56,7 @@ private:
     LinkKeeper m_keeper;
     std::function<void(std::string_view)> m_emergencyStop;
     Arming m_arming;
+    UnheardStop m_stop;
     std::map<DeviceId, std::string> m_failures; ///< what was last said of an opening that failed: it is tried every second
 };
 

@@ -36,7 +36,7 @@ XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink l
       m_patientSide(system, log, PatientSide::linked(system, DeviceClass::Hand),
                     [this](std::string_view reason) {
                         withMachine([](XrayMachine& machine) { machine.interrupt("stop at the patient's side"); });
-                        PatientSide::stopRobots(m_system, m_log, reason);
+                        m_patientSide.stopRobots(reason);
                     }),
       m_source(std::move(options.source)),
       m_encoder(options.encoding, options.quality),
