@@ -39,7 +39,7 @@ PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject*
       m_patient{options.patient, options.patientId},
       m_models(models),
       m_review(m_ring),
-      m_hold(m_ring),
+      m_hold(m_ring, m_table),
       m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
@@ -69,6 +69,7 @@ void PictureDesk::build(CockpitWindow& window)
     m_live = new LiveImageView(m_models.picture);
     theme::setTextRole(m_live, theme::TextRole::Caption);
     m_live->setDisplay(&m_display);
+    m_live->setTable(&m_table);
     auto* controls = new PictureControls(m_display);
     connect(controls, &PictureControls::zoomRequested, m_live, [this](int steps) { m_live->zoomBy(std::pow(zoomStep, steps)); });
     connect(controls, &PictureControls::wholeRequested, m_live, &LiveImageView::resetView);
@@ -77,6 +78,7 @@ void PictureDesk::build(CockpitWindow& window)
     m_reference = new ReferenceImageView;
     theme::setTextRole(m_reference, theme::TextRole::Caption);
     m_reference->setDisplay(&m_display);
+    m_reference->setTable(&m_table);
     m_reviewControls = new ReviewControls;
     window.setLiveView(new PicturePane(m_live, controls));
     window.setReferenceView(new PicturePane(m_reference, m_reviewControls));
@@ -157,10 +159,8 @@ void PictureDesk::connectRoadmap()
     connect(&m_models.xray, &XraySystemState::statusChanged, this, [this] {
         const auto& status = m_models.xray.status();
         m_models.roadmap.noteTable(status.value.geometry.table, *status.received);
-        m_hold.noteTable(status.value.geometry.table, *status.received);
-        m_live->noteTable(status.value.geometry.table);
-        for (auto* view : references())
-            view->noteTable(status.value.geometry.table);
+        m_table.note(status.value.geometry.table, *status.received);
+        m_hold.tableReported();
     });
     connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
     connect(&roadmap, &RoadmapState::changed, this, [this] {
@@ -282,6 +282,7 @@ ReferenceImageView* PictureDesk::makeReferenceCopy()
     auto* copy = new ReferenceImageView;
     theme::setTextRole(copy, theme::TextRole::Caption);
     copy->setDisplay(&m_display);
+    copy->setTable(&m_table);
     copy->setOpacity(m_reference->opacity());
     if (m_reference->picture())
         copy->showPicture(*m_reference->picture());

@@ -83,6 +83,7 @@ private:
     RoadmapMaker m_maker;
     FramePipeline m_pipeline;
     CineReview m_review;
+    TableRest m_table;
     ImageHold m_hold;
     PictureSaver m_saver;
     DisplayState m_display;

@@ -14,7 +14,8 @@ constexpr quint64 latenessNs = 1'000'000'000; ///< a picture that was taken late
 
 } // namespace
 
-ImageHold::ImageHold(const CineRing& ring, QObject* parent) : QObject(parent), m_ring(ring), m_pipeline(nullptr, PictureRole::Hold)
+ImageHold::ImageHold(const CineRing& ring, const TableRest& table, QObject* parent)
+    : QObject(parent), m_ring(ring), m_table(table), m_pipeline(nullptr, PictureRole::Hold)
 {
     connect(&m_pipeline, &FramePipeline::pictureReady, this, &ImageHold::takeMean);
 }
@@ -54,9 +55,8 @@ void ImageHold::tell()
     Q_EMIT held(*m_held);
 }
 
-void ImageHold::noteTable(const std::array<double, 3>& table, Instant at)
+void ImageHold::tableReported()
 {
-    m_table.note(table, at);
     if (m_mustMean)
         makeMean();
 }

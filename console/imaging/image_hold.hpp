@@ -19,7 +19,8 @@ namespace console {
 class ImageHold : public QObject {
     Q_OBJECT
 public:
-    explicit ImageHold(const CineRing& ring, QObject* parent = nullptr);
+    /// `ring` and `table` outlive it.
+    ImageHold(const CineRing& ring, const TableRest& table, QObject* parent = nullptr);
 
     /// Of how many pictures, from the next one that is held on; 1: the last picture, and no mean.
     void setPictures(int pictures) { m_pictures = pictures; }
@@ -30,8 +31,8 @@ public:
     /// The pedal is up: the picture that stands there is the run's last.
     void endRun();
 
-    /// mm, as the X-ray system reported it; each report, since a missing one says nothing.
-    void noteTable(const std::array<double, 3>& table, Instant at);
+    /// After each report that the table has noted, since a missing one says nothing.
+    void tableReported();
 
     void setSettings(const DisplaySettings& settings);
     void setGreyScale(const GreyScale& greyScale) { m_pipeline.setGreyScale(greyScale); }
@@ -46,8 +47,8 @@ private:
     void takeMean(const DisplayPicture& mean);
 
     const CineRing& m_ring;
+    const TableRest& m_table;
     FramePipeline m_pipeline; ///< of means only
-    TableRest m_table;
     int m_pictures = 1;
     std::optional<DisplayPicture> m_last;
     std::optional<quint64> m_heldNs;      ///< its run has ended with the picture that was taken then

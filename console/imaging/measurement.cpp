@@ -40,12 +40,20 @@ QVector3D movement(const std::array<double, 3>& from, const std::array<double, 3
 /// Negated, so that a number that is none counts as a movement.
 bool isBeyond(double millimetres) { return !(std::abs(millimetres) <= RoadmapState::tableTolerance); }
 
-bool moved(const QVector3D& way) { return isBeyond(way.x()) || isBeyond(way.y()) || isBeyond(way.z()); }
+bool isMoved(const QVector3D& way) { return isBeyond(way.x()) || isBeyond(way.y()) || isBeyond(way.z()); }
 
 /// Along the beam: that changes how much larger its shadow is.
-bool movedInDepth(const QVector3D& way, const XrayGeometry& geometry)
+bool isMovedInDepth(const QVector3D& way, const XrayGeometry& geometry)
 {
     return isBeyond(QVector3D::dotProduct(way, axesOf(geometry.primaryAngle, geometry.secondaryAngle).beam));
+}
+
+/// Where the table was on its way it may have been at either end.
+template <typename Test>
+bool mayHave(const TableWay& before, const TableWay& now, Test test)
+{
+    return test(movement(before.from, now.from)) || test(movement(before.from, now.to)) || test(movement(before.to, now.from)) ||
+           test(movement(before.to, now.to));
 }
 
 } // namespace
@@ -158,7 +166,7 @@ PixelCalibration Measurement::calibration() const
     return m_frame ? calibrationOf(*m_frame) : PixelCalibration{};
 }
 
-void Measurement::follow(const XrayFrame& frame)
+void Measurement::follow(const XrayFrame& frame, const TableRest& table)
 {
     if (m_frame && !sameView(*m_frame, frame)) {
         clear();
@@ -167,8 +175,10 @@ void Measurement::follow(const XrayFrame& frame)
     // Drawn anew with other settings it is the same picture, of the same place.
     const bool another =
         !m_frame || m_frame->frame != frame.frame || m_frame->acquisition != frame.acquisition || m_frame->captureNs != frame.captureNs;
-    if (another && m_reportedTable)
-        moveTable(*m_reportedTable, frame.geometry);
+    if (!m_table && m_frame) // what is first reported stood so before
+        m_table = m_catheterTable = table.wayOf(m_frame->arrival);
+    if (const auto stood = table.wayOf(frame.arrival); another && stood)
+        moveTable(*stood, frame.geometry);
     const bool holds = m_frame && (!m_points.empty() || m_catheterWidth > 0);
     const XrayGeometry geometry = holds ? m_frame->geometry : frame.geometry; // a C-arm that creeps is to be noticed
     m_frame = frame;
@@ -177,19 +187,11 @@ void Measurement::follow(const XrayFrame& frame)
     m_frame->pixels = {};
 }
 
-// What is first reported stood so before.
-void Measurement::noteTable(const std::array<double, 3>& table)
+void Measurement::moveTable(const TableWay& table, const XrayGeometry& geometry)
 {
-    if (!m_reportedTable)
-        m_table = m_catheterTable = table;
-    m_reportedTable = table;
-}
-
-void Measurement::moveTable(const std::array<double, 3>& table, const XrayGeometry& geometry)
-{
-    if (moved(movement(m_table, table)))
+    if (m_table && mayHave(*m_table, table, isMoved))
         clear();
-    if (movedInDepth(movement(m_catheterTable, table), geometry))
+    if (m_catheterTable && mayHave(*m_catheterTable, table, [&geometry](const QVector3D& way) { return isMovedInDepth(way, geometry); }))
         m_catheterWidth = 0;
     if (m_points.empty()) // a table that creeps is to be noticed
         m_table = table;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "model/display_state.hpp"
+#include "model/table_rest.hpp"
 #include "model/xray_frame.hpp"
 
 #include <QPointF>
 #include <QString>
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -78,24 +78,21 @@ public:
     /// That of the catheter, else that of the geometry.
     PixelCalibration calibration() const;
 
-    /// Points and catheter belong to this projection, and to where the table stood: in another they would lie, and are cleared. Sideways
-    /// the table moves the points away only: the catheter goes once the patient came nearer to the source, or farther from it.
-    void follow(const XrayFrame& frame);
-
-    /// mm, as the X-ray system reported it: for the next picture that is followed, since the present one shows the patient as before.
-    void noteTable(const std::array<double, 3>& table);
+    /// Points and catheter belong to this projection, and to where the table stood in their picture, as `table` tells by its arrival: in
+    /// another they would lie, and are cleared. Sideways the table moves the points away only: the catheter goes once the patient came
+    /// nearer to the source, or farther from it. Any picture, also an older one than before.
+    void follow(const XrayFrame& frame, const TableRest& table = {});
 
 private:
-    void moveTable(const std::array<double, 3>& table, const XrayGeometry& geometry);
+    void moveTable(const TableWay& table, const XrayGeometry& geometry);
 
     MeasureMode m_mode = MeasureMode::Off;
     std::vector<QPointF> m_points;
     std::optional<XrayFrame> m_frame; ///< without its pixels
     double m_catheterWidth = 0;       ///< pixels; 0: none was measured
     int m_french = 0;
-    std::optional<std::array<double, 3>> m_reportedTable;
-    std::array<double, 3> m_table{};         ///< where the points were set; without any, of the picture
-    std::array<double, 3> m_catheterTable{}; ///< where the catheter was measured
+    std::optional<TableWay> m_table;         ///< where the points were set; without any, of the picture; nothing before a report
+    std::optional<TableWay> m_catheterTable; ///< where the catheter was measured
 };
 
 } // namespace console

@@ -71,7 +71,10 @@ QFont PictureCanvas::overlayFont() const
 
 void PictureCanvas::followPicture(const DisplayPicture& picture)
 {
-    m_measurement.follow(picture.about);
+    if (m_table != nullptr)
+        m_measurement.follow(picture.about, *m_table);
+    else
+        m_measurement.follow(picture.about);
     const double zoom = m_viewport.zoom();
     m_viewport = viewport();
     update();

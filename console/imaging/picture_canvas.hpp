@@ -5,13 +5,13 @@
 #include "imaging/measurement.hpp"
 #include "imaging/picture_viewport.hpp"
 #include "model/display_state.hpp"
+#include "model/table_rest.hpp"
 
 #include <QRegion>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
 
-#include <array>
 #include <optional>
 
 namespace console {
@@ -42,8 +42,8 @@ public:
     void clearMeasurement();
     void nextCatheter();
 
-    /// As `Measurement` has it.
-    void noteTable(const std::array<double, 3>& table) { m_measurement.noteTable(table); }
+    /// Where the table stood in which picture; outlives the pane. Without one the table never moves.
+    void setTable(const TableRest* table) { m_table = table; }
 
     /// What became of a button that was pressed: at the foot of the pane for some seconds.
     void tell(const QString& what);
@@ -86,6 +86,7 @@ private:
     void addPoint(QPointF picture);
 
     DisplayState* m_display = nullptr;
+    const TableRest* m_table = nullptr;
     QString m_told;
     QTimer m_tellingEnds;
     PictureViewport m_viewport;

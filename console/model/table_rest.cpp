@@ -1,14 +1,18 @@
-// Since when the table stood where it stood in a picture.
+// Where the table stood in a picture, and since when.
 #include "model/table_rest.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace console {
 
 namespace {
 
-constexpr double otherPlace = 0.1; ///< mm, from which on it is another place: less than half a pixel
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<double, 3> nowhere{none, none, none}; ///< any other place is elsewhere, and so is this one
+constexpr double otherPlace = 0.1;                         ///< mm, from which on it is another place: less than half a pixel
 
 /// Negated, so that a number that is none counts as a movement.
 bool isElsewhere(const std::array<double, 3>& one, const std::array<double, 3>& other)
@@ -21,10 +25,8 @@ bool isElsewhere(const std::array<double, 3>& one, const std::array<double, 3>& 
 
 void TableRest::note(const std::array<double, 3>& table, Instant at)
 {
-    if (!m_reported || isElsewhere(m_table, table)) {
-        m_movements.push_back({m_reported.value_or(Instant::min()), at});
-        m_table = table;
-    }
+    if (!m_reported || isElsewhere(m_movements.back().to, table))
+        m_movements.push_back({m_reported.value_or(Instant::min()), at, table});
     if (m_movements.size() > movementsKept)
         m_movements.pop_front();
     m_reported = at;
@@ -36,6 +38,20 @@ std::optional<Instant> TableRest::since(Instant arrival) const
         return std::nullopt;
     const auto last = std::find_if(m_movements.rbegin(), m_movements.rend(), [arrival](const Movement& m) { return m.after < arrival; });
     return last == m_movements.rend() ? Instant::max() : last->until;
+}
+
+std::optional<TableWay> TableRest::wayOf(Instant arrival) const
+{
+    if (!m_reported)
+        return std::nullopt;
+    const auto last = std::find_if(m_movements.rbegin(), m_movements.rend(), [arrival](const Movement& m) { return m.after < arrival; });
+    if (last == m_movements.rend())
+        return TableWay{nowhere, nowhere};
+    const bool first = last->after == Instant::min();
+    if (first || last->until <= arrival)
+        return TableWay{last->to, last->to};
+    const auto before = std::next(last);
+    return TableWay{before == m_movements.rend() ? nowhere : before->to, last->to};
 }
 
 } // namespace console

@@ -1,4 +1,4 @@
-// Since when the table stood where it stood in a picture.
+// Where the table stood in a picture, and since when.
 #pragma once
 
 #include "model/instant.hpp"
@@ -9,6 +9,12 @@
 #include <optional>
 
 namespace console {
+
+/// mm. From one place to the other; the same where the table rested.
+struct TableWay {
+    std::array<double, 3> from{};
+    std::array<double, 3> to{};
+};
 
 /// From the X-ray system's reports: pictures do not say where the table was. A movement lies somewhere between the last report of before
 /// it and the first one after it, and what falls between the two counts for neither place. GUI thread only.
@@ -24,14 +30,19 @@ public:
     /// may have moved.
     std::optional<Instant> since(Instant arrival) const;
 
+    /// Where the table was in a picture that arrived at `arrival`, within 0.1 mm; where it was on its way just then, both ends. What
+    /// arrived after the last report is taken for there, and what arrived before the first one for where that found the table. No numbers
+    /// for what is older than the movements that are kept; nothing without a report.
+    std::optional<TableWay> wayOf(Instant arrival) const;
+
 private:
     struct Movement {
         Instant after; ///< the last report of before it
         Instant until; ///< the first one of where it led to
+        std::array<double, 3> to{};
     };
 
     std::optional<Instant> m_reported;
-    std::array<double, 3> m_table{};  ///< mm, where the last movement led to
     std::deque<Movement> m_movements; ///< the oldest first; before the first report the table may have been anywhere
 };
 

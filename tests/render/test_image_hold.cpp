@@ -27,7 +27,7 @@ struct Stage {
     {
         QObject::connect(&hold, &ImageHold::held, &hold, [this](const DisplayPicture& picture) { held.push_back(picture); });
         hold.setPictures(pictures);
-        hold.noteTable(here, start);
+        table.note(here, start);
     }
 
     static std::shared_ptr<XrayFrame> frameOf(quint32 number, std::uint16_t value, quint32 run = 1)
@@ -63,12 +63,17 @@ struct Stage {
             show(number, number < 4 ? 1000 : 1080);
     }
 
-    void reportAfter(quint32 number, const std::array<double, 3>& table = here) { hold.noteTable(table, arrivalOf(number) + 10ms); }
+    void reportAfter(quint32 number, const std::array<double, 3>& place = here)
+    {
+        table.note(place, arrivalOf(number) + 10ms);
+        hold.tableReported();
+    }
 
     int grey() const { return qGray(held.back().image.pixel(5, 5)); }
 
     CineRing ring;
-    ImageHold hold{ring};
+    TableRest table;
+    ImageHold hold{ring, table};
     std::vector<DisplayPicture> held;
 };
 

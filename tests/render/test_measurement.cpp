@@ -5,18 +5,20 @@
 #include <QtTest>
 
 using namespace console;
+using namespace std::chrono_literals;
 
 namespace {
 
 constexpr QSize frameSize(640, 520);
+const Instant start = Instant() + 1h;
 
 // A distance of 20 px on a picture; then the next picture, with the table elsewhere.
 struct Measured {
     Measured()
     {
-        measurement.noteTable({5, 6, 7});
+        report({5, 6, 7});
         measurement.setMode(MeasureMode::Distance);
-        measurement.follow(*frame);
+        follow();
         measure();
     }
 
@@ -27,15 +29,29 @@ struct Measured {
         measurement.add({120, 100});
     }
 
-    void moveTable(const std::array<double, 3>& table)
+    void report(const std::array<double, 3>& place)
     {
-        measurement.noteTable(table);
+        now += 100ms;
+        table.note(place, now);
+    }
+
+    void follow()
+    {
+        frame->arrival = now + 10ms;
+        measurement.follow(*frame, table);
+    }
+
+    void moveTable(const std::array<double, 3>& place)
+    {
+        report(place);
         ++frame->frame;
-        measurement.follow(*frame);
+        follow();
     }
 
     CalibrationKind kind() const { return measurement.calibration().kind; }
 
+    Instant now = start;
+    TableRest table;
     std::shared_ptr<XrayFrame> frame = samples::frame(1, frameSize, 12, PixelEncoding::Raw);
     Measurement measurement;
 };
@@ -50,6 +66,9 @@ private Q_SLOTS:
     void forgetsPointsWhenTheTableMoves();
     void forgetsCatheterWhenThePatientComesNearerToTheSource();
     void belongsToThePictureThatStands();
+    void goesByWhereTheTableStoodInAnOlderPicture();
+    void countsBothEndsOfAMovementForAPictureOnTheWay();
+    void takesTheFirstReportForThePicturesBefore();
     void noticesATableThatCreeps();
     void calibratesByCatheter();
     void saysWhatALengthIsWorthOffItsPlane_data();
@@ -121,7 +140,7 @@ void TestMeasurement::forgetsCatheterWhenThePatientComesNearerToTheSource()
         Measured on;
         if (turned)
             on.frame->geometry.primaryAngle = 90;
-        on.measurement.follow(*on.frame);
+        on.follow();
         on.measure();
         on.measurement.nextCatheter();
         QCOMPARE(on.measurement.calibration(), calibrationBy(4, 20));
@@ -138,14 +157,73 @@ void TestMeasurement::forgetsCatheterWhenThePatientComesNearerToTheSource()
 void TestMeasurement::belongsToThePictureThatStands()
 {
     Measured on;
-    on.measurement.noteTable({5, 6, 87});
-    on.measurement.follow(*on.frame); // drawn anew
+    on.report({5, 6, 87});
+    on.measurement.follow(*on.frame, on.table); // drawn anew
     QCOMPARE(on.measurement.pixels(), std::optional(20.0));
     on.measure();
     on.measurement.nextCatheter();
     on.moveTable({5, 6, 87});
     QVERIFY(on.measurement.points().empty());
     QCOMPARE(on.kind(), CalibrationKind::Geometry);
+}
+
+/// The pane of the last image also shows pictures of a minute ago.
+void TestMeasurement::goesByWhereTheTableStoodInAnOlderPicture()
+{
+    Measured on;
+    const XrayFrame first = *on.frame;
+    on.moveTable({5, 6, 7});
+    const XrayFrame second = *on.frame;
+    on.moveTable({5, 6, 7});
+    on.moveTable({5, 6, 87});
+    const XrayFrame raised = *on.frame;
+    on.measure();
+    on.measurement.nextCatheter();
+    on.measurement.follow(first, on.table);
+    QVERIFY(on.measurement.points().empty());
+    QCOMPARE(on.kind(), CalibrationKind::Geometry);
+    on.measure();
+    on.measurement.nextCatheter();
+    on.measurement.follow(second, on.table); // the same place, though the table stands elsewhere now
+    QCOMPARE(on.measurement.pixels(), std::optional(20.0));
+    QCOMPARE(on.kind(), CalibrationKind::Catheter);
+    on.measurement.follow(raised, on.table);
+    QVERIFY(on.measurement.points().empty());
+    QCOMPARE(on.kind(), CalibrationKind::Geometry);
+}
+
+void TestMeasurement::countsBothEndsOfAMovementForAPictureOnTheWay()
+{
+    Measured on;
+    const XrayFrame before = *on.frame;
+    on.moveTable({5, 6, 7});
+    const XrayFrame onTheWay = *on.frame;
+    on.moveTable({5, 6, 87});
+    const XrayFrame after = *on.frame;
+    for (const XrayFrame& other : {before, after}) {
+        on.measurement.follow(onTheWay, on.table);
+        on.measure();
+        on.measurement.nextCatheter();
+        QCOMPARE(on.kind(), CalibrationKind::Catheter);
+        on.measurement.follow(other, on.table);
+        QVERIFY(on.measurement.points().empty());
+        QCOMPARE(on.kind(), CalibrationKind::Geometry);
+    }
+}
+
+void TestMeasurement::takesTheFirstReportForThePicturesBefore()
+{
+    for (const double height : {7.0, 87.0}) {
+        Measured on;
+        on.table = {};
+        on.measurement = {};
+        on.measurement.setMode(MeasureMode::Distance);
+        on.follow();
+        on.measure();
+        on.report({5, 6, 7});
+        on.moveTable({5, 6, height});
+        QCOMPARE(on.measurement.points().empty(), height > 7);
+    }
 }
 
 void TestMeasurement::noticesATableThatCreeps()

@@ -240,7 +240,8 @@ void TestReferenceImage::roadmapIsAsFrozenAsTheLivePicture()
 void TestReferenceImage::holdsLastPictureOfRun()
 {
     const CineRing ring;
-    ImageHold hold(ring);
+    const TableRest table;
+    ImageHold hold(ring, table);
     std::vector<DisplayPicture> held;
     QObject::connect(&hold, &ImageHold::held, this, [&held](const DisplayPicture& picture) { held.push_back(picture); });
     hold.endRun();
@@ -269,7 +270,8 @@ void TestReferenceImage::holdsLastPictureOfRun()
 void TestReferenceImage::holdsNothingOfAnXraySystemThatBeganAnew()
 {
     const CineRing ring;
-    ImageHold hold(ring);
+    const TableRest table;
+    ImageHold hold(ring, table);
     std::vector<DisplayPicture> held;
     QObject::connect(&hold, &ImageHold::held, this, [&held](const DisplayPicture& picture) { held.push_back(picture); });
     for (quint32 number = 1; number <= 3; ++number)

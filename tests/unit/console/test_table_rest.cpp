@@ -1,8 +1,9 @@
-// Tests of since when the table stood where a picture shows the patient.
+// Tests of where the table stood in a picture, and since when.
 #include "model/table_rest.hpp"
 
 #include <QTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace console;
@@ -75,6 +76,30 @@ private Q_SLOTS:
             rest.note(at(report), start + report * 100ms);
         QVERIFY(rest.since(start + 350ms) == Instant::max());
         QVERIFY(rest.since(start + (reports - 1) * 100ms - 50ms) == start + (reports - 1) * 100ms);
+        QVERIFY(std::isnan(rest.wayOf(start + 350ms)->to[1]));
+        QVERIFY(std::isnan(rest.wayOf(start + 550ms)->from[1])); // where the oldest movement that is kept came from
+        QCOMPARE(rest.wayOf(start + 550ms)->to, at(6));
+    }
+
+    void saysWhereTheTableWasInAPicture()
+    {
+        TableRest rest;
+        QVERIFY(!rest.wayOf(start));
+        rest.note(at(0), start);
+        rest.note(at(0), start + 100ms);
+        QCOMPARE(rest.wayOf(start + 150ms)->to, at(0)); // no later report yet
+        rest.note(at(5), start + 200ms);
+        rest.note(at(5), start + 300ms);
+        for (const auto early : {-50ms, 50ms, 100ms}) {
+            QCOMPARE(rest.wayOf(start + early)->from, at(0));
+            QCOMPARE(rest.wayOf(start + early)->to, at(0));
+        }
+        QCOMPARE(rest.wayOf(start + 150ms)->from, at(0)); // on its way
+        QCOMPARE(rest.wayOf(start + 150ms)->to, at(5));
+        for (const auto late : {200ms, 250ms, 350ms}) {
+            QCOMPARE(rest.wayOf(start + late)->from, at(5));
+            QCOMPARE(rest.wayOf(start + late)->to, at(5));
+        }
     }
 };
 
