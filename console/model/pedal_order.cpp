@@ -7,15 +7,17 @@ namespace console {
 
 std::optional<PedalOrder> PedalGate::compose(const PedalSnapshot& snapshot, Instant now)
 {
-    const bool begins = std::exchange(m_press, snapshot.press) != snapshot.press;
+    if (std::exchange(m_press, snapshot.press) != snapshot.press)
+        m_startsLeft = starts;
     if (snapshot.down && now - snapshot.guiTick > guiLimit)
         m_endedPress = snapshot.press;
     PedalOrder order{snapshot.down && snapshot.press != m_endedPress, snapshot.press, snapshot.pulseRate};
     if (order.pedal) {
         m_stopsLeft = stops;
-        if (begins) // under the press before, since what is heard up is spent
-            return PedalOrder{false, snapshot.press - 1, snapshot.pulseRate};
-        return order;
+        if (m_startsLeft == 0)
+            return order;
+        --m_startsLeft;
+        return PedalOrder{false, snapshot.press - 1, snapshot.pulseRate}; // under the press before, since what is heard up is spent
     }
     if (m_stopsLeft == 0)
         return std::nullopt;

@@ -24,13 +24,14 @@ struct PedalOrder {
     double pulseRate = 15;
 };
 
-/// Network thread only. A press begins with one order that the pedal was up: the X-ray system turns the beam on only where it has heard the
-/// pedal up, and then down, in one session. While the pedal is down it is repeated; when it comes up, or when the GUI did not run for 200
-/// ms, a few stops follow and then nothing. A press that was ended by a GUI that hung, or whose order could not be sent, stays ended: the
-/// foot must come up and go down again.
+/// Network thread only. A press begins with some orders that the pedal was up, since one may come late or be superseded: the X-ray system
+/// turns the beam on only where it has heard the pedal up, and then down, in one session. While the pedal is down it is repeated; when it
+/// comes up, or when the GUI did not run for 200 ms, a few stops follow and then nothing. A press that was ended by a GUI that hung, or
+/// whose order could not be sent, stays ended: the foot must come up and go down again.
 class PedalGate {
 public:
     static constexpr std::chrono::milliseconds guiLimit{200};
+    static constexpr int starts = 3;
     static constexpr int stops = 3;
 
     std::optional<PedalOrder> compose(const PedalSnapshot& snapshot, Instant now);
@@ -41,6 +42,7 @@ public:
 private:
     quint32 m_press = 0; ///< as composed last
     quint32 m_endedPress = 0;
+    int m_startsLeft = 0;
     int m_stopsLeft = 0;
 };
 
