@@ -48,6 +48,8 @@ void PictureState::expect(double perSecond, Instant now)
 {
     if (perSecond > 0 && m_expected <= 0)
         m_expectedSince = now;
+    if (m_expected <= 0)
+        m_refusedSince = false;
     const double before = expectedRate();
     m_expected = std::max(perSecond, 0.0);
     noteRate(before, now);
@@ -101,6 +103,8 @@ PictureReading PictureState::reading(Instant now) const
     reading.condition = condition(now);
     reading.expectedPerSecond = expectedRate();
     reading.overdue = !m_newest && m_expected > 0 && now - m_expectedSince > firstPictureGrace;
+    if (reading.overdue && m_refusedSince)
+        reading.refusal = m_refusal;
     if (!m_newest)
         return reading;
     reading.source = m_newest->source;
@@ -179,6 +183,7 @@ void PictureState::notePresented(quint32 frame, Duration presenting)
 
 void PictureState::noteRefused(const QString& reason)
 {
+    m_refusedSince = true;
     if (m_refusal == reason)
         return;
     m_refusal = reason;

@@ -78,6 +78,7 @@ struct PictureReading {
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
     bool overdue = false; ///< None, and the first picture should have been painted by now
+    QString refusal;      ///< overdue, though pictures came since they are expected: why the last one was not shown
 };
 
 /// GUI thread only.
@@ -163,6 +164,7 @@ private:
     PictureProfile m_profile = PictureProfile::Neuro;
     quint64 m_painted = 0;
     QString m_refusal;
+    bool m_refusedSince = false; ///< pictures are expected
 };
 
 } // namespace console

@@ -531,12 +531,20 @@
         <translation>请阅读诊断提示，然后让人在其中一台设备上重新打开通道。</translation>
     </message>
     <message>
-        <source>No picture comes</source>
-        <translation>没有图像到达</translation>
+        <source>Pictures are refused: %1</source>
+        <translation>图像被拒绝：%1</translation>
     </message>
     <message>
-        <source>Let go of the pedal; have the X-ray system and the line to it looked at.</source>
-        <translation>松开踏板；请让人检查 X 射线系统及其线路。</translation>
+        <source>Let go of the pedal; have the X-ray system and this console looked at.</source>
+        <translation>松开踏板；请让人检查 X 射线系统和本控制台。</translation>
+    </message>
+    <message>
+        <source>No picture is shown</source>
+        <translation>没有显示图像</translation>
+    </message>
+    <message>
+        <source>Let go of the pedal and press it again; then have the X-ray system and the line to it looked at.</source>
+        <translation>松开踏板并重新踩下；若仍无图像，请让人检查 X 射线系统及其线路。</translation>
     </message>
     <message>
         <source>Picture slow, fewer than %1 a second</source>

@@ -272,6 +272,28 @@ private Q_SLOTS:
         QVERIFY(w.ends(C::PictureStale));
     }
 
+    /// Then it is neither the line nor the pedal; what was refused in a run before is not of this one.
+    void picturesThatAreRefusedAreNotCalledMissing()
+    {
+        Watched w(false);
+        setLink(w, xrayId, LinkState::Open);
+        auto& picture = w.models().picture;
+        picture.setLinkUp(true);
+        for (const bool refuses : {true, false, true}) {
+            picture.expect(15, w.now);
+            if (refuses)
+                picture.noteRefused(QStringLiteral("17 bits are not known"));
+            pass(w, 2s);
+            const auto& all = w.models().alarms.alarms();
+            const auto found = std::find_if(all.begin(), all.end(), [](const Alarm& one) { return one.condition == C::PictureStale; });
+            QVERIFY(found != all.end());
+            QCOMPARE(found->text,
+                     refuses ? QStringLiteral("Pictures are refused: 17 bits are not known") : QStringLiteral("No picture is shown"));
+            picture.expect(0, w.now);
+            QVERIFY(w.ends(C::PictureStale));
+        }
+    }
+
     /// The library tells a gap once, when it begins.
     void aReportThatNeverCameIsAnAlarmUntilItComes()
     {
