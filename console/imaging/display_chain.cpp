@@ -100,11 +100,7 @@ bool DisplayChain::continues(const XrayFrame& frame) const
 }
 
 // It rises at once, since the latency must not wait, and falls slowly, since noise that comes and goes looks like something.
-double DisplayChain::chosenK(int strength, Duration room, Duration period)
-{
-    const double k = std::max(kOfStrength(strength), leastK(room, m_delay, period));
-    return k >= m_k ? k : std::max(k, m_k - kStep);
-}
+double DisplayChain::chosenK(double wanted) const { return wanted >= m_k ? wanted : std::max(wanted, m_k - kStep); }
 
 void DisplayChain::filter(const XrayFrame& frame, const DisplaySettings& settings, Duration room)
 {
@@ -123,13 +119,15 @@ void DisplayChain::filter(const XrayFrame& frame, const DisplaySettings& setting
     }
     const bool mixes = m_previous && m_temporal.remembers({m_filtered.cols, m_filtered.rows});
     const Duration period = mixes ? periodBetween(m_previous->about, frame) : Duration::zero();
-    m_k = mixes ? chosenK(settings.noiseReduction, room - period, period) : 1; // it will stand for a period, and grow older
-    m_delay = mixes ? filterDelay(m_k, m_delay, period) : Duration::zero();    // what is mixed in brings its own with it
+    const double asked = kOfStrength(settings.noiseReduction);
+    const double least = mixes ? leastK(room - period, m_delay, period) : 0; // it will stand for a period, and grow older
+    m_k = mixes ? chosenK(std::max(asked, least)) : 1;
+    m_delay = mixes ? filterDelay(m_k, m_delay, period) : Duration::zero(); // what is mixed in brings its own with it
     m_temporal.apply(m_filtered, m_k, m_noise);
     PictureTreatment& treatment = m_last->treatment;
     treatment.k = m_k;
     treatment.filterDelay = m_delay;
-    treatment.filterIsBounded = mixes && m_k > kOfStrength(settings.noiseReduction);
+    treatment.filterIsBounded = least > asked; // else it is on its way to what is asked for
 }
 
 bool DisplayChain::redraw(const DisplaySettings& settings, DisplayPicture& picture)

@@ -38,7 +38,7 @@ private:
     bool draw(const DisplaySettings& settings, DisplayPicture& picture);
     const cv::Mat& enhanced(const DisplaySettings& settings, DisplayPicture& picture, int& fractionBits);
     bool continues(const XrayFrame& frame) const;
-    double chosenK(int strength, Duration room, Duration period);
+    double chosenK(double wanted) const;
     GreyWindow chosenWindow(const DisplaySettings& settings, bool& isAutomatic);
     GreyWindow automaticWindow(ShutterShape shape);
 

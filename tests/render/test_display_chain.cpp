@@ -39,6 +39,7 @@ private Q_SLOTS:
     void tellsWholeDelayWhileFilterWeakens_data();
     void tellsWholeDelayWhileFilterWeakens();
     void weakensFilterAtOnceAndStrengthensItSlowly();
+    void blamesTheLatencyOnlyWhereItBoundsTheFilter();
     void beginsFilterAnew_data();
     void beginsFilterAnew();
     void redrawsWithoutFilteringTwice();
@@ -246,6 +247,17 @@ void TestDisplayChain::weakensFilterAtOnceAndStrengthensItSlowly()
         before = k;
     }
     QCOMPARE(run.show(*flatFrame(number, 1000), filtered(0)).treatment.k, 1.0);
+}
+
+void TestDisplayChain::blamesTheLatencyOnlyWhereItBoundsTheFilter()
+{
+    Run run;
+    for (quint32 number = 1; number < 10; ++number) { // a run begins, and the filter with it
+        const auto treatment = run.show(*flatFrame(number, 1000), filtered(100)).treatment;
+        QVERIFY(treatment.k > 0.5 && !treatment.filterIsBounded);
+    }
+    QVERIFY(run.show(*flatFrame(10, 1000), filtered(100), 90ms).treatment.filterIsBounded);
+    QVERIFY(!run.show(*flatFrame(11, 1000), filtered(100)).treatment.filterIsBounded); // it comes back slowly
 }
 
 void TestDisplayChain::beginsFilterAnew_data()
