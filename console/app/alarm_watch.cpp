@@ -15,6 +15,7 @@ constexpr std::chrono::seconds paintingSpan{2};
 constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures without a gap, before it is told; of enough, before it ends
 constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
 constexpr std::chrono::seconds troubleMemory{10};  ///< longer than what ended motion needs to be found
+constexpr std::chrono::seconds followingSpan{2};   ///< after a device is back, for what it had lost beside
 constexpr quint64 fewPictures = 10;                ///< in that time; below it one late picture would be a large part
 
 bool isArmed(PermitPhase phase) { return phase == PermitPhase::Armed || phase == PermitPhase::Engaged; }
@@ -92,21 +93,32 @@ void AlarmWatch::noteSettled(Instant now)
         forgetTrouble();
 }
 
-/// What a device that this console has lost, too, has lost beside that is told by the alarm of the link to it.
-void AlarmWatch::noteIncidents()
+/// What a device that this console has lost, too, has lost beside that is told by the alarm of the link to it, and for as long as that link
+/// is lost: what does not follow it soon needs a person.
+void AlarmWatch::noteIncidents(Instant now)
 {
     const auto& incidents = m_models.incidents;
     std::erase_if(m_ofOthers, [&incidents](const auto& known) { return incidents.incident(known.first) == nullptr; });
     for (const auto& incident : incidents.incidents()) {
-        if (incident.peer != 0 || m_ofOthers.contains(incident.id))
+        const auto found = m_ofOthers.find(incident.id);
+        if (incident.peer != 0 || (found != m_ofOthers.end() && found->second.told))
             continue;
         const auto states = {m_models.sessions.state(incident.a), m_models.sessions.state(incident.b)};
         const auto isLost = [](LinkState state) { return state == LinkState::StandBy || state == LinkState::Reopening; };
         if (std::any_of(states.begin(), states.end(), isLost))
-            m_ofOthers[incident.id] = false;
+            m_ofOthers[incident.id] = {};
+        else if (found != m_ofOthers.end())
+            found->second.awaitFollowing(now);
         else if (std::none_of(states.begin(), states.end(), isTrouble)) // else it is not known yet what that link comes to
-            m_ofOthers[incident.id] = true;
+            m_ofOthers[incident.id].told = true;
     }
+}
+
+void AlarmWatch::OfOthers::awaitFollowing(Instant now)
+{
+    if (!ownBackSince)
+        ownBackSince = now;
+    told = now - *ownBackSince >= followingSpan;
 }
 
 /// By the robot's own report after the stop, or by what it told others for an incident: for that of its own link, where that is lost.
@@ -203,7 +215,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
         if (link.own)
             all.links.push_back(linkReading(link, now));
     for (const auto& incident : m_models.incidents.incidents())
-        if (const auto found = m_ofOthers.find(incident.id); found != m_ofOthers.end() && found->second)
+        if (const auto found = m_ofOthers.find(incident.id); found != m_ofOthers.end() && found->second.told)
             all.pairs.push_back({incident.a, incident.b, m_models.sessions.titleOf(incident.a), m_models.sessions.titleOf(incident.b)});
     if (m_stopAt)
         all.awaitingHold = now - *m_stopAt;
@@ -313,7 +325,7 @@ void AlarmWatch::update(Instant now, quint64 delivered)
     noteDelivered(delivered, now);
     noteRate(now);
     noteSettled(now);
-    noteIncidents();
+    noteIncidents(now);
     if (m_stopAt && robotHolds())
         m_stopAt.reset();
     m_models.alarms.update(presentAlarms(readings(now)), now, QDateTime::currentMSecsSinceEpoch());

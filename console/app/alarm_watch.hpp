@@ -37,7 +37,7 @@ private:
     void noteLink(quint32 peer, LinkState from, LinkState to);
     void noteSettled(Instant now);
     void forgetTrouble();
-    void noteIncidents();
+    void noteIncidents(Instant now);
     void awaitHold(Instant now);
     bool robotHolds() const;
     const std::optional<Instant>* lastHeard(quint32 peer, const QString& message) const;
@@ -57,6 +57,14 @@ private:
         quint64 painted = 0;
     };
 
+    /// An incident of two other devices.
+    struct OfOthers {
+        bool told = false;                   ///< by an alarm of its own; else by that of the lost link to one of the two
+        std::optional<Instant> ownBackSince; ///< since when that link is not lost any more
+
+        void awaitFollowing(Instant now);
+    };
+
     ConsoleModels& m_models;
     std::optional<quint32> m_robot;
     Instant m_armedAt;
@@ -68,10 +76,10 @@ private:
     std::map<quint32, std::map<QString, Instant>> m_overdue; ///< by peer and message: since when
     std::map<quint32, Instant> m_carriesSince; ///< by peer: from when on its messages pass, for the last time that they began to
     std::map<quint32, LineQuality> m_lines;
-    std::map<quint64, bool> m_ofOthers;   ///< incidents of two other devices: whether an alarm of their own tells them
-    std::deque<Counted> m_counted;        ///< of the last two seconds
-    bool m_pictureSlow = false;           ///< too few pictures are shown, and not only for a moment
-    std::optional<Instant> m_rateChanged; ///< since when it is the other way round, without a gap
+    std::map<quint64, OfOthers> m_ofOthers; ///< by incident
+    std::deque<Counted> m_counted;          ///< of the last two seconds
+    bool m_pictureSlow = false;             ///< too few pictures are shown, and not only for a moment
+    std::optional<Instant> m_rateChanged;   ///< since when it is the other way round, without a gap
     QString m_soundTrouble;
     QString m_watchdogTrouble;
 };

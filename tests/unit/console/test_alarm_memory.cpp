@@ -244,6 +244,40 @@ private Q_SLOTS:
         QVERIFY(!w.priorityOf(C::LinkLost)); // the others follow
     }
 
+    /// The system stands by, and only one of those two can re-open it.
+    void whatDoesNotFollowThisConsolesOwnLinkIsAnAlarm()
+    {
+        Watched w;
+        setLink(w, robotId, LinkState::StandBy);
+        raiseIncident(w, 2, robotId, cockpitId, robotId, true);
+        raiseIncident(w, 1, robotId, armId, 0, true);
+        const auto lost = [&w] {
+            const auto& all = w.models().alarms.alarms();
+            return int(std::count_if(all.begin(), all.end(), [](const Alarm& one) { return one.condition == C::LinkLost && one.present; }));
+        };
+        pass(w, 1h);
+        QCOMPARE(lost(), 1); // that of its own link tells both
+        setLink(w, robotId, LinkState::Reopening);
+        pass(w, 5s);
+        setLink(w, robotId, LinkState::Open);
+        pass(w, 1900ms);
+        setLink(w, robotId, LinkState::StandBy); // lost again: that tells both again
+        pass(w, 5s);
+        QCOMPARE(lost(), 1);
+        setLink(w, robotId, LinkState::Reopening);
+        setLink(w, robotId, LinkState::Open);
+        w.models().incidents.end(2);
+        pass(w, 1900ms);
+        QVERIFY(!w.priorityOf(C::LinkLost)); // the others may follow
+        w.now += 100ms;
+        QCOMPARE(w.priorityOf(C::LinkLost), std::optional(AlarmPriority::Medium));
+        const auto raised = w.idOf(C::LinkLost);
+        pass(w, 1h);
+        QCOMPARE(w.idOf(C::LinkLost), raised);
+        w.models().incidents.end(1);
+        QCOMPARE(w.idOf(C::LinkLost), quint64(0));
+    }
+
     void aLinkOfTwoOthersIsToldWhenThisConsolesOwnHealed()
     {
         Watched w;
