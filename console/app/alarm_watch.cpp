@@ -1,6 +1,8 @@
 // From models to alarms.
 #include "app/alarm_watch.hpp"
 
+#include "model/present_readings.hpp"
+
 #include <QDateTime>
 
 #include <algorithm>
@@ -121,11 +123,18 @@ void AlarmWatch::OfOthers::awaitFollowing(Instant now)
     told = now - *ownBackSince >= followingSpan;
 }
 
+/// It moves for that one only, and was still when it was armed. In an incident it has to hold, whoever had it.
+bool AlarmWatch::anotherHasRobot() const
+{
+    return m_models.permit.phase() != PermitPhase::Incident && isArmed(m_models.instrument.robot().value.state) &&
+           anotherOwner(m_models).has_value();
+}
+
 /// By the robot's own report after the stop, or by what it told others for an incident: for that of its own link, where that is lost.
 bool AlarmWatch::robotHolds() const
 {
     const auto& status = m_models.instrument.robot();
-    if (status.known() && *status.received > m_holdCounts && status.value.holdConfirmed)
+    if (status.known() && *status.received > m_holdCounts && (status.value.holdConfirmed || anotherHasRobot()))
         return true;
     if (!m_robot)
         return false;

@@ -25,7 +25,7 @@ public:
     /// A peer's report is overdue; it counts until the next one comes, and for five seconds, but not beyond the session.
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
 
-    /// Motion ended, and the robot has not said yet that it holds.
+    /// Motion ended, and the robot has not said yet that it holds, or that another console has armed it.
     bool holdAwaited() const { return m_stopAt.has_value(); }
 
     // What this program says of itself, each in words; empty: it works.
@@ -39,6 +39,7 @@ private:
     void forgetTrouble();
     void noteIncidents(Instant now);
     void awaitHold(Instant now);
+    bool anotherHasRobot() const;
     bool robotHolds() const;
     const std::optional<Instant>* lastHeard(quint32 peer, const QString& message) const;
     QString overdueOf(quint32 peer, Instant now) const;

@@ -249,13 +249,16 @@ void engaged(Move& move, const PermitEvent& event)
         move.enter(Phase::Armed);
 }
 
-/// Hold ends when the robot itself said that it holds and the dead-man was let go; it ends in Standby, never in Armed.
+/// Hold ends when the robot itself said that it holds, or that another console has armed it, and the dead-man was let go; it ends in
+/// Standby, never in Armed.
 void hold(Move& move, const PermitEvent& event)
 {
     auto& state = move.state;
-    if (event.kind == Kind::RobotReported)
-        state.robotHolds = (event.robot == RobotState::Hold || event.robot == RobotState::Ready) && event.holdConfirmed &&
-                           event.permit != state.spentPermit;
+    if (event.kind == Kind::RobotReported) {
+        const bool holds = (event.robot == RobotState::Hold || event.robot == RobotState::Ready) && event.holdConfirmed;
+        const bool anothers = isArmed(event.robot) && !event.own; // it moves for that one only, and may not hold for hours
+        state.robotHolds = (holds || anothers) && event.permit != state.spentPermit;
+    }
     if (state.robotHolds && state.deadManReleasedSeen && !state.deadMan)
         move.enter(Phase::Standby);
 }

@@ -73,7 +73,7 @@ struct PermitState {
     bool deadMan = false;                   ///< as last told
     bool deadManReleasedSeen = false;       ///< since Armed or Hold was entered
     bool awaitingRobot = false;             ///< Arming: the request is out
-    bool robotHolds = false;                ///< Hold: the robot reported so since Hold was entered
+    bool robotHolds = false;                ///< Hold: the robot reported since Hold was entered that it does, or is another console's
     quint32 robotPermit = 0;                ///< as last reported
     quint32 permit = 0;                     ///< Arming (awaiting), Armed, Engaged: the one we move under
     quint32 engagement = 0;                 ///< counts entries into Engaged
@@ -116,6 +116,7 @@ struct PermitStep {
 ///  Verifying ───────────┘                Incident ───── session open, no incident left ─────► Verifying
 /// ```
 /// Of several consoles that ask for one permit the robot takes one; Arming ends in Standby for those that it does not name as its owner.
+/// Hold ends also when another console has armed the robot, which need not hold then.
 /// There is no way from Hold, Incident or Verifying to Armed but through Ready and a new ARM: a lost link that heals gives nothing back.
 PermitStep step(const PermitState& state, const PermitEvent& event, Instant now, const PermitTiming& timing = {});
 

@@ -178,6 +178,44 @@ private Q_SLOTS:
         QCOMPARE(w.idOf(C::HoldNotConfirmed), quint64(0));
     }
 
+    void aRobotThatAnotherConsoleHasArmedNeedNotConfirmAHold_data()
+    {
+        QTest::addColumn<bool>("incident");
+        QTest::addColumn<quint32>("owner");
+        QTest::addColumn<bool>("awaited");
+        QTest::newRow("armed by another console") << false << cockpitId + 1 << false;
+        QTest::newRow("armed by this one") << false << quint32(cockpitId) << true;
+        QTest::newRow("armed by nobody") << false << quint32(0) << true;
+        QTest::newRow("armed by another console, in an incident") << true << cockpitId + 1 << true;
+    }
+
+    /// It was asked to arm at the same moment, and took the other one; this console stopped before it heard so.
+    void aRobotThatAnotherConsoleHasArmedNeedNotConfirmAHold()
+    {
+        QFETCH(bool, incident);
+        QFETCH(quint32, owner);
+        QFETCH(bool, awaited);
+        Watched w;
+        w.tell(PermitEventKind::ArmPressed);
+        w.now += 1500ms;
+        w.tell(PermitEventKind::Tick);
+        QVERIFY(w.models().permit.state().awaitingRobot);
+        if (incident)
+            raiseIncident(w, 1, robotId, armId, 0, false);
+        else
+            w.tell(PermitEventKind::PanicHold);
+        w.now = std::chrono::steady_clock::now() + 1ms;
+        auto status = w.robot();
+        status.state = RobotState::Armed;
+        status.holdConfirmed = false;
+        status.owner = owner;
+        w.receive(status);
+        w.look();
+        QCOMPARE(w.watch.holdAwaited(), awaited);
+        w.now += 201ms;
+        QCOMPARE(w.idOf(C::HoldNotConfirmed) != 0, awaited);
+    }
+
     void aReopeningThatFailsLeavesTheAlarmOfTheLossAsItIs_data()
     {
         QTest::addColumn<quint32>("peer");

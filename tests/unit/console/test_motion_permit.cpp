@@ -19,6 +19,8 @@ private Q_SLOTS:
     void givesUpWhenTheRobotDoesNotAnswer();
     void armsOnlyWhenTheRobotNamesThisConsole_data();
     void armsOnlyWhenTheRobotNamesThisConsole();
+    void endsAHoldWhenAnotherConsoleHasTheRobot_data();
+    void endsAHoldWhenAnotherConsoleHasTheRobot();
     void endsArmingAtOnceWhenTheRobotIsReadyNoMore();
     void sendsNothingBeforeArmedAndZeroThere();
     void engagesOnlyOnAPressAfterARelease();
@@ -175,6 +177,31 @@ void TestMotionPermit::armsOnlyWhenTheRobotNamesThisConsole()
     run.feed(robotOfAnother(state));
     QCOMPARE(run.state.stream(), MotionStream::None);
     QCOMPARE(run.state.phase, Phase::Standby);
+}
+
+void TestMotionPermit::endsAHoldWhenAnotherConsoleHasTheRobot_data() { armsOnlyWhenTheRobotNamesThisConsole_data(); }
+
+/// It holds no more as long as that one works with it.
+void TestMotionPermit::endsAHoldWhenAnotherConsoleHasTheRobot()
+{
+    QFETCH(RobotState, state);
+    auto run = in(Phase::Hold);
+    auto report = robotOfAnother(state);
+    run.feed(report);
+    run.feed(Kind::DeadManReleased);
+    QCOMPARE(run.state.phase, Phase::Hold); // under the permit that this console has spent
+    report.permit = permit + 1;
+    report.own = true;
+    run.feed(report);
+    QCOMPARE(run.state.phase, Phase::Hold);
+    run.feed(Kind::DeadManPressed);
+    report.own = false;
+    run.feed(report);
+    QCOMPARE(run.state.phase, Phase::Hold); // the dead-man is down
+    run.feed(Kind::DeadManReleased);
+    QCOMPARE(run.state.phase, Phase::Standby);
+    run.feed(Kind::DeadManPressed);
+    QCOMPARE(run.state.stream(), MotionStream::None);
 }
 
 /// The ARM hold may be full before the next look at the guards.
