@@ -245,7 +245,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
                       (all.armed || drives.freshness(now, InstrumentState::driveLimit) == Freshness::Fresh);
     all.drivesHealthy = m_models.instrument.drivesHealthy(now);
     all.driveOff = isArmed(phase) && drives.known() && *drives.received > m_armedAt + enabling && !drives.value.allEnabled();
-    all.armFault = m_models.arm.fresh(now) && m_models.arm.status().value.phase == ArmPhase::Fault;
+    all.armFault = armFault(m_models);
     all.arm = m_models.sessions.firstPeer(DeviceKind::Arm).value_or(0);
     all.emergencyStop = robot.known() && robot.value.emergencyStopToken != 0;
     readInstruments(all, now);

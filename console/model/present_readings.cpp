@@ -23,14 +23,6 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
     r.carried = link.carried;
 }
 
-/// However old its report is: what it said last stands until it says otherwise, or until it is closed.
-bool armFault(const ConsoleModels& models)
-{
-    const auto arm = models.sessions.firstPeer(DeviceKind::Arm);
-    const auto& status = models.arm.status();
-    return arm && models.sessions.state(*arm) != LinkState::Closed && status.known() && status.value.phase == ArmPhase::Fault;
-}
-
 /// The device's own clock is another: what it says is told by the age that this console knows, else by when the picture was painted.
 qint64 takenWallMs(const PictureStamp& picture, bool ageKnown, Instant now)
 {
@@ -50,6 +42,13 @@ std::optional<quint32> anotherOwner(const ConsoleModels& models)
 {
     const quint32 owner = models.instrument.robot().value.owner;
     return owner != 0 && !ownsRobot(models) ? std::optional(owner) : std::nullopt;
+}
+
+bool armFault(const ConsoleModels& models)
+{
+    const auto arm = models.sessions.firstPeer(DeviceKind::Arm);
+    const auto& status = models.arm.status();
+    return arm && models.sessions.state(*arm) != LinkState::Closed && status.known() && status.value.phase == ArmPhase::Fault;
 }
 
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now)

@@ -1,4 +1,4 @@
-// One moment of the console's models, as the guards, the trends, the prompt and the account of an interruption ask for it.
+// One moment of the console's models, as the guards, the alarms, the trends, the prompt and the account of an interruption ask for it.
 #pragma once
 
 #include "model/console_models.hpp"
@@ -12,6 +12,9 @@ bool ownsRobot(const ConsoleModels& models);
 
 /// The device that the robot, as it last reported, names instead; nothing while nobody has armed it, or this console.
 std::optional<quint32> anotherOwner(const ConsoleModels& models);
+
+/// The robotic arm reported a fault, however long ago: what it said last stands until it says otherwise, or until its link is closed.
+bool armFault(const ConsoleModels& models);
 
 /// `robot`: the device that is moved; nothing when the topology has none. `windowActive`: the hand may use the keyboard.
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now);

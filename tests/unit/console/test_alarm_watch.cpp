@@ -268,6 +268,40 @@ private Q_SLOTS:
         QVERIFY(w.ends(C::TrackerStale));
     }
 
+    /// Its program stands still, or nobody looked while the report was new: the same fault bars arming.
+    void anArmsFaultIsAnAlarmUntilItSaysOtherwise_data()
+    {
+        QTest::addColumn<int>("age");
+        QTest::newRow("found at once") << 0;
+        QTest::newRow("found late") << 3000;
+    }
+
+    void anArmsFaultIsAnAlarmUntilItSaysOtherwise()
+    {
+        QFETCH(int, age);
+        Watched w;
+        const auto report = [&w](ArmPhase phase) {
+            ArmStatus arm;
+            arm.phase = phase;
+            w.models().arm.receive(arm, w.now);
+        };
+        report(ArmPhase::Fault);
+        w.now += std::chrono::milliseconds(age);
+        const auto raised = w.idOf(C::DriveFault);
+        QVERIFY(raised != 0);
+        w.models().alarms.acknowledge(raised, 0);
+        w.now += 3s;
+        w.look();
+        w.now += 3s;
+        QCOMPARE(w.idOf(C::DriveFault), raised);
+        report(ArmPhase::Hold);
+        QVERIFY(w.ends(C::DriveFault));
+        report(ArmPhase::Fault);
+        QVERIFY(w.priorityOf(C::DriveFault));
+        w.models().sessions.setLinkState(armId, LinkState::Closed, w.now);
+        QVERIFY(w.ends(C::DriveFault));
+    }
+
     void aPictureLinkIsNotAlsoALostLink()
     {
         Watched w;
