@@ -1,6 +1,8 @@
 // Sound, log, self-test and watchdog of the alarms.
 #include "app/alarm_service.hpp"
 
+#include "model/present_readings.hpp"
+
 #include <QDateTime>
 
 namespace console {
@@ -129,11 +131,9 @@ void AlarmService::acknowledge(quint64 alarm, const QString& who) { m_models.ala
 void AlarmService::toggleAudioPause(const QString& who)
 {
     const auto now = std::chrono::steady_clock::now();
-    const auto phase = m_models.permit.phase();
-    const bool armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
     if (m_models.alarms.audioPauseLeft(now))
         return m_models.alarms.resumeAudio(now, wallTime());
-    if (armed && !m_models.alarms.audibleForLong(now))
+    if (soundStaysFor(m_models, now))
         return m_models.log.append(
             LogKind::Operator,
             tr("audio not paused again: armed, and the sound is back for less than %1 s").arg(AlarmList::leastAudible.count()), wallTime());

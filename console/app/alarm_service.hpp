@@ -35,7 +35,7 @@ public:
 
     // A person's wishes; `who` is for the log.
     void acknowledge(quint64 alarm, const QString& who);
-    void toggleAudioPause(const QString& who); ///< while armed no pause before AlarmList::audibleForLong(); the event log says so
+    void toggleAudioPause(const QString& who); ///< no pause while soundStaysFor() bars it; the event log says so
     void markIncident(const QString& who);     ///< this moment, and how things stand, in the alarm log and the event log
     void beginSelfTest(); ///< nothing while a high alarm stands: its sound is not to be taken for the test's, nor cut short
     void answerSelfTest(bool seenAndHeard, const QString& who);

@@ -214,6 +214,11 @@ std::optional<Duration> AlarmList::audioPauseLeft(Instant now) const
     return *m_audioPausedUntil - now;
 }
 
+Duration AlarmList::audibleForLongIn(Instant now) const
+{
+    return m_audibleSince ? std::max(Duration::zero(), Duration(*m_audibleSince + leastAudible - now)) : Duration::zero();
+}
+
 void AlarmList::write(qint64 wallMs, AlarmPriority priority, const QString& text, Instant now)
 {
     m_log.push_back({wallMs, priority, text, now});

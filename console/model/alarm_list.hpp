@@ -140,7 +140,8 @@ public:
 
     /// Sound can be heard again for `leastAudible` since the last pause ended, however it did, or there was none. While armed nobody pauses
     /// it sooner: pause after pause would be silence for good.
-    bool audibleForLong(Instant now) const { return !m_audibleSince || now >= *m_audibleSince + leastAudible; }
+    bool audibleForLong(Instant now) const { return audibleForLongIn(now) == Duration::zero(); }
+    Duration audibleForLongIn(Instant now) const; ///< when nothing pauses it again; zero: it is
 
     std::chrono::seconds audioPauseLength() const { return m_audioPause; }
     std::optional<Duration> audioPauseLeft(Instant now) const;

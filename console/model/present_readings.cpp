@@ -51,6 +51,14 @@ bool armFault(const ConsoleModels& models)
     return arm && models.sessions.state(*arm) != LinkState::Closed && status.known() && status.value.phase == ArmPhase::Fault;
 }
 
+std::optional<Duration> soundStaysFor(const ConsoleModels& models, Instant now)
+{
+    const auto phase = models.permit.phase();
+    const bool armed = phase == PermitPhase::Armed || phase == PermitPhase::Engaged;
+    const bool barred = armed && !models.alarms.audioPauseLeft(now) && !models.alarms.audibleForLong(now);
+    return barred ? std::optional(models.alarms.audibleForLongIn(now)) : std::nullopt;
+}
+
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now)
 {
     GuardReadings r;

@@ -16,6 +16,9 @@ std::optional<quint32> anotherOwner(const ConsoleModels& models);
 /// The robotic arm reported a fault, however long ago: what it said last stands until it says otherwise, or until its link is closed.
 bool armFault(const ConsoleModels& models);
 
+/// How long no pause of the alarms' sound may begin; nothing when one may, or runs.
+std::optional<Duration> soundStaysFor(const ConsoleModels& models, Instant now);
+
 /// `robot`: the device that is moved; nothing when the topology has none. `windowActive`: the hand may use the keyboard.
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now);
 

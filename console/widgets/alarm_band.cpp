@@ -29,10 +29,13 @@ void makeCompact(QPushButton* button)
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
 }
 
-/// So wide that `widest` fits, and what stands beside it stands still.
-void keepRoom(QPushButton* button, const QString& widest)
+/// So wide that each of `texts` fits, and what stands beside it stands still.
+void keepRoom(QPushButton* button, std::initializer_list<QString> texts)
 {
-    const int room = button->fontMetrics().horizontalAdvance(widest) + theme::px(button, 44);
+    int widest = 0;
+    for (const QString& text : texts)
+        widest = std::max(widest, button->fontMetrics().horizontalAdvance(text));
+    const int room = widest + theme::px(button, 44);
     if (button->minimumWidth() != room)
         button->setFixedWidth(room);
 }
@@ -181,15 +184,16 @@ void AlarmBand::setSelfTest(AlarmSelfTest::Step step, std::optional<AlarmPriorit
     update();
 }
 
-void AlarmBand::setSound(bool demanded, std::optional<Duration> pausedFor)
+void AlarmBand::setSound(bool demanded, std::optional<Duration> pausedFor, std::optional<Duration> staysFor)
 {
-    const auto left = pausedFor ? std::chrono::ceil<std::chrono::seconds>(*pausedFor).count() : 0;
-    const QString text = pausedFor ? tr("AUDIO PAUSED %1 s").arg(left) : tr("Pause sound (F9)");
+    const auto full = [](Duration left) { return std::chrono::ceil<std::chrono::seconds>(left).count(); };
+    const QString text = pausedFor  ? tr("AUDIO PAUSED %1 s").arg(full(*pausedFor))
+                         : staysFor ? tr("Sound stays on %1 s").arg(full(*staysFor))
+                                    : tr("Pause sound (F9)");
     if (m_pause->text() != text)
         m_pause->setText(text);
-    keepRoom(m_pause, tr("AUDIO PAUSED %1 s").arg(60));
-    const auto longer = [](const QString& a, const QString& b) { return a.size() > b.size() ? a : b; };
-    keepRoom(m_mark, longer(tr("Incident"), tr("Marked")));
+    keepRoom(m_pause, {tr("AUDIO PAUSED %1 s").arg(60), tr("Sound stays on %1 s").arg(10)});
+    keepRoom(m_mark, {tr("Incident"), tr("Marked")});
     const bool shown = demanded || pausedFor;
     if (!shown)
         returnFocus(m_pause);

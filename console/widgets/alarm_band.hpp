@@ -40,8 +40,8 @@ public:
     /// What the button of the incident says for a moment: the logs have it.
     void showMarked();
 
-    /// `demanded`: something sounds, or would but for the pause.
-    void setSound(bool demanded, std::optional<Duration> pausedFor);
+    /// `demanded`: something sounds, or would but for the pause. `staysFor`: until a pause may begin; nothing when it may, or runs.
+    void setSound(bool demanded, std::optional<Duration> pausedFor, std::optional<Duration> staysFor = {});
 
     FlashClock& flashClock() { return *m_clock; }
 

@@ -222,7 +222,8 @@ void CockpitWindow::refresh(Instant now)
 
 void CockpitWindow::refreshSound(Instant now)
 {
-    m_band->setSound(SoundSchedule::demandsSound(m_models.alarms.alarms()), m_models.alarms.audioPauseLeft(now));
+    m_band->setSound(SoundSchedule::demandsSound(m_models.alarms.alarms()), m_models.alarms.audioPauseLeft(now),
+                     soundStaysFor(m_models, now));
 }
 
 void CockpitWindow::refreshSlow(Instant now)

@@ -118,6 +118,10 @@
         <translation>报警声暂停 %1 s</translation>
     </message>
     <message>
+        <source>Sound stays on %1 s</source>
+        <translation>报警声保持 %1 s</translation>
+    </message>
+    <message>
         <source>Pause sound (F9)</source>
         <translation>暂停报警声 (F9)</translation>
     </message>

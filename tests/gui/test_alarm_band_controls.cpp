@@ -200,6 +200,37 @@ private Q_SLOTS:
         stage.window.refresh(now + 60s);
         QCOMPARE(pause->text(), QStringLiteral("Pause sound (F9)"));
     }
+
+    /// Else it looks as if the key or the console were dead.
+    void aPauseThatMayNotBeginYetIsCountedDownOnItsButton()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        auto& alarms = stage.cockpit.models.alarms;
+        const auto now = std::chrono::steady_clock::now();
+        alarms.update({{AlarmCondition::ForceWarn, 0, AlarmPriority::Medium, false, QStringLiteral("Force"), QStringLiteral("Stop."), 0}},
+                      now, 0);
+        const auto* pause = stage.named<QPushButton>(QStringLiteral("Pause the alarm sound for a while, or end the pause"));
+        QVERIFY(pause);
+        const auto saidAfter = [&](Duration passed) {
+            stage.window.refresh(now + passed);
+            return pause->text();
+        };
+        alarms.pauseAudio(now);
+        alarms.resumeAudio(now, 0);
+        QCOMPARE(saidAfter(3s), QStringLiteral("Pause sound (F9)")); // nothing is armed: it may
+        const int width = pause->width();
+        stage.cockpit.arm();
+        QCOMPARE(saidAfter(3s), QStringLiteral("Sound stays on 7 s"));
+        stage.cockpit.engage();
+        QCOMPARE(saidAfter(9500ms), QStringLiteral("Sound stays on 1 s"));
+        QVERIFY(pause->isVisible());
+        QCOMPARE(pause->width(), width);
+        QCOMPARE(saidAfter(10s), QStringLiteral("Pause sound (F9)"));
+        alarms.pauseAudio(now + 10s);
+        QCOMPARE(saidAfter(11s), QStringLiteral("AUDIO PAUSED 59 s"));
+    }
 };
 
 QTEST_MAIN(TestAlarmBandControls)

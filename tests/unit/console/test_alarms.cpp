@@ -307,6 +307,7 @@ private Q_SLOTS:
         list.pauseAudio(start);
         QVERIFY(!list.audibleForLong(start) && !list.audibleForLong(start + 59s));
         QVERIFY(since(start + 60s)); // it ended by itself
+        QCOMPARE(list.audibleForLongIn(start + 63s), Duration(7s));
         list.resumeAudio(start + 20s, 0);
         QVERIFY(since(start + 20s));
         list.pauseAudio(start + 100s);
