@@ -107,7 +107,10 @@ void CineReview::show(quint64 number)
     m_place = std::clamp(number, range.first, range.end - 1);
     m_atEnd = *m_place + 1 == range.end;
     if (const auto frame = m_ring.at(*m_place)) {
-        m_moment = frame->arrival;
+        const auto next = m_ring.at(*m_place + 1);
+        m_moment = frame->arrival + CineRing::longestGap;
+        if (next)
+            m_moment = std::min(*m_moment, next->arrival - Instant::duration(1));
         m_pipeline.showFrame(frame);
     }
     Q_EMIT placeChanged();

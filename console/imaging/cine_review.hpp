@@ -40,7 +40,7 @@ public:
     /// `12 of 180, 11.2 s before the newest`; empty while closed.
     QString place() const;
 
-    /// When the frame that is shown came here; nothing while closed.
+    /// Until when the frame that is shown was the newest, by arrivals: what happened by then was at this picture. Nothing while closed.
     std::optional<Instant> moment() const { return m_moment; }
 
 Q_SIGNALS:

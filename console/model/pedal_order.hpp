@@ -31,7 +31,7 @@ struct PedalOrder {
 class PedalGate {
 public:
     static constexpr std::chrono::milliseconds guiLimit{200};
-    static constexpr int starts = 3;
+    static constexpr int starts = 2;
     static constexpr int stops = 3;
 
     std::optional<PedalOrder> compose(const PedalSnapshot& snapshot, Instant now);
