@@ -43,7 +43,8 @@ public:
     /// `picture` is the view's from now on, stands beside the lines while there is a review, and is to show that.
     void setReview(std::function<MomentPicture(Instant)> keeps, QWidget* picture);
 
-    /// Until when the picture in review was the newest, for the mark before the last line until then; nothing: there is no review, and no mark.
+    /// Until when the picture in review was the newest, for the mark before the last line until then; nothing: there is no review, and no
+    /// mark.
     void showReview(std::optional<Instant> moment, bool playing);
 
     /// Other pictures are kept than before.

@@ -69,6 +69,10 @@ const std::vector<AlarmChange>& furtherTexts()
                 r.links[0].images = true;
             },
             [](AlarmReadings& r) { r.picture.condition = PictureCondition::Unknown; },
+            [](AlarmReadings& r) {
+                r.picture.overdue = true;
+                r.picture.refusal = QStringLiteral("the JPEG-LS picture is 1024 x 1024, the message says 512 x 512");
+            },
             [](AlarmReadings& r) { r.armFault = true; },
             [](AlarmReadings& r) { r.driveOff = true; },
             [](AlarmReadings& r) { r.drivesHealthy = false; },

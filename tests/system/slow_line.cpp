@@ -56,7 +56,7 @@ private:
                 });
             });
             connect(caller, &QTcpSocket::disconnected, this, [this, caller] {
-                send([ended = QPointer<QTcpSocket>(caller)] {
+                send([ended = QPointer<QObject>(caller)] { // which is a socket no more where it ends with this object
                     if (ended)
                         ended->deleteLater(); // and the device's end with it
                 });
