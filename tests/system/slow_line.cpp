@@ -104,23 +104,24 @@ private:
 
 SlowLine::SlowLine(const QHostAddress& shown, const QHostAddress& hidden) : m_carrier(new Carrier(shown, hidden, m_delay))
 {
-    m_carrier->moveToThread(&m_thread);
     QObject::connect(&m_thread, &QThread::finished, m_carrier, &QObject::deleteLater);
-    m_thread.start();
 }
 
 SlowLine::~SlowLine()
 {
+    if (!m_thread.isRunning())
+        delete m_carrier;
     m_thread.quit();
     m_thread.wait();
 }
 
 bool SlowLine::open(quint16 port)
 {
-    bool listens = false;
-    QMetaObject::invokeMethod(
-        m_carrier, [&] { listens = m_carrier->listen(port); }, Qt::BlockingQueuedConnection);
-    return listens;
+    if (!m_carrier->listen(port))
+        return false;
+    m_carrier->moveToThread(&m_thread);
+    m_thread.start();
+    return true;
 }
 
 } // namespace liena::test

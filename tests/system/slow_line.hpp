@@ -29,7 +29,7 @@ private:
 
     std::atomic<std::chrono::milliseconds> m_delay{std::chrono::milliseconds(0)};
     QThread m_thread;
-    Carrier* m_carrier; ///< lives on the thread, and ends with it
+    Carrier* m_carrier; ///< lives on the thread from open() on, and ends with it
 };
 
 } // namespace liena::test
