@@ -19,8 +19,9 @@ using Clock = std::chrono::steady_clock;
 
 class SlowLine::Carrier : public QObject {
 public:
-    Carrier(const QHostAddress& shown, const QHostAddress& hidden, const std::atomic<std::chrono::milliseconds>& delay)
-        : m_shown(shown), m_hidden(hidden), m_delay(delay)
+    Carrier(const QHostAddress& shown, const QHostAddress& hidden, const std::atomic<std::chrono::milliseconds>& delay,
+            std::atomic<bool>& ended)
+        : m_lastWord{ended}, m_shown(shown), m_hidden(hidden), m_delay(delay)
     {
         m_server.setProxy(QNetworkProxy::NoProxy);
         m_packets.setProxy(QNetworkProxy::NoProxy);
@@ -41,6 +42,11 @@ private:
     struct Underway {
         Clock::time_point arrives;
         std::function<void()> deliver;
+    };
+
+    struct LastWord {
+        std::atomic<bool>& ended;
+        ~LastWord() { ended = true; }
     };
 
     void accept()
@@ -92,6 +98,7 @@ private:
             m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(m_underway.front().arrives - now));
     }
 
+    LastWord m_lastWord; ///< first: its connections have gone by then
     QHostAddress m_shown;
     QHostAddress m_hidden;
     const std::atomic<std::chrono::milliseconds>& m_delay;
@@ -102,7 +109,7 @@ private:
     QTcpServer m_server{this}; ///< last: its connections say that they end
 };
 
-SlowLine::SlowLine(const QHostAddress& shown, const QHostAddress& hidden) : m_carrier(new Carrier(shown, hidden, m_delay))
+SlowLine::SlowLine(const QHostAddress& shown, const QHostAddress& hidden) : m_carrier(new Carrier(shown, hidden, m_delay, m_ended))
 {
     QObject::connect(&m_thread, &QThread::finished, m_carrier, &QObject::deleteLater);
 }
@@ -113,6 +120,7 @@ SlowLine::~SlowLine()
         delete m_carrier;
     m_thread.quit();
     m_thread.wait();
+    m_ended.wait(false); // it is so by now; a sanitizer does not see what Qt's threads wait for
 }
 
 bool SlowLine::open(quint16 port)

@@ -28,6 +28,7 @@ private:
     class Carrier;
 
     std::atomic<std::chrono::milliseconds> m_delay{std::chrono::milliseconds(0)};
+    std::atomic<bool> m_ended{false}; ///< all of the carrier
     QThread m_thread;
     Carrier* m_carrier; ///< lives on the thread from open() on, and ends with it
 };
