@@ -21,6 +21,9 @@ Options readOptions(int argc, char** argv, const std::string& transport)
     app.add_option("--workload", options.workload)->required()->transform(CLI::CheckedTransformer(workloads));
     app.add_option("--host", options.host, "where the echo listens")->capture_default_str();
     app.add_option("--port", options.port)->capture_default_str();
+    app.add_option("--pair", options.pair, "of those that run at once; DDS keeps them apart as domains")
+        ->capture_default_str()
+        ->check(CLI::Range(0, 99));
     app.add_option("--seconds", options.seconds, "that are measured")->capture_default_str();
     app.add_option("--warm-up", options.warmUp, "seconds before them")->capture_default_str();
     app.add_option("--command-rate", options.commandRate, "per second, of load and paced")->capture_default_str();

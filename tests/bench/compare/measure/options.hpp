@@ -18,6 +18,7 @@ struct Options {
     WorkloadKind workload = WorkloadKind::RoundTrip;
     std::string host = "127.0.0.1";
     std::uint16_t port = 52300;
+    unsigned pair = 0;        ///< of ends that run at once on one link: what finds its peer by itself looks among its own
     double seconds = 3;       ///< that are measured
     double warmUp = 1;        ///< before them
     double commandRate = 500; ///< per second: load and paced

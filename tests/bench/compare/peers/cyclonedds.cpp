@@ -28,7 +28,7 @@ public:
     explicit CycloneLink(const Options& options)
         : ThreadedLink(options),
           m_pixels(options.frameBytes),
-          m_participant(checked(dds_create_participant(DDS_DOMAIN_DEFAULT, nullptr, nullptr), "participant"))
+          m_participant(checked(dds_create_participant(options.pair, nullptr, nullptr), "participant"))
     {}
 
     ~CycloneLink() override { dds_delete(m_participant); }

@@ -24,7 +24,7 @@ namespace {
 
 namespace dds = eprosima::fastdds::dds;
 
-dds::DomainParticipant* makeParticipant()
+dds::DomainParticipant* makeParticipant(dds::DomainId_t domain)
 {
     constexpr std::uint32_t socketBuffer = 4U << 20U;
     dds::DomainParticipantQos qos;
@@ -32,7 +32,7 @@ dds::DomainParticipant* makeParticipant()
     auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
     udp->sendBufferSize = udp->receiveBufferSize = socketBuffer;
     qos.transport().user_transports.push_back(udp);
-    auto* participant = dds::DomainParticipantFactory::get_instance()->create_participant(0, qos);
+    auto* participant = dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
     if (participant == nullptr)
         throw std::runtime_error("no participant");
     return participant;
@@ -61,7 +61,7 @@ class FastLink final : public ThreadedLink {
 public:
     explicit FastLink(const Options& options)
         : ThreadedLink(options),
-          m_participant(makeParticipant()),
+          m_participant(makeParticipant(options.pair)),
           m_commandType(new CommandType),
           m_frameType(new FrameType(options.frameBytes))
     {

@@ -4,7 +4,7 @@ import pathlib
 
 from . import conditions, transports
 
-WORKLOADS = ("load", "roundtrip", "paced", "throughput", "collapse")
+WORKLOADS = ("load", "neighbour", "roundtrip", "paced", "throughput", "collapse")
 
 
 def words_of(known):
@@ -42,7 +42,7 @@ def parse(description, build_dir, given=None):
     parser = argparse.ArgumentParser(description=description)
     keys = [t.key for t in transports.TRANSPORTS]
     parser.add_argument("--workloads", type=words_of(WORKLOADS), default=list(WORKLOADS),
-                        help="of " + ", ".join(WORKLOADS) + "; load and collapse need root")
+                        help="of " + ", ".join(WORKLOADS) + "; load, neighbour and collapse need root")
     parser.add_argument("--transports", type=words_of(keys), help="of " + ", ".join(keys) + "; all that are built")
     parser.add_argument("--links", type=words_of(conditions.LINKS), default=list(conditions.LINKS),
                         help="of load: " + ", ".join(conditions.LINKS))

@@ -20,7 +20,7 @@ def refusal(*given):
 
 class ArgumentsTest(unittest.TestCase):
     def test_words_that_nobody_knows_are_named_with_those_that_are(self):
-        self.assertIn("argument --workloads: pacd is not among load, roundtrip", refusal("--workloads", "roundtrip,pacd"))
+        self.assertIn("argument --workloads: pacd is not among load, neighbour", refusal("--workloads", "roundtrip,pacd"))
         self.assertIn("argument --links: 2g is not among 1g, 400m", refusal("--links", "2g"))
         self.assertIn("argument --transports: grpc is not among liena,", refusal("--transports", "liena,grpc"))
         self.assertIn("nothing is not among", refusal("--workloads", ","))
@@ -48,6 +48,11 @@ class ArgumentsTest(unittest.TestCase):
         measured = {m.key for m in conditions.loopback_measurements(arguments.WORKLOADS) + conditions.load_measurements(conditions.LINKS)
                     if packets.suits(m)}
         self.assertEqual(measured, {"roundtrip", "paced", *(f"load/100m-20ms-loss/{rate}" for rate in conditions.FRAME_RATES)})
+
+    def test_frames_of_a_neighbour_are_its_own_and_the_commands_are_not(self):
+        for measured in conditions.neighbour_measurements():
+            self.assertEqual(measured.arguments[:2], ("--frame-rate", "0"))
+            self.assertEqual(measured.beside[:2], ("--frame-rate", measured.key.split("/")[-1]))
 
     def test_a_transport_that_was_named_and_not_built_is_missing(self):
         built = [t for t in transports.TRANSPORTS if t.key in ("liena", "raw")]

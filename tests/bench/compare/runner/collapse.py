@@ -10,21 +10,20 @@ SECOND = 1000  # ms
 LATE = 2  # times the frames' median before the collapse: such a frame is not as it was
 
 
-def measure(program, arguments, network, files, measurement, path, urgency):
+def measure(launch, measurement, path):
     changes = []
 
     def meanwhile():
         time.sleep(STARTING + WARM_UP + path.seconds[0])
         for megabits, seconds in ((path.narrow.megabits, path.seconds[1]), (path.link.megabits, 0)):
-            network.shape(megabits)
+            launch.network.shape(megabits)
             changes.append(time.monotonic() * 1000)
             time.sleep(seconds)
 
     try:
-        timeline, complaints = measuring.measure(program, arguments, network, files, measurement, STARTING + sum(path.seconds), urgency,
-                                                 meanwhile)
+        timeline, complaints = measuring.measure(launch, measurement, STARTING + sum(path.seconds), meanwhile)
     finally:
-        network.shape(path.link.megabits)
+        launch.network.shape(path.link.megabits)
     return (figures(timeline, *changes) if timeline else {}), complaints
 
 

@@ -39,6 +39,7 @@ class Measurement:
     workload: str
     mode: str = "tls"
     arguments: tuple = ()
+    beside: tuple = ()  # the command line of a second pair of ends, which runs meanwhile on the same link
 
 
 LOOPBACK = Link("loopback")
@@ -56,15 +57,30 @@ LINKS = {
 }
 
 
+# Where commands of one pair of ends are measured beside the frames of another.
+NEIGHBOUR_LINKS = ("1g", "100m")
+NEIGHBOUR_COMMAND_RATE = 10  # per second, of those beside the frames
+
+
+def sending(link, frame_rate, command_rate=COMMAND_RATE):
+    return ("--frame-rate", str(frame_rate), "--frame-bytes", str(link.frame_bytes), "--command-rate", str(command_rate))
+
+
+def conditions_of(names):
+    """`(name, link, frames per second, title)` of each."""
+    return [(name, LINKS[name], rate, f"{LINKS[name].name}, " + (f"{rate} frames/s" if rate else "no frames"))
+            for name in names for rate in LINKS[name].frame_rates]
+
+
 def load_measurements(link_names):
-    found = []
-    for name in link_names:
-        link = LINKS[name]
-        for rate in link.frame_rates:
-            title = f"{link.name}, {rate} frames/s" if rate else f"{link.name}, no frames"
-            arguments = ("--frame-rate", str(rate), "--frame-bytes", str(link.frame_bytes), "--command-rate", str(COMMAND_RATE))
-            found.append(Measurement(f"load/{name}/{rate}", title, link, "load", "tls", arguments))
-    return found
+    return [Measurement(f"load/{name}/{rate}", title, link, "load", "tls", sending(link, rate))
+            for name, link, rate, title in conditions_of(link_names)]
+
+
+def neighbour_measurements():
+    return [Measurement(f"neighbour/{name}/{rate}", title, link, "load", "tls", sending(link, 0),
+                        beside=sending(link, rate, NEIGHBOUR_COMMAND_RATE))
+            for name, link, rate, title in conditions_of(NEIGHBOUR_LINKS)]
 
 
 @dataclass(frozen=True)
@@ -79,7 +95,7 @@ class Collapse:
         return Link(f"{self.link.megabits // 10} Mbit/s", self.link.megabits // 10)
 
     def measurement(self):
-        arguments = ("--frame-rate", "15", "--frame-bytes", str(self.link.frame_bytes), "--command-rate", str(COMMAND_RATE), "--timeline")
+        arguments = (*sending(self.link, 15), "--timeline")
         return Measurement(f"collapse/{self.key}", f"{self.link.name} to {self.narrow.name}", self.link, "load", "tls", arguments)
 
 

@@ -1,5 +1,5 @@
 """The part of the table about commands beside frames."""
-from .conditions import COMMAND_RATE, LINKS
+from .conditions import COMMAND_RATE, LINKS, NEIGHBOUR_LINKS
 
 STALL_US = 500  # what a command may be later than on the idle link, beside the time of one segment
 LONG_STALL_US = 1500  # and one in a thousand
@@ -45,8 +45,8 @@ def frame_cells(of, limits, raw):
             number(frame / raw, 1, 2) if frame and raw else "–", f"{number(of('frame_count'))} / {number(of('frames_sent'))}"]
 
 
-def row(medians, link_name, rate, transport, seconds):
-    key, idle_key = f"load/{link_name}/{rate}", f"load/{link_name}/0"
+def row(medians, kind, link_name, rate, transport, seconds):
+    key, idle_key = f"{kind}/{link_name}/{rate}", f"{kind}/{link_name}/0"
 
     def of(figure):
         return medians.of(key, transport.key, figure)
@@ -59,15 +59,15 @@ def row(medians, link_name, rate, transport, seconds):
     return "| " + " | ".join([transport.title, *cells]) + " |"
 
 
-def rows(medians, link_name, transports, seconds):
+def rows(medians, kind, link_name, transports, seconds):
     for rate in LINKS[link_name].frame_rates:
-        measured = medians.results.get(f"load/{link_name}/{rate}", {})
+        measured = medians.results.get(f"{kind}/{link_name}/{rate}", {})
         if measured:
             kib = LINKS[link_name].frame_bytes // 1024
             yield (f"| *{rate} frames/s of {kib} KiB* |" if rate else "| *no frames* |") + " |" * 10
         for transport in transports:
             if any(measured.get(transport.key, [])):
-                yield row(medians, link_name, rate, transport, seconds)
+                yield row(medians, kind, link_name, rate, transport, seconds)
             elif measured.get(transport.key):
                 yield f"| {transport.title} | did not come through |" + " |" * 9
 
@@ -83,13 +83,17 @@ def what_is_no_target(link):
     return ""
 
 
-def explanation(medians, link_name):
-    spread = medians.spread(f"load/{link_name}/0", "raw", "command_p99")
+NEIGHBOURS = ("Commands and frames are those of two pairs of programs over one link, from the same computer: two sessions that know nothing of each "
+              "other.")
+
+
+def explanation(medians, kind, link_name):
+    spread = medians.spread(f"{kind}/{link_name}/0", "raw", "command_p99")
     link = LINKS[link_name]
     limits = (f"Limits: the same transport's p99 without frames, the time of a {link.segment_bytes() / 1024:.1f} KiB segment "
               f"({link.segment_us():.0f} µs), and {STALL_US} µs for p99, {LONG_STALL_US} µs for p99.9.")
     exception = what_is_no_target(link)
-    parts = [f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else limits, exception,
+    parts = [NEIGHBOURS if kind == "neighbour" else "", f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else limits, exception,
              f"Frames: p50 in ms, and beside raw TCP's{'' if exception else f' (target {FRAME_RATIO})'}.",
              f"Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %."]
     return " ".join(filter(None, parts))
@@ -97,9 +101,10 @@ def explanation(medians, link_name):
 
 def sections(medians, transports, seconds):
     parts = []
-    for name, link in LINKS.items():
-        lines = list(rows(medians, name, transports, seconds))
-        if lines:
-            title = f"### Commands beside frames, {link.name}{' each way' if link.delay_ms else ''}"
-            parts.append("\n".join([title, "", explanation(medians, name), "", HEAD, *lines]))
+    for kind, names, what in (("load", LINKS, "frames"), ("neighbour", NEIGHBOUR_LINKS, "the frames of another session")):
+        for name in names:
+            lines = list(rows(medians, kind, name, transports, seconds))
+            if lines:
+                title = f"### Commands beside {what}, {LINKS[name].name}{' each way' if LINKS[name].delay_ms else ''}"
+                parts.append("\n".join([title, "", explanation(medians, kind, name), "", HEAD, *lines]))
     return parts

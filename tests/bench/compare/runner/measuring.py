@@ -3,10 +3,12 @@ import json
 import select
 import subprocess
 import time
+from dataclasses import dataclass
 
 from .files import free_port
 
 START_SECONDS = 10
+START_LAG = 1
 MOST_COMPLAINTS = 5
 
 
@@ -29,19 +31,60 @@ class Peer:
             return self.process.communicate()[1]
 
 
-def measure(program, arguments, network, files, measurement, seconds, urgency, meanwhile=lambda: None):
-    """The figures of both ends in one dictionary; empty when the run failed. And what they complained about. `meanwhile` is called once
-    they run, and takes no longer than they do."""
-    # A port that was not used just now: not every library listens where a connection ended a minute ago. LiENa's is in its topology.
-    common = ["--workload", measurement.workload, "--host", network.hosts[1], "--port", str(free_port()), "--seconds", str(seconds),
-              "--files", str(files), *measurement.arguments, *arguments]
-    echo = Peer(network.command(1, [*urgency, str(program), "--role", "echo", *common]))
-    client = Peer(network.command(0, [*urgency, str(program), "--role", "client", *common]))
-    deadline = time.monotonic() + START_SECONDS + seconds
+class Ends:
+    """Both ends of a link as processes."""
+
+    def __init__(self, launch, pair, workload, seconds, arguments):
+        # A port that was not used just now: not every library listens where a connection ended a minute ago. LiENa's is in its topology.
+        common = ["--workload", workload, "--host", launch.network.hosts[1], "--port", str(free_port()), "--seconds", str(seconds),
+                  "--pair", str(pair), "--files", str(launch.files[pair]), *arguments, *launch.arguments]
+        echo, client = (Peer(launch.network.command(end, [*launch.urgency, str(launch.program), "--role", role, *common]))
+                        for end, role in ((1, "echo"), (0, "client")))
+        self.both = (client, echo)
+        self.tellers = {"load": (echo, client), "roundtrip": (client,), "paced": (client,)}.get(workload, (echo,))
+        self.deadline = time.monotonic() + START_SECONDS + seconds
+
+    def figures(self):
+        """In one dictionary; empty when the run failed."""
+        lines = [teller.line(self.deadline) for teller in self.tellers]
+        return {name: value for line in lines for name, value in line.items()} if all(lines) else {}
+
+    def end(self):
+        return "".join(peer.end() for peer in self.both)
+
+
+@dataclass(frozen=True)
+class Launch:
+    """How the programs of a transport are started."""
+    program: str
+    arguments: tuple
+    network: object
+    files: tuple  # of each pair of ends
+    urgency: list
+
+
+def told_once(complaints):
+    return "\n".join(list(dict.fromkeys(complaints.splitlines()))[:MOST_COMPLAINTS])
+
+
+def measure(launch, measurement, seconds, meanwhile=lambda: None):
+    """The figures of both ends; empty when the run failed. And what they complained about. `meanwhile` is called once they run, and takes no
+    longer than they do."""
+    if measurement.beside:
+        return measure_beside(launch, measurement, seconds)
+    ends = Ends(launch, 0, measurement.workload, seconds, measurement.arguments)
     meanwhile()
-    figures = {}
-    tellers = {"load": (echo, client), "roundtrip": (client,), "paced": (client,)}.get(measurement.workload, (echo,))
-    for teller in tellers:
-        figures.update(teller.line(deadline) or {"failed": True})
-    complaints = client.end() + echo.end()
-    return ({} if "failed" in figures else figures), "\n".join(list(dict.fromkeys(complaints.splitlines()))[:MOST_COMPLAINTS])
+    return ends.figures(), told_once(ends.end())
+
+
+def measure_beside(launch, measurement, seconds):
+    """The commands of the first pair of ends, and the frames of the second."""
+    neighbour = Ends(launch, 1, measurement.workload, seconds + 2 * START_LAG, measurement.beside)
+    time.sleep(START_LAG)  # its frames flow before the first command counts, and after the last
+    ends = Ends(launch, 0, measurement.workload, seconds, measurement.arguments)
+    own, others = ends.figures(), neighbour.figures()
+    complaints = told_once(ends.end() + neighbour.end())
+    if not own or not others:
+        return {}, complaints
+    return {name: value for figures, kind in ((own, "command"), (others, "frame")) for name, value in figures.items()
+            if name.startswith(kind)}, complaints

@@ -60,6 +60,17 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(list(targets.conditions_with_frames(medians, fitting=False)),
                          [("load/400m-overload/30", "load/400m-overload/0", conditions.LINKS["400m-overload"])])
 
+    def test_commands_beside_another_sessions_frames_are_judged_by_their_own_idle_link(self):
+        beside = self.beside_frames().results
+        medians = report.Medians({key.replace("load", "neighbour"): found for key, found in beside.items()})
+        self.assertEqual([line.split("|")[4].strip() for line in targets.neighbour_lines(medians)], ["yes"] * 4)
+        self.assertEqual(targets.load_lines(medians), [])
+        self.assertEqual(targets.neighbour_lines(self.beside_frames()), [])
+        table = load_table.sections(medians, transports.TRANSPORTS, 5)
+        self.assertEqual(len(table), 1)
+        self.assertIn("beside the frames of another session, 1 Gbit/s", table[0])
+        self.assertIn("two sessions", table[0])
+
     def test_overload_is_judged_by_commands_alone(self):
         def line(**liena):
             own = {"command_p99": 800, "command_p999": 1800, "frame_p50": 90, "frame_count": 60, "frames_sent": 150} | liena
@@ -100,9 +111,9 @@ class ReportTest(unittest.TestCase):
     def test_there_are_no_limits_where_packets_are_lost(self):
         medians = report.Medians({"load/100m-20ms-loss/0": {"raw": [{"command_p99": 100}]}})
         self.assertEqual(load_table.limits_of(medians, conditions.LINKS["100m-20ms-loss"], "load/100m-20ms-loss/0", "raw"), (None, None))
-        self.assertNotIn("Limits:", load_table.explanation(medians, "100m-20ms-loss"))
-        self.assertIn("Limits:", load_table.explanation(medians, "400m-overload"))
-        self.assertIn("(target 1.15)", load_table.explanation(medians, "400m"))
+        self.assertNotIn("Limits:", load_table.explanation(medians, "load", "100m-20ms-loss"))
+        self.assertIn("Limits:", load_table.explanation(medians, "load", "400m-overload"))
+        self.assertIn("(target 1.15)", load_table.explanation(medians, "load", "400m"))
 
     @staticmethod
     def fallen(*rounds):
@@ -127,7 +138,7 @@ class ReportTest(unittest.TestCase):
         medians = self.beside_frames()
         medians.results["load/1g/15"]["liena"] = [{}]
         self.assertEqual([line.split("|")[3].strip() for line in targets.load_lines(medians)], ["0"] * 4)
-        self.assertIn("did not come through", "\n".join(load_table.rows(medians, "1g", transports.TRANSPORTS, 5)))
+        self.assertIn("did not come through", "\n".join(load_table.rows(medians, "load", "1g", transports.TRANSPORTS, 5)))
 
     def test_target_is_met_at_its_bound(self):
         at, above = (report.Medians({"roundtrip": {"liena": round_trips(value), "asio-tls": round_trips(100)}}) for value in (115, 116))

@@ -2,7 +2,7 @@
 from dataclasses import dataclass
 
 from . import collapse_table
-from .conditions import COLLAPSES, LINKS
+from .conditions import COLLAPSES, LINKS, NEIGHBOUR_LINKS
 from .load_table import FRAME_RATIO, limits_of, verdict, within
 from .transports import OWN
 
@@ -61,6 +61,12 @@ def conditions_with_frames(medians, fitting):
                 yield key, f"load/{name}/0", link
 
 
+def conditions_beside_another(medians):
+    """The same of those with the frames of another session."""
+    return [(f"neighbour/{name}/{rate}", f"neighbour/{name}/0", LINKS[name]) for name in NEIGHBOUR_LINKS
+            for rate in filter(None, LINKS[name].frame_rates) if medians.results.get(f"neighbour/{name}/{rate}", {}).get("liena")]
+
+
 def conditions_with_losses(medians):
     """The keys of those that were measured with LiENa's packets, with frames and without."""
     keys = [f"load/{name}/{rate}" for name, link in LINKS.items() if link.loss for rate in link.frame_rates]
@@ -113,6 +119,15 @@ def load_lines(medians):
     return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
 
 
+def neighbour_lines(medians):
+    judged = [judge_load(medians, *condition) for condition in conditions_beside_another(medians)]
+    titles = ("Commands beside another session's frames: p99 and p99.9 within their limits, conditions",
+              "Commands beside another session's frames: p99 not above the best other transport's, conditions",
+              f"Another session's frames: p50 ÷ raw TCP ≤ {FRAME_RATIO}, conditions",
+              "Another session's frames: all arrive but one in fifty, conditions")
+    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+
+
 def overload_lines(medians):
     """Frames are withheld there, so that how old and how many they are is no target."""
     judged = [judge_load(medians, *condition)[0] for condition in conditions_with_frames(medians, fitting=False)]
@@ -137,5 +152,5 @@ def sections(medians):
         value = target.value(medians)
         if value is not None:
             lines.append(f"| {target.title} | {target.relation} {target.bound:g} | {value:.2f} | {verdict(target.is_met(value))} |")
-    lines += load_lines(medians) + overload_lines(medians) + loss_lines(medians) + collapse_lines(medians)
+    lines += load_lines(medians) + neighbour_lines(medians) + overload_lines(medians) + loss_lines(medians) + collapse_lines(medians)
     return ["\n".join(["### LiENa's targets", "", "| | target | measured | met |", "|---|---|---|---|", *lines])] if lines else []
