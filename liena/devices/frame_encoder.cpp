@@ -60,6 +60,10 @@ FrameEncoder::Bytes FrameEncoder::pack(const Picture& picture)
 
 Result<EncodedPicture> FrameEncoder::encode(Picture& picture)
 {
+    const auto& format = picture.format;
+    if (picture.pixels.size() != std::size_t{format.rows} * format.columns) // the codecs read as many as the format says
+        return fail(Errc::InvalidArgument, "a picture of " + std::to_string(format.columns) + " x " + std::to_string(format.rows) +
+                                               " has " + std::to_string(picture.pixels.size()) + " pixels; its source must fill it");
     if (m_encoding == Encoding::Jpeg && picture.format.bitsStored > 8)
         showInEightBits(picture);
     if (m_encoding == Encoding::Raw)

@@ -7,6 +7,7 @@
 #include <turbojpeg.h>
 
 #include <span>
+#include <utility>
 
 using namespace liena::devices;
 
@@ -53,6 +54,27 @@ private slots:
         const std::span<const std::byte> bytes(*encoded);
         QCOMPARE(bytes.size(), 2400U);
         QCOMPARE(at(bytes, 2399), 255U);
+    }
+
+    void pixelsAreAsManyAsTheFormatSays_data()
+    {
+        QTest::addColumn<Encoding>("encoding");
+        QTest::addColumn<int>("pixels");
+        for (const auto& [name, encoding] : {std::pair{"raw", Encoding::Raw}, {"JPEG-LS", Encoding::JpegLs}, {"JPEG", Encoding::Jpeg}})
+            for (const int pixels : {0, 2399, 2401})
+                QTest::addRow("%s, %d", name, pixels) << encoding << pixels;
+    }
+
+    void pixelsAreAsManyAsTheFormatSays()
+    {
+        QFETCH(Encoding, encoding);
+        QFETCH(int, pixels);
+        FrameEncoder encoder(encoding, 75);
+        Picture picture = ramp(8);
+        picture.pixels.resize(static_cast<std::size_t>(pixels));
+        const auto encoded = encoder.encode(picture);
+        QVERIFY(!encoded);
+        QVERIFY(encoded.error().what.find("60 x 40") != std::string::npos);
     }
 
     void jpegLsComesBackWithinItsBound_data()
