@@ -46,6 +46,8 @@ enum class Kind { Incomplete, Whole, Assembled, OverBudget, Violation };
 struct Expected {
     Kind kind = Kind::Incomplete;
     Bytes bytes;
+    std::size_t passedOver = 0;
+    bool first = false;
 };
 
 Expected expectedOf(LaneModel& lane, std::size_t heldElsewhere, const DatagramHeader& header, std::span<const std::byte> body,
@@ -55,14 +57,14 @@ Expected expectedOf(LaneModel& lane, std::size_t heldElsewhere, const DatagramHe
     const bool fresh = found == lane.partials.end() || header.timestamp.ns > found->second.timestamp;
     const std::size_t before = fresh ? 0 : found->second.bytes.size();
     if (body.size() > maximum || (header.moreSegments && body.empty()))
-        return {Kind::Violation, {}};
+        return {Kind::Violation, {}, 0, false};
     if (!fresh && (header.timestamp.ns < found->second.timestamp || header.target.value() != found->second.target || body.empty() ||
                    before + body.size() > maximum))
-        return {Kind::Violation, {}};
+        return {Kind::Violation, {}, 0, false};
     if (fresh) {
         lane.drop(header.message.number);
         if (!header.moreSegments)
-            return {Kind::Whole, {}};
+            return {Kind::Whole, {}, 0, false};
         found =
             lane.partials.emplace(header.message.number, LaneModel::Partial{header.timestamp.ns, header.target.value(), {}, false}).first;
     }
@@ -72,10 +74,10 @@ Expected expectedOf(LaneModel& lane, std::size_t heldElsewhere, const DatagramHe
     partial.passedOver = wasPassedOver || heldElsewhere + held > budgetLimit || held > budgetLimit - heldElsewhere - held;
     partial.bytes.insert(partial.bytes.end(), body.begin(), body.end());
     Expected expected;
-    if (partial.passedOver && !wasPassedOver)
-        expected.kind = Kind::OverBudget;
-    else if (!partial.passedOver && !header.moreSegments)
-        expected = {Kind::Assembled, partial.bytes};
+    if (partial.passedOver)
+        expected = {Kind::OverBudget, {}, wasPassedOver ? body.size() : partial.bytes.size(), !wasPassedOver};
+    else if (!header.moreSegments)
+        expected = {Kind::Assembled, partial.bytes, 0, false};
     if (!header.moreSegments)
         lane.partials.erase(found);
     return expected;
@@ -161,7 +163,10 @@ private:
     {
         expect(std::holds_alternative<Reassembler::Violation>(outcome) == (expected.kind == Kind::Violation), "violations are the page's");
         expect(std::holds_alternative<Reassembler::Whole>(outcome) == (expected.kind == Kind::Whole), "whole messages are the page's");
-        expect(std::holds_alternative<Reassembler::OverBudget>(outcome) == (expected.kind == Kind::OverBudget), "too much is said once");
+        const auto* passed = std::get_if<Reassembler::OverBudget>(&outcome);
+        expect((passed != nullptr) == (expected.kind == Kind::OverBudget), "too much is said with each segment");
+        if (passed != nullptr)
+            expect(passed->bytes == expected.passedOver && passed->first == expected.first, "what is passed over is counted once");
         const auto* assembled = std::get_if<Reassembler::Assembled>(&outcome);
         expect((assembled != nullptr) == (expected.kind == Kind::Assembled), "assembled messages are the page's");
         if (assembled != nullptr)

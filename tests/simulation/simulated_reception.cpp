@@ -70,7 +70,7 @@ bool SimulatedReception::take(const protocol::DatagramHeader& header, std::span<
         m_kept.erase(header.message.number);
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_owner->violated(m_lane, violation->what);
-    else if (std::holds_alternative<protocol::Reassembler::OverBudget>(outcome))
+    else if (const auto* passed = std::get_if<protocol::Reassembler::OverBudget>(&outcome); passed != nullptr && passed->first)
         m_owner->overBudget(header);
     else if (std::holds_alternative<protocol::Reassembler::Incomplete>(outcome))
         return keep(header, body.size());

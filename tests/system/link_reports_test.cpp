@@ -5,6 +5,7 @@
 
 #include <map>
 #include <utility>
+#include <vector>
 
 using namespace liena;
 using namespace liena::test;
@@ -13,6 +14,7 @@ namespace number = wire::number;
 
 namespace {
 
+constexpr std::uint16_t picture = 0x0200;
 constexpr std::uint16_t acquisitionStatus = 0x0201;
 constexpr std::uint16_t undefined = 0x0300;
 
@@ -97,6 +99,31 @@ private Q_SLOTS:
         head.more = false;
         QVERIFY(stage.peer.send(wire::datagram(head, Bytes(7))));
         const std::pair<std::uint64_t, std::uint64_t> expected{20 * 50 + 307, 21};
+        QVERIFY2(eventually([&] { return received.now() == expected; }), std::to_string(received.now().first).c_str());
+    }
+
+    /// Eight lanes of pictures that wait for their last segment: more than the process holds, and all of it came.
+    void whatThereIsNoRoomForIsReceived()
+    {
+        HostileStage stage;
+        stage.openPeer();
+        Received received(stage.peer);
+        constexpr std::size_t segments = 15 * 32; // 15 MiB of the 16 that a picture may have
+        constexpr std::size_t length = 32767;
+        constexpr std::size_t last = 7;
+        std::vector<std::pair<TlsLink*, wire::Header>> lanes;
+        for (std::uint8_t lane = 1; lane <= 8; ++lane) {
+            auto& [link, head] = lanes.emplace_back(stage.peer.keep(stage.peer.lane(lane)), stage.peer.header(picture));
+            head.more = true;
+            for (std::size_t i = 0; i < segments; ++i)
+                QVERIFY(link->send(wire::datagram(head, Bytes(length))));
+        }
+        QVERIFY2(eventually([&] { return stage.toldOf("hold too much"); }), stage.story().c_str());
+        for (auto& [link, head] : lanes) {
+            head.more = false;
+            QVERIFY(link->send(wire::datagram(head, Bytes(last))));
+        }
+        const std::pair<std::uint64_t, std::uint64_t> expected{8 * (segments * length + last), 8};
         QVERIFY2(eventually([&] { return received.now() == expected; }), std::to_string(received.now().first).c_str());
     }
 };

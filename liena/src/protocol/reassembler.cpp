@@ -47,7 +47,7 @@ Reassembler::Outcome Reassembler::open(const DatagramHeader& header, std::size_t
     }
     const bool overBudget = !partial->second.discarding && !reserve(partial->second, length);
     partial->second.heard += length;
-    m_open = Segment{partial, !header.moreSegments, overBudget};
+    m_open = Segment{partial, length, !header.moreSegments, overBudget};
     return Incomplete{};
 }
 
@@ -125,12 +125,12 @@ Reassembler::Outcome Reassembler::close()
     const auto segment = std::exchange(m_open, std::nullopt);
     if (!segment)
         return Incomplete{};
+    auto& partial = segment->partial->second;
     Outcome outcome = Incomplete{};
-    if (segment->overBudget)
-        outcome = OverBudget{};
+    if (partial.discarding)
+        outcome = OverBudget{segment->overBudget ? partial.heard : segment->length, segment->overBudget};
     if (!segment->last)
         return outcome;
-    auto& partial = segment->partial->second;
     release(partial);
     if (!partial.discarding) {
         partial.bytes->resize(partial.filled, boost::container::default_init);

@@ -34,8 +34,11 @@ public:
     struct Assembled {
         FieldBytes bytes;
     };
-    /// With this segment the partials of the process would hold too much; the rest of the message is passed over.
-    struct OverBudget {};
+    /// The segment is passed over: with one of its message the partials of the process would have held too much.
+    struct OverBudget {
+        std::size_t bytes = 0; ///< with the first, of the message's segments before it as well
+        bool first = false;    ///< of its message
+    };
     using Outcome = std::variant<Incomplete, Whole, Assembled, OverBudget, Violation>;
 
     /// `maximum`: the most bytes that the message's definition allows.
@@ -80,6 +83,7 @@ private:
     /// The segment that add() continues.
     struct Segment {
         Partials::iterator partial;
+        std::size_t length = 0;
         bool last = false;
         bool overBudget = false; ///< with this segment
     };

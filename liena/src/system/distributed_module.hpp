@@ -109,12 +109,13 @@ private:
     }
     tasks::Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) override;
     void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned) override;
-    void overBudget(const protocol::DatagramHeader& header) override;
+    void overBudget(const protocol::DatagramHeader& header, const protocol::Reassembler::OverBudget& passed) override;
     void violated(std::uint8_t lane, const std::string& detail) override;
     void laneLost(std::uint8_t lane, const std::string& detail) override;
 
     tasks::Judgement violation(const std::string& detail);
     void skip(const protocol::DatagramHeader& header, const std::string& why);
+    void receivedInVain(const protocol::DatagramHeader& header, std::size_t bytes);
     void hearFrom(std::shared_ptr<const MessageSet> set);
     const MessageDefinition* definitionOf(std::uint16_t number) const;
     void receivedSession(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part);

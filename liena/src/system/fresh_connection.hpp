@@ -38,7 +38,8 @@ private:
     void turned() override { m_handlers.turned(); }
     tasks::Judgement judge(std::uint8_t lane, const protocol::DatagramHeader& header) override;
     void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part, FieldBytes* owned) override;
-    void overBudget(const protocol::DatagramHeader& /*header*/) override {} // one segment is all it takes
+    // One segment is all it takes.
+    void overBudget(const protocol::DatagramHeader& /*header*/, const protocol::Reassembler::OverBudget& /*passed*/) override {}
     void violated(std::uint8_t lane, const std::string& detail) override;
     void laneLost(std::uint8_t lane, const std::string& detail) override;
 

@@ -52,12 +52,17 @@ tasks::Judgement DistributedModule::judge(std::uint8_t lane, const protocol::Dat
     return {judgement.verdict, judgement.maximum};
 }
 
-/// Received all the same: the peer would take for a queue what no report counts.
 void DistributedModule::skip(const protocol::DatagramHeader& header, const std::string& why)
 {
-    if (!header.message.isSessionManagement())
-        m_books.receivedSegment(header.length, !header.moreSegments);
+    receivedInVain(header, header.length);
     drop(why, header.message.number);
+}
+
+/// A segment of a message that is not put together: the peer would take for a queue what no report counts.
+void DistributedModule::receivedInVain(const protocol::DatagramHeader& header, std::size_t bytes)
+{
+    if (!header.message.isSessionManagement())
+        m_books.receivedSegment(bytes, !header.moreSegments);
 }
 
 void DistributedModule::received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part,
@@ -93,7 +98,7 @@ void DistributedModule::receivedSession(std::uint8_t lane, const protocol::Datag
         handle(session::SessionMessageHeard{*message});
         if (const auto* report = std::get_if<protocol::LinkReport>(&*message); report != nullptr && carriesMessages(state))
             m_bulk.arrivalsReported(std::chrono::microseconds(report->windowUs), report->receivedBytes,
-                                    m_laneZero.left().bytes + m_books.bytesSentInPackets(),
+                                    {m_laneZero.left().bytes, m_books.bytesSentInPackets()},
                                     m_machine.clock().lastDelay().value_or(std::chrono::nanoseconds::zero()));
         if (const auto* request = std::get_if<protocol::MeasureRequest>(&*message); request != nullptr && carriesMessages(state))
             m_measurement.heard(*request);
@@ -211,9 +216,11 @@ tasks::ReceptionTask* DistributedModule::incoming(std::uint8_t lane) const
     return found != m_incomingBulk.end() ? found->second.get() : nullptr;
 }
 
-void DistributedModule::overBudget(const protocol::DatagramHeader& header)
+void DistributedModule::overBudget(const protocol::DatagramHeader& header, const protocol::Reassembler::OverBudget& passed)
 {
-    drop("the unfinished messages of this process hold too much", header.message.number);
+    receivedInVain(header, passed.bytes);
+    if (passed.first)
+        drop("the unfinished messages of this process hold too much", header.message.number);
 }
 
 void DistributedModule::violated(std::uint8_t /*lane*/, const std::string& detail) { violation(detail); }

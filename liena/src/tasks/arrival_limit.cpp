@@ -4,6 +4,8 @@
 #include "tasks/path_rate.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace liena::tasks {
@@ -16,6 +18,7 @@ constexpr std::size_t remembered = 150; // reports: half a minute of them
 constexpr std::ptrdiff_t recent = 5;    // a second
 constexpr auto proof = 500ms;           // that a queue stands before its arrivals tell what the way carries
 constexpr double tolerated = 0.1;       // seconds of waiting
+constexpr double lost = 0.25;           // of the packets, at most
 constexpr auto nearby = 20ms;           // a round trip on which next to nothing is on its way
 constexpr double drained = 0.02;        // seconds of waiting that are left when a queue counts as gone
 constexpr double draining = 0.5;        // of what the way carries, until then
@@ -36,7 +39,8 @@ void ArrivalLimit::reported(const Report& report)
     // Without sign: a peer may report what it likes.
     const auto sent = report.sent - std::exchange(m_sent, report.sent);
     m_under = static_cast<std::int64_t>(static_cast<std::uint64_t>(m_under) + sent - report.received);
-    m_arrivals.push_back({m_under, report.received, sent, report.window});
+    const auto packets = report.packets - std::exchange(m_sentInPackets, report.packets);
+    m_arrivals.push_back({m_under, report.received, sent, packets, report.window});
     if (m_arrivals.size() > remembered)
         m_arrivals.pop_front();
     const auto least = std::ranges::min_element(m_arrivals, {}, &Arrival::under)->under;
@@ -45,7 +49,7 @@ void ArrivalLimit::reported(const Report& report)
     const auto rate = recentRate();
     // Whole messages are counted, and one may be under way at either end of what the kernel holds.
     const auto onItsWay = report.held + 2 * report.largest + (report.roundTrip > nearby ? sentWithin(report.roundTrip) : 0);
-    const double queue = static_cast<double>(m_waiting) - static_cast<double>(onItsWay);
+    const double queue = static_cast<double>(m_waiting) - static_cast<double>(onItsWay) - lost * static_cast<double>(sentInPackets());
     if (queue > tolerated * rate)
         return meetQueue(report, rate);
     m_full.reset();
@@ -82,6 +86,12 @@ std::uint64_t ArrivalLimit::sentWithin(Nanoseconds time) const
         time -= at->window;
     }
     return bytes;
+}
+
+/// Since the first of the reports that the least of what was under way is known from.
+std::uint64_t ArrivalLimit::sentInPackets() const
+{
+    return std::transform_reduce(m_arrivals.begin() + 1, m_arrivals.end(), std::uint64_t{0}, std::plus{}, std::mem_fn(&Arrival::packets));
 }
 
 void ArrivalLimit::meetQueue(const Report& report, double rate)

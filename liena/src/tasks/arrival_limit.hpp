@@ -11,9 +11,10 @@ namespace liena::tasks {
 
 /// Pure. `PathRate` sees queues as far as TCP's acknowledgements come from: not beyond a relay that ends the connection and makes another
 /// one, nor in the buffers of a peer that is slow to take what arrives. There pictures grow old, seconds deep. The peer's LinkReports see
-/// all of the way: what has left and is not received waits somewhere. What was lost and waits nowhere is the least of the last half minute,
-/// and of what our own kernel holds `PathRate` knows more, and sooner. More than a tenth of a second beyond both, and beyond what is still
-/// on its way, is a queue, and what arrives while it stands is what the way carries.
+/// all of the way: what has left and is not received waits somewhere. What was lost and waits nowhere is the least of the last half minute;
+/// of what left by UDP since then a quarter may be lost as well. Of what our own kernel holds `PathRate` knows more, and sooner. More than
+/// a tenth of a second beyond all that, and beyond what is still on its way, is a queue, and what arrives while it stands is what the way
+/// carries.
 ///
 /// It only ever lowers the rate. A peer that reports nonsense slows down what itself receives, and nothing else.
 class ArrivalLimit {
@@ -25,6 +26,7 @@ public:
         Nanoseconds window{};       ///< that it speaks of
         std::uint64_t received = 0; ///< in the window
         std::uint64_t sent = 0;     ///< of all that left so far; may begin anywhere
+        std::uint64_t packets = 0;  ///< of it, in UDP packets, which the network may lose
         std::uint64_t held = 0;     ///< of it, by our kernel: not acknowledged
         std::size_t largest = 0;    ///< message that is sent, those of all lanes added: whole ones only are counted
         Nanoseconds roundTrip{};    ///< of a prompt message
@@ -49,6 +51,7 @@ private:
         std::int64_t under = 0; ///< way: sent and not received
         std::uint64_t received = 0;
         std::uint64_t sent = 0; ///< in the window
+        std::uint64_t packets = 0;
         Nanoseconds window{};
     };
 
@@ -60,12 +63,14 @@ private:
 
     double recentRate() const;
     std::uint64_t sentWithin(Nanoseconds time) const;
+    std::uint64_t sentInPackets() const;
     void meetQueue(const Report& report, double rate);
     void grow();
 
     std::deque<Arrival> m_arrivals; ///< of the last half minute
     std::int64_t m_under = 0;
     std::uint64_t m_sent = 0;
+    std::uint64_t m_sentInPackets = 0;
     std::uint64_t m_waiting = 0;
     std::optional<Full> m_full;
     std::optional<double> m_carried; ///< bytes per second, as far as is known

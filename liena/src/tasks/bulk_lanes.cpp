@@ -186,14 +186,20 @@ OutputQueue::Left BulkLanes::left() const
     return sum;
 }
 
-void BulkLanes::arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, std::uint64_t sentBesides,
+void BulkLanes::arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, Elsewhere sent,
                                  std::chrono::nanoseconds roundTrip)
 {
     const auto ours = left();
     std::uint64_t held = 0;
     for (const auto& lane : m_lanes)
         held += lane->channel() != nullptr ? lane->channel()->unacknowledged() : 0;
-    m_arrivals.reported({window, received, ours.bytes + sentBesides, held, ours.largest, roundTrip});
+    m_arrivals.reported({.window = window,
+                         .received = received,
+                         .sent = ours.bytes + sent.prompt + sent.packets,
+                         .packets = sent.packets,
+                         .held = held,
+                         .largest = ours.largest,
+                         .roundTrip = roundTrip});
     shareLimit();
 }
 

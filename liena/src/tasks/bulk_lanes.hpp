@@ -66,9 +66,14 @@ public:
     /// What left whole on all lanes, and the largest message of each, added.
     OutputQueue::Left left() const;
 
-    /// The peer says what arrived, whichever way it came; `sentBesides` left for it on other ways, counted as in OutputQueue::Left.
-    void arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, std::uint64_t sentBesides,
-                          std::chrono::nanoseconds roundTrip);
+    /// Bytes that left for the peer on other ways, counted as in OutputQueue::Left.
+    struct Elsewhere {
+        std::uint64_t prompt = 0;  ///< on lane 0
+        std::uint64_t packets = 0; ///< by UDP
+    };
+
+    /// The peer says what arrived, whichever way it came.
+    void arrivalsReported(std::chrono::nanoseconds window, std::uint64_t received, Elsewhere sent, std::chrono::nanoseconds roundTrip);
 
     /// One of the peer's reports may not have been heard.
     void reportMissed() { m_arrivals.forgetWaiting(); }

@@ -100,8 +100,8 @@ bool ReceptionTask::conclude(const protocol::DatagramHeader& header, protocol::R
 {
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_sink->violated(m_lane, violation->what);
-    else if (std::holds_alternative<protocol::Reassembler::OverBudget>(outcome))
-        m_sink->overBudget(header);
+    else if (const auto* passed = std::get_if<protocol::Reassembler::OverBudget>(&outcome))
+        m_sink->overBudget(header, *passed);
     else if (std::holds_alternative<protocol::Reassembler::Whole>(outcome))
         m_sink->received(m_lane, header, body, nullptr);
     else if (auto* assembled = std::get_if<protocol::Reassembler::Assembled>(&outcome))

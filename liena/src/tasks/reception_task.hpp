@@ -29,8 +29,8 @@ public:
     /// `part` is valid during the call. `owned` holds the same bytes when the message came in several segments, else it is null.
     virtual void received(std::uint8_t lane, const protocol::DatagramHeader& header, std::span<const std::byte> part,
                           FieldBytes* owned) = 0;
-    /// The message is passed over, since the partial messages of the process hold too much.
-    virtual void overBudget(const protocol::DatagramHeader& header) = 0;
+    /// A segment is passed over, since the partial messages of the process hold too much.
+    virtual void overBudget(const protocol::DatagramHeader& header, const protocol::Reassembler::OverBudget& passed) = 0;
     virtual void violated(std::uint8_t lane, const std::string& detail) = 0;
     virtual void laneLost(std::uint8_t lane, const std::string& detail) = 0;
 };

@@ -79,7 +79,7 @@ private:
     void report()
     {
         const auto received = whole(m_there);
-        limit.reported({m_now - m_reported, received - m_told, whole(m_entered), held(), static_cast<std::size_t>(message), delay});
+        limit.reported({m_now - m_reported, received - m_told, whole(m_entered), 0, held(), static_cast<std::size_t>(message), delay});
         m_told = received;
         m_reported = m_now;
     }
@@ -209,19 +209,55 @@ private slots:
     {
         ArrivalLimit limit;
         for (std::uint64_t i = 1; i < 3000; ++i) {
-            limit.reported({200ms, 209'500, i * 210'000, 0, 20'000, 1ms});
+            limit.reported({200ms, 209'500, i * 210'000, 0, 0, 20'000, 1ms});
             QVERIFY(!limit.bytesPerSecond());
         }
+    }
+
+    /// Commands by UDP, before the first picture: nothing larger has left, and what is lost is more than a tenth of a second of them.
+    void lostPacketsAreNoQueue_data()
+    {
+        QTest::addColumn<double>("lost");
+        QTest::addColumn<int>("roundTripMs");
+        for (const double lost : {0.002, 0.02, 0.2})
+            for (const int roundTrip : {1, 40})
+                QTest::addRow("%.1f %%, %d ms", lost * 100, roundTrip) << lost << roundTrip;
+    }
+
+    void lostPacketsAreNoQueue()
+    {
+        QFETCH(double, lost);
+        QFETCH(int, roundTripMs);
+        ArrivalLimit limit;
+        for (std::uint64_t i = 1; i < 1000; ++i) {
+            const auto sent = i * 4100;
+            const auto received = static_cast<std::uint64_t>(4100 * (1 - lost));
+            limit.reported({200ms, received, sent, sent, 0, 0, std::chrono::milliseconds(roundTripMs)});
+            QVERIFY2(!limit.bytesPerSecond(), QByteArray::number(static_cast<qulonglong>(i)));
+        }
+    }
+
+    /// Pictures that queue are seen beside them, and what was sent by UDP before the reports began excuses nothing.
+    void packetsHideNoQueue()
+    {
+        ArrivalLimit limit;
+        std::uint64_t sent = 500'000'000;
+        const std::uint64_t packets = 400'000'000;
+        for (int i = 0; i < 10; ++i) {
+            sent += 800'000;
+            limit.reported({200ms, 400'000, sent, packets + static_cast<std::uint64_t>(i) * 4100, 0, 100'000, 1ms});
+        }
+        QVERIFY(limit.bytesPerSecond().has_value());
     }
 
     /// A lane ended with bytes on it: they are nowhere any more.
     void afterARestartOnlyWhatLeftSinceCounts()
     {
         ArrivalLimit limit;
-        limit.reported({200ms, 1'000'000, 1'000'000, 0, 1000, 1ms});
+        limit.reported({200ms, 1'000'000, 1'000'000, 0, 0, 1000, 1ms});
         limit.restart();
         for (std::uint64_t i = 1; i < 20; ++i)
-            limit.reported({200ms, 1'000'000, 50'000'000 + i * 1'000'000, 0, 1000, 1ms});
+            limit.reported({200ms, 1'000'000, 50'000'000 + i * 1'000'000, 0, 0, 1000, 1ms});
         QVERIFY(!limit.bytesPerSecond());
         QCOMPARE(limit.waiting(), std::uint64_t{0});
     }
@@ -235,7 +271,7 @@ private slots:
             if (i % 50 == 30)
                 limit.forgetWaiting();
             else
-                limit.reported({200ms, 6 * picture, i * 6 * picture, 0, picture, 1ms});
+                limit.reported({200ms, 6 * picture, i * 6 * picture, 0, 0, picture, 1ms});
             QVERIFY(!limit.bytesPerSecond());
         }
         QCOMPARE(limit.waiting(), std::uint64_t{0});
@@ -281,7 +317,7 @@ private slots:
             sent += 100'000;
             const std::uint64_t received[] = {0, most, 1, most / 2, 0};
             limit.reported({i % 7 == 0 ? Nanoseconds::zero() : std::chrono::microseconds(i % 3 + 1), received[i % 5], sent,
-                            static_cast<std::uint64_t>(i % 3) * most / 2, 1000, 1ms});
+                            sent / 3 * static_cast<std::uint64_t>(i % 4), static_cast<std::uint64_t>(i % 3) * most / 2, 1000, 1ms});
             if (const auto rate = limit.bytesPerSecond()) {
                 QVERIFY(*rate >= PathRate::least);
                 QVERIFY(*rate <= PathRate::most);
@@ -296,7 +332,7 @@ private slots:
         double sent = 0;
         for (int i = 0; i < 1000; ++i) {
             sent += 0.2 * std::min(30 * megabyte, limit.bytesPerSecond().value_or(30 * megabyte));
-            limit.reported({200ms, 0, static_cast<std::uint64_t>(sent), 0, 200'000, 1ms});
+            limit.reported({200ms, 0, static_cast<std::uint64_t>(sent), 0, 0, 200'000, 1ms});
         }
         QVERIFY(limit.bytesPerSecond().has_value());
         QCOMPARE(*limit.bytesPerSecond(), PathRate::least);
