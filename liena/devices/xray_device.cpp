@@ -14,6 +14,8 @@ using std::chrono::milliseconds;
 // Nothing of the robot for this long: its injector counts as still.
 constexpr milliseconds robotSilence{200};
 
+SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
+
 std::vector<DeviceId> viewersOf(const DistributedSystem& system)
 {
     auto viewers = PatientSide::linked(system, DeviceClass::Brain);
@@ -35,7 +37,7 @@ XrayDevice::XrayDevice(DistributedSystem& system, XrayOptions options, LogSink l
       m_viewers(viewersOf(system)),
       m_patientSide(system, log, PatientSide::linked(system, DeviceClass::Hand),
                     [this](std::string_view reason) {
-                        withMachine([](XrayMachine& machine) { machine.interrupt("stop at the patient's side"); });
+                        withMachine([](XrayMachine& machine) { machine.interrupt("stop at the patient's side", steadyNow()); });
                         m_patientSide.stopRobots(reason);
                     }),
       m_source(std::move(options.source)),
@@ -90,7 +92,7 @@ void XrayDevice::withMachine(Use use)
 
 void XrayDevice::endRun(std::string_view reason)
 {
-    withMachine([reason](XrayMachine& machine) { machine.interrupt(reason); });
+    withMachine([reason](XrayMachine& machine) { machine.interrupt(reason, steadyNow()); });
 }
 
 void XrayDevice::tellBeam(bool before, bool after, std::string_view reason)
@@ -179,13 +181,13 @@ void XrayDevice::onEvent(const SessionEvent& event)
             machine.sessionLost(event.peer);
             break;
         case Kind::StandByBegan:
-            machine.setStandBy(true);
+            machine.setStandBy(true, steadyNow());
             break;
         case Kind::StandByEnded:
-            machine.setStandBy(false);
+            machine.setStandBy(false, steadyNow());
             break;
         case Kind::LocalStall:
-            machine.interrupt("this process did not run in time");
+            machine.interrupt("this process did not run in time", steadyNow());
             break;
         case Kind::SendFailed:
             if (event.message == "XrayFrame")
@@ -200,7 +202,7 @@ void XrayDevice::onEvent(const SessionEvent& event)
 void XrayDevice::tick()
 {
     withMachine([&](XrayMachine& machine) {
-        const SteadyTime now = std::chrono::steady_clock::now();
+        const SteadyTime now = steadyNow();
         machine.tick(now);
         if (now - m_robotHeard > robotSilence)
             m_instruments.contrastFlow = 0;

@@ -59,14 +59,14 @@ bool XrayMachine::command(const AcquisitionRequest& request, SteadyTime now)
     const bool heardUp = seen != m_presses.end();
     const bool known = heardUp && seen->second == request.press;
     if (!request.pedal || request.mode == AcquisitionMode::Stop) {
-        if (!request.pedal || heardUp)
+        if (heardUp || (!request.pedal && now >= m_upsCountFrom))
             note(request.origin, request.press);
         if (m_owner == request.origin)
             beamOff("the pedal was released");
         return true;
     }
     if (!heardUp) // nobody knows how long it has been down, nor whether a foot is on it
-        return refuse("the pedal was not up in this session yet; release it and press again");
+        return refuse("the pedal was not heard up since the session opened, or the last stop or stand-by; release it and press again");
     if (m_standBy && request.mode == AcquisitionMode::Spin) {
         note(request.origin, request.press); // spent: the end of the stand-by must not turn the C-arm by itself
         if (m_owner == request.origin)
@@ -125,16 +125,19 @@ void XrayMachine::sessionLost(DeviceId peer)
         m_target = m_geometry;
 }
 
-void XrayMachine::setStandBy(bool standsBy)
+void XrayMachine::setStandBy(bool standsBy, SteadyTime now)
 {
     m_standBy = standsBy;
     if (standsBy)
-        interrupt("the system stands by");
+        interrupt("the system stands by", now);
 }
 
-void XrayMachine::interrupt(std::string_view reason)
+// A press that was about to begin is not known yet: only the up before it was heard.
+void XrayMachine::interrupt(std::string_view reason, SteadyTime now)
 {
     end(reason);
+    m_presses.clear();
+    m_upsCountFrom = now + lateUps;
     m_target = m_geometry;
 }
 

@@ -55,17 +55,21 @@ struct Dose {
 ///   Off ────────────────────────────────────────────────────────────────► On ◄─┐ pedal down, same press: lease renewed
 ///    ▲                                                                    │ └──┘
 ///    └────────────────────────────────────────────────────────────────────┘
-///      pedal up, mode stop, 250 ms of silence, session lost, stand-by, stall
+///      pedal up, mode stop, 250 ms of silence, session lost, stand-by, stop, stall
 ///
 /// However the beam ended, its press is spent: only a new press turns it on again, also in stand-by. A press that was refused while another
-/// cockpit's pedal was down begins when that pedal is released; whatever else ends the beam, a stand-by, a stop or a stall spends every
-/// press seen so far. A pedal that was down before the session began, or while it was interrupted, turns nothing on: it has to be heard up
-/// first, which holds for a system and for a cockpit that were started anew, too. A spin moves the C-arm: in stand-by its press is refused,
+/// cockpit's pedal was down begins when that pedal is released; whatever else ends the beam spends every press seen so far. A pedal that
+/// was down before the session began, or while it was interrupted, turns nothing on: it has to be heard up first, which holds for a system
+/// and for a cockpit that were started anew, too. After a stand-by, a stop or a stall each pedal has to be heard up again, and not before
+/// `lateUps` are over: until then the up may belong to a press that began before. A spin moves the C-arm: in stand-by its press is refused,
 /// and spent. Pure: time comes from the caller.
 class XrayMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};
     static constexpr std::chrono::milliseconds margin{50};
+
+    /// A cockpit says the up of a press when the foot is down already, the last time up to 100 ms after it, and that may come late.
+    static constexpr std::chrono::milliseconds lateUps{250};
 
     /// False: refused; reason() says why.
     bool command(const AcquisitionRequest& request, SteadyTime now);
@@ -76,8 +80,10 @@ public:
     /// The session of a device left Open, or was interrupted.
     void sessionLost(DeviceId peer);
 
-    void setStandBy(bool standsBy);
-    void interrupt(std::string_view reason);
+    void setStandBy(bool standsBy, SteadyTime now);
+
+    /// Ends the beam, the C-arm's way and every press that began before `now`.
+    void interrupt(std::string_view reason, SteadyTime now);
 
     /// Ends a lease that is over and moves the C-arm.
     void tick(SteadyTime now);
@@ -112,8 +118,9 @@ private:
     double kermaPerPulse() const;
 
     std::optional<DeviceId> m_owner;             ///< of the pressed pedal
-    std::map<DeviceId, std::uint32_t> m_presses; ///< the newest of each cockpit heard up in its session: spent unless it is the owner's
+    std::map<DeviceId, std::uint32_t> m_presses; ///< the newest of each cockpit whose up counted: spent unless it is the owner's
     std::map<DeviceId, std::uint32_t> m_refused; ///< the newest of each cockpit that may yet begin
+    SteadyTime m_upsCountFrom;                   ///< later than the last stand-by, stop or stall
     SteadyTime m_leaseEnd;
     std::optional<SteadyTime> m_lastTick;
     AcquisitionMode m_mode = AcquisitionMode::Stop;

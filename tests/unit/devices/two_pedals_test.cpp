@@ -50,15 +50,15 @@ struct Rig {
 using Happening = void (*)(Rig&);
 
 const std::map<QByteArray, Happening> ends{
-    {"stand-by", [](Rig& rig) { rig.machine.setStandBy(true); }},
-    {"stop or stall", [](Rig& rig) { rig.machine.interrupt("stop at the patient's side"); }},
+    {"stand-by", [](Rig& rig) { rig.machine.setStandBy(true, rig.now); }},
+    {"stop or stall", [](Rig& rig) { rig.machine.interrupt("stop at the patient's side", rig.now); }},
     {"session of the other lost", [](Rig& rig) { rig.machine.sessionLost(cockpit); }},
     {"silence of the other", [](Rig& rig) { rig.wait(300); }},
     {"spin complete", [](Rig& rig) { rig.spinToItsEnd(); }},
     {"stand-by after the release",
      [](Rig& rig) {
          rig.pedal(cockpit, 1, false);
-         rig.machine.setStandBy(true);
+         rig.machine.setStandBy(true, rig.now);
      }},
 };
 
@@ -86,9 +86,10 @@ private slots:
         QVERIFY(!rig.machine.beamOn());
         QVERIFY(!rig.pedal(otherCockpit, 5));
         QVERIFY(!rig.machine.beamOn());
-        rig.machine.setStandBy(false);
+        rig.machine.setStandBy(false, rig.now);
         QVERIFY(!rig.pedal(otherCockpit, 5)); // the pedal is still down
         QVERIFY(!rig.machine.beamOn());
+        rig.wait(300); // until an up counts again
         rig.pedal(otherCockpit, 5, false);
         QVERIFY(rig.pedal(otherCockpit, 6));
         QVERIFY(rig.machine.beamOn());
@@ -98,7 +99,7 @@ private slots:
     {
         Rig rig;
         QVERIFY(!rig.pedal(otherCockpit, 5, true, AcquisitionMode::Fluoroscopy, 31));
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
         QVERIFY(!rig.pedal(otherCockpit, 5));
         QVERIFY(!rig.machine.beamOn());
     }
@@ -110,7 +111,7 @@ private slots:
         QVERIFY(!rig.pedal(otherCockpit, 5));
         rig.pedal(otherCockpit, 5, false);
         QVERIFY(!rig.pedal(otherCockpit, 6));
-        rig.machine.interrupt("a test");
+        rig.wait(300); // the other falls silent
         QVERIFY(!rig.pedal(otherCockpit, 6));
         QVERIFY(!rig.machine.beamOn());
     }
@@ -121,7 +122,7 @@ private slots:
         QVERIFY(rig.pedal(cockpit, 1));
         QVERIFY(!rig.pedal(otherCockpit, 5));
         rig.machine.sessionLost(otherCockpit);
-        rig.machine.interrupt("a test"); // which is no word of a pedal that was heard up
+        rig.wait(300); // the other falls silent, which is no word of a pedal that was heard up
         QVERIFY(!rig.pedal(otherCockpit, 6));
         QVERIFY(!rig.machine.beamOn());
     }

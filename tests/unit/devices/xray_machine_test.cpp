@@ -34,6 +34,12 @@ struct Rig {
         now += duration;
         machine.tick(now);
     }
+    // What makes the next press count after a stand-by or a stop.
+    void comeUp()
+    {
+        wait(XrayMachine::lateUps);
+        pedal(0, false);
+    }
 };
 
 } // namespace
@@ -97,12 +103,14 @@ private slots:
         if (end == "released")
             rig.pedal(1, false);
         if (end == "stand-by")
-            rig.machine.setStandBy(true);
+            rig.machine.setStandBy(true, rig.now);
         if (end == "stall")
-            rig.machine.interrupt("stall");
+            rig.machine.interrupt("stall", rig.now);
         QVERIFY(!rig.machine.beamOn());
         QVERIFY(!rig.pedal(1));
         QVERIFY(!rig.machine.beamOn());
+        if (end == "stand-by" || end == "stall")
+            rig.comeUp();
         QVERIFY(rig.pedal(2)); // also in stand-by: a press that began after it
         QVERIFY(rig.machine.beamOn());
         QCOMPARE(rig.machine.acquisition(), 2U);
@@ -146,7 +154,7 @@ private slots:
     {
         Rig rig;
         rig.machine = XrayMachine();
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
         rig.mode = AcquisitionMode::Spin;
         QVERIFY(!rig.pedal(1));
         rig.mode = AcquisitionMode::Fluoroscopy;
@@ -244,12 +252,12 @@ private slots:
         rig.wait(100ms);
         const double moved = rig.machine.geometry().primaryAngle;
         QVERIFY(moved > 1 && moved < 5);
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
         rig.wait(100ms);
         rig.wait(100ms);
         QCOMPARE(rig.machine.geometry().primaryAngle, moved);
         QVERIFY(!rig.machine.moveTo(cockpit, target));
-        rig.machine.setStandBy(false);
+        rig.machine.setStandBy(false, rig.now);
         rig.wait(100ms);
         QCOMPARE(rig.machine.geometry().primaryAngle, moved); // not by itself
         QVERIFY(!rig.machine.moveTo(robot, target));
@@ -265,13 +273,14 @@ private slots:
         QVERIFY(rig.machine.holds());
         QVERIFY(rig.pedal(1));
         QVERIFY(!rig.machine.holds());
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
         QVERIFY(rig.machine.holds());
+        rig.comeUp();
         QVERIFY(rig.pedal(2));
         QVERIFY(!rig.machine.holds());
-        rig.machine.interrupt("a test");
+        rig.machine.interrupt("a test", rig.now);
         QVERIFY(rig.machine.holds());
-        rig.machine.setStandBy(false);
+        rig.machine.setStandBy(false, rig.now);
         CArmGeometry target;
         target.primaryAngle = 0.3;
         QVERIFY(rig.machine.moveTo(cockpit, target));
@@ -331,15 +340,17 @@ private slots:
     {
         Rig rig;
         rig.machine.tick(rig.now);
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
+        rig.comeUp();
         rig.mode = AcquisitionMode::Spin;
         QVERIFY(!rig.pedal(2));
         rig.wait(100ms);
         QVERIFY(!rig.machine.beamOn());
         QCOMPARE(rig.machine.geometry(), CArmGeometry());
-        rig.machine.setStandBy(false);
+        rig.machine.setStandBy(false, rig.now);
         QVERIFY(!rig.pedal(2)); // the pedal is still down: not by itself
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
+        rig.comeUp();
         rig.mode = AcquisitionMode::Fluoroscopy;
         QVERIFY(rig.pedal(3));
         QVERIFY(rig.machine.beamOn());
@@ -349,12 +360,13 @@ private slots:
     {
         Rig rig;
         rig.machine.tick(rig.now);
-        rig.machine.setStandBy(true);
+        rig.machine.setStandBy(true, rig.now);
+        rig.comeUp();
         QVERIFY(rig.pedal(1));
         rig.mode = AcquisitionMode::Spin;
         QVERIFY(!rig.pedal(1));
         QVERIFY(!rig.machine.beamOn());
-        rig.machine.setStandBy(false);
+        rig.machine.setStandBy(false, rig.now);
         QVERIFY(!rig.pedal(1));
         rig.wait(100ms);
         QCOMPARE(rig.machine.geometry(), CArmGeometry());
