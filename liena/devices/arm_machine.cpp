@@ -32,6 +32,13 @@ bool ArmMachine::refuse(std::string_view reason)
     return false;
 }
 
+// What barred the move may go away by itself, and must not set the stream going that it barred.
+bool ArmMachine::bar(DeviceId origin, std::string_view reason)
+{
+    m_unlocked.erase(origin);
+    return refuse(reason);
+}
+
 void ArmMachine::stop()
 {
     m_state = ArmState::Hold;
@@ -47,7 +54,7 @@ void ArmMachine::interrupt(std::string_view reason)
     stop();
 }
 
-// The stop makes the robot hold, which is what a stream of refused moves may wait for.
+// The stop makes the robot hold, which is what the first of a stream of moves may wait for.
 void ArmMachine::lock(std::string_view reason)
 {
     interrupt(reason);
@@ -61,18 +68,20 @@ bool ArmMachine::command(const ArmRequest& request, SteadyTime now)
     if (request.origin.classNumber() != static_cast<std::uint8_t>(DeviceClass::Brain))
         return refuse("only a cockpit commands the arm");
     if (!request.move) {
+        if (m_owner && *m_owner != request.origin)
+            m_unlocked.erase(*m_owner); // its next repeat would undo this hold
         m_unlocked.insert(request.origin);
         stop();
         return true;
     }
     if (m_owner && *m_owner != request.origin)
-        return refuse("another cockpit is moving it");
+        return bar(request.origin, "another cockpit is moving it");
     if (!m_unlocked.contains(request.origin))
-        return refuse("it stopped by itself, or the session is new; send hold before the next move");
+        return refuse("a move was refused, it was stopped, or the session is new; send hold before the next move");
     if (m_standBy)
-        return refuse("the system stands by");
+        return bar(request.origin, "the system stands by");
     if (!robotHolds(now))
-        return refuse("the vascular robot does not report that it holds");
+        return bar(request.origin, "the vascular robot does not report that it holds");
     const bool sane = std::all_of(request.targets.begin(), request.targets.end(), [](double target) { return std::abs(target) <= 3.15; });
     if (!sane || !(request.speedScale >= 0 && request.speedScale <= 1))
         return refuse("a target or the speed is outside its bounds");

@@ -37,8 +37,10 @@ struct ArmRequest {
 ///    └◄──────────────────────────────────────────┘ hold, or the targets are reached
 ///
 /// After a stop that nobody asked for, after one pressed at the arm or in force at the robot, after a stand-by and in a new session the
-/// stream of old commands must not set it going: the arm then wants a `hold` of that cockpit first. Joints slow down within their
-/// deceleration; the brakes close when they stand. Pure: time comes from the caller.
+/// stream of old commands must not set it going: the arm then wants a `hold` of that cockpit first. So it does of a cockpit whose move was
+/// refused because the robot did not hold, the system stood by or another cockpit moved the arm, whatever ended that, and of one whose
+/// movement another cockpit's `hold` has ended. Joints slow down within their deceleration; the brakes close when they stand. Pure: time
+/// comes from the caller.
 class ArmMachine {
 public:
     static constexpr std::chrono::milliseconds lease{200};
@@ -80,6 +82,7 @@ public:
 private:
     bool robotHolds(SteadyTime now) const;
     bool refuse(std::string_view reason);
+    bool bar(DeviceId origin, std::string_view reason); ///< refuses, and locks that cockpit
     void interrupt(std::string_view reason);
     void stop();
     void moveJoints(double seconds);
@@ -90,7 +93,7 @@ private:
     Joints m_targets;
     double m_speedScale = 0;
     std::optional<DeviceId> m_owner; ///< while moving
-    std::set<DeviceId> m_unlocked;   ///< the cockpits whose `hold` was heard since the last lock
+    std::set<DeviceId> m_unlocked;   ///< the cockpits whose `hold` was heard since they were locked
     SteadyTime m_leaseEnd;
     std::optional<SteadyTime> m_robotHeld; ///< arrival of the newest report, if it said that the robot holds
     std::uint64_t m_robotStop = 0;         ///< named last

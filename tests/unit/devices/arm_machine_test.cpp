@@ -65,10 +65,77 @@ private slots:
     {
         Rig rig;
         QVERIFY(!rig.move()); // never heard
+        QVERIFY(rig.hold());
         rig.arm.robotReported(false, rig.now);
         QVERIFY(!rig.move());
         QCOMPARE(rig.arm.refusedCommands(), 2U);
+        QVERIFY(rig.hold());
         rig.arm.robotReported(true, rig.now);
+        QVERIFY(rig.move());
+    }
+
+    void refusedStreamWantsAHoldWhateverBarredIt_data()
+    {
+        QTest::addColumn<int>("bar");
+        QTest::newRow("the robot's hold was never reported") << 0;
+        QTest::newRow("the robot did not hold: a force stop or a failed drive makes it") << 1;
+        QTest::newRow("the robot's report was old") << 2;
+        QTest::newRow("stand-by") << 3;
+    }
+
+    void refusedStreamWantsAHoldWhateverBarredIt()
+    {
+        QFETCH(int, bar);
+        Rig rig;
+        if (bar >= 1)
+            rig.arm.robotReported(bar != 1, rig.now);
+        if (bar == 2)
+            rig.now += 101ms;
+        rig.arm.setStandBy(bar == 3);
+        QVERIFY(rig.hold());
+        QVERIFY(!rig.move());
+        rig.arm.setStandBy(false);
+        rig.arm.robotReported(true, rig.now);
+        for (int repeat = 0; repeat < 3; ++repeat) {
+            QVERIFY(!rig.move());
+            QCOMPARE(rig.arm.state(), ArmState::Hold);
+        }
+        QVERIFY(rig.hold());
+        QVERIFY(rig.move());
+    }
+
+    void streamRefusedForAnotherCockpitWantsAHold_data()
+    {
+        QTest::addColumn<bool>("arrives");
+        QTest::newRow("the other says hold") << false;
+        QTest::newRow("the other's targets are reached") << true;
+    }
+
+    void streamRefusedForAnotherCockpitWantsAHold()
+    {
+        QFETCH(bool, arrives);
+        Rig rig;
+        QVERIFY(rig.hold(otherCockpit));
+        rig.moveFor(20);
+        QVERIFY(!rig.move(otherCockpit));
+        for (int count = 0; arrives && count < 1000 && rig.arm.state() == ArmState::Moving; ++count)
+            rig.round();
+        QVERIFY(arrives || rig.hold());
+        QCOMPARE(rig.arm.state(), ArmState::Hold);
+        QVERIFY(!rig.move(otherCockpit));
+        QCOMPARE(rig.arm.state(), ArmState::Hold);
+        QVERIFY(rig.hold(otherCockpit));
+        QVERIFY(rig.move(otherCockpit));
+    }
+
+    void holdOfAnotherCockpitIsNotUndoneByTheStream()
+    {
+        Rig rig;
+        rig.moveFor(20);
+        QVERIFY(rig.hold(otherCockpit));
+        QVERIFY(!rig.move());
+        QCOMPARE(rig.arm.state(), ArmState::Hold);
+        QVERIFY(rig.hold());
         QVERIFY(rig.move());
     }
 
@@ -177,11 +244,10 @@ private slots:
         QVERIFY(rig.move());
     }
 
-    void stopDoesNotSetARefusedStreamGoing()
+    void stopDoesNotSetAStreamGoing()
     {
         Rig rig;
         rig.arm.robotReported(false, rig.now);
-        QVERIFY(!rig.move());
         rig.arm.lock("stop at the patient's side");
         rig.arm.robotReported(true, rig.now); // for it was stopped as well
         QVERIFY(!rig.move());
@@ -190,12 +256,12 @@ private slots:
         QVERIFY(rig.move());
     }
 
-    void stopOfTheRobotDoesNotSetARefusedStreamGoing()
+    void stopOfTheRobotDoesNotSetAStreamGoing()
     {
         Rig rig;
-        rig.arm.robotReported(false, rig.now);
-        QVERIFY(!rig.move());
-        for (const std::uint64_t stop : {7U, 7U, 8U}) {
+        for (const std::uint64_t stop : {7U, 8U}) {
+            QVERIFY(rig.hold());
+            rig.arm.robotReported(false, rig.now);
             rig.arm.robotNamesStop(stop);
             rig.arm.robotReported(true, rig.now);
             QVERIFY(!rig.move());
@@ -215,6 +281,7 @@ private slots:
         Rig rig;
         rig.arm.setStandBy(true);
         rig.arm.robotReported(true, rig.now);
+        QVERIFY(rig.hold());
         QVERIFY(!rig.move());
     }
 
