@@ -214,7 +214,7 @@ void FramePipeline::wakeGuiThread()
 void FramePipeline::deliver()
 {
     if (const auto refusal = m_refused.take())
-        Q_EMIT pictureRefused(refusal->frame, tr("The picture is refused: %1.").arg(refusal->reason));
+        Q_EMIT pictureRefused(refusal->frame, refusal->reason);
     if (const auto finished = takeFinished())
         Q_EMIT pictureReady(finished->picture);
 }

@@ -64,7 +64,7 @@ public:
 Q_SIGNALS:
     void pictureReady(const console::DisplayPicture& picture);
 
-    /// The newest reason; the picture on the screen is untouched and grows old.
+    /// The newest reason, in words that are no sentence; the picture on the screen is untouched and grows old.
     void pictureRefused(quint32 frame, const QString& reason);
 
 private:

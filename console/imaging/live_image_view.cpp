@@ -43,7 +43,7 @@ void LiveImageView::showPicture(const DisplayPicture& picture)
 
 void LiveImageView::showRefusal(quint32 frame, const QString& reason)
 {
-    m_refusal = tr("Frame %1. %2").arg(frame).arg(reason);
+    m_refusal = tr("Frame %1 is refused: %2.").arg(frame).arg(reason);
     update();
 }
 

@@ -191,12 +191,13 @@ void Rules::addPicture()
             Text::tr("Picture slow, fewer than %1 a second").arg(m_readings.picture.expectedPerSecond, 0, 'f', 0),
             Text::tr("Move slowly; have the line to the X-ray system looked at."));
     const auto priority = m_readings.engaged ? Priority::High : Priority::Low;
+    // There is dose for nothing then, also where the last picture of a run before stands there, frozen.
     if (m_readings.picture.overdue && !m_readings.picture.refusal.isEmpty())
-        add(AlarmCondition::PictureStale, priority, false, Text::tr("Pictures are refused: %1").arg(m_readings.picture.refusal),
-            Text::tr("Let go of the pedal; have the X-ray system and this console looked at."));
-    else if (m_readings.picture.overdue)
-        add(AlarmCondition::PictureStale, priority, false, Text::tr("No picture is shown"),
-            Text::tr("Let go of the pedal and press it again; then have the X-ray system and the line to it looked at."));
+        return add(AlarmCondition::PictureStale, priority, false, Text::tr("Pictures are refused: %1").arg(m_readings.picture.refusal),
+                   Text::tr("Let go of the pedal; have the X-ray system and this console looked at."));
+    if (m_readings.picture.overdue)
+        return add(AlarmCondition::PictureStale, priority, false, Text::tr("No picture is shown"),
+                   Text::tr("Let go of the pedal and press it again; then have the X-ray system and the line to it looked at."));
     if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown)
         return;
     const auto text = condition == PictureCondition::Frozen

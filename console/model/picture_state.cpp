@@ -81,6 +81,9 @@ double PictureState::paintedPerSecond(Instant now) const
            seconds(rateWindow);
 }
 
+/// None was painted since they are expected: what stands there is of a run before.
+bool PictureState::awaitsFirst() const { return !m_newest || m_newest->painted < m_expectedSince; }
+
 PictureCondition PictureState::condition(Instant now) const
 {
     if (!m_newest)
@@ -89,7 +92,7 @@ PictureCondition PictureState::condition(Instant now) const
         return PictureCondition::Held;
     if (!m_linkUp)
         return PictureCondition::Frozen;
-    if (m_newest->painted < m_expectedSince)
+    if (awaitsFirst())
         return now - m_expectedSince <= firstPictureGrace ? PictureCondition::Held : PictureCondition::Frozen;
     const auto taken = shownAtEarliest();
     if (now - taken.value_or(m_newest->painted) > limit())
@@ -102,7 +105,7 @@ PictureReading PictureState::reading(Instant now) const
     PictureReading reading;
     reading.condition = condition(now);
     reading.expectedPerSecond = expectedRate();
-    reading.overdue = !m_newest && m_expected > 0 && now - m_expectedSince > firstPictureGrace;
+    reading.overdue = awaitsFirst() && m_expected > 0 && now - m_expectedSince > firstPictureGrace;
     if (reading.overdue && m_refusedSince)
         reading.refusal = m_refusal;
     if (!m_newest)

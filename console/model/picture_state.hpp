@@ -77,7 +77,7 @@ struct PictureReading {
     bool slow = false;            ///< noticeably fewer than that rate are shown: for caution
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
-    bool overdue = false; ///< None, and the first picture should have been painted by now
+    bool overdue = false; ///< the first picture since they are expected should have been painted by now; another may stand there, frozen
     QString refusal;      ///< overdue, though pictures came since they are expected: why the last one was not shown
 };
 
@@ -130,7 +130,7 @@ public:
     /// That picture's window was handed over to the screen, so long after its paint.
     void notePresented(quint32 frame, Duration presenting);
 
-    /// From the pipeline: a picture could not be shown. One line per cause.
+    /// From the pipeline: a picture could not be shown, and why, in words that are no sentence. One line per cause.
     void noteRefused(const QString& reason);
     const QString& lastRefusal() const { return m_refusal; }
 
@@ -144,6 +144,7 @@ Q_SIGNALS:
 
 private:
     PictureCondition condition(Instant now) const;
+    bool awaitsFirst() const;
     std::optional<Instant> shown(const PictureStamp& stamp) const;
     std::optional<Instant> earliest(const PictureStamp& stamp) const;
     double paintedPerSecond(Instant now) const;

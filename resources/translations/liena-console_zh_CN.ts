@@ -1382,10 +1382,6 @@
 <context>
     <name>console::FramePipeline</name>
     <message>
-        <source>The picture is refused: %1.</source>
-        <translation>图像被拒绝：%1。</translation>
-    </message>
-    <message>
         <source>it is the same as the one before it, though it says that it is new</source>
         <translation>它与前一幅完全相同，却自称是新的</translation>
     </message>
@@ -2609,8 +2605,8 @@
         <translation>实时 X 射线图像</translation>
     </message>
     <message>
-        <source>Frame %1. %2</source>
-        <translation>第 %1 帧。%2</translation>
+        <source>Frame %1 is refused: %2.</source>
+        <translation>第 %1 帧被拒绝：%2。</translation>
     </message>
     <message>
         <source>No picture yet</source>

@@ -1,5 +1,6 @@
 // What looks like an alarm for a moment and is none, or one and not many: one late heartbeat, a value at its limit, what a
 // device said before a loss.
+#include "alarm_cases.hpp"
 #include "watched_cockpit.hpp"
 
 #include <QTest>
@@ -130,6 +131,22 @@ private Q_SLOTS:
         reopen(w, robotId);
         w.models().instrument.receiveTip(TipPose{}, w.now);
         QVERIFY(w.priorityOf(C::TrackerStale));
+    }
+
+    /// The picture of a run before stands there frozen: whoever gives dose for nothing has to hear of the pedal, and not of that one.
+    void aRunWithoutAPictureIsOneAlarmThatNamesThePedal()
+    {
+        auto readings = calmReadings();
+        readings.picture.condition = PictureCondition::Frozen;
+        readings.picture.overdue = true;
+        for (const QString& refusal : {QString(), QStringLiteral("17 bits are not known")}) {
+            readings.picture.refusal = refusal;
+            const auto reports = presentAlarms(readings);
+            QCOMPARE(reports.size(), std::size_t(1));
+            QCOMPARE(reports.front().condition, C::PictureStale);
+            QVERIFY2(reports.front().remedy.contains(QStringLiteral("pedal")), qPrintable(reports.front().remedy));
+            QVERIFY2(reports.front().text.endsWith(refusal), qPrintable(reports.front().text));
+        }
     }
 };
 

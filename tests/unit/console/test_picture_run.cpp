@@ -95,6 +95,29 @@ private Q_SLOTS:
         QCOMPARE(state.reading(start + 5s).condition, PictureCondition::Held);
     }
 
+    /// Each run is owed pictures of its own, whatever was painted in the ones before.
+    void aRunWhosePicturesAreAllRefusedIsOverdueAlsoAfterAnother()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        state.notePainted(stamp(1, start + 80ms, 80ms));
+        QVERIFY(!state.reading(start + 5s).overdue); // that one froze: it had begun
+        state.expect(0, start + 5s);
+        QVERIFY(!state.reading(start + 60s).overdue);
+        const auto next = start + 60s;
+        state.expect(15, next);
+        state.noteRefused(QStringLiteral("17 bits are not known"));
+        QVERIFY(!state.reading(next + 1s).overdue);
+        const auto late = state.reading(next + 1001ms);
+        QVERIFY(late.overdue);
+        QCOMPARE(late.condition, PictureCondition::Frozen); // what stands there is of the run before
+        QCOMPARE(late.refusal, QStringLiteral("17 bits are not known"));
+        state.notePainted(stamp(2, next + 1100ms, 80ms));
+        QVERIFY(!state.reading(next + 1100ms).overdue);
+        QCOMPARE(state.reading(next + 1100ms).refusal, QString());
+    }
+
     void aPictureThatIsFrozenBeforeEachNextOneIsLiveForNoTime_data()
     {
         QTest::addColumn<int>("ageMs");
