@@ -12,9 +12,6 @@ namespace console {
 
 namespace {
 
-/// By how much a picture can be older than its arrival where the clocks do not tell.
-constexpr Duration oldestAtArrival = XraySystemState::statusLimit;
-
 bool isSameFrame(const XrayFrame& one, const XrayFrame& other)
 {
     return one.frame == other.frame && one.acquisition == other.acquisition && one.captureNs == other.captureNs;
@@ -22,12 +19,6 @@ bool isSameFrame(const XrayFrame& one, const XrayFrame& other)
 
 /// An X-ray system that was started anew counts its runs and pictures from the first again.
 bool comesBefore(const XrayFrame& one, const XrayFrame& other) { return one.frame < other.frame && one.captureNs <= other.captureNs; }
-
-Instant earliestCapture(const XrayFrame& frame)
-{
-    const auto captured = frame.captured();
-    return captured ? *captured - frame.ageUncertainty : frame.arrival - oldestAtArrival;
-}
 
 template <typename Value>
 void divide(const cv::Mat& sum, int count, cv::Mat& mean)
@@ -72,7 +63,7 @@ SharedFrames framesForMean(const CineRing& ring, const XrayFrame& last, std::siz
         if (frames.empty() && !isSameFrame(*frame, last))
             continue; // it came after the run
         const bool goesWith =
-            frames.empty() || (comesBefore(*frame, *frames.back()) && sameExposure(*frame, last) && earliestCapture(*frame) >= restSince);
+            frames.empty() || (comesBefore(*frame, *frames.back()) && sameExposure(*frame, last) && frame->earliestCapture() >= restSince);
         if (!goesWith)
             break;
         frames.push_back(std::move(frame));

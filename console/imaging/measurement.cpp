@@ -48,6 +48,12 @@ bool isMovedInDepth(const QVector3D& way, const XrayGeometry& geometry)
     return isBeyond(QVector3D::dotProduct(way, axesOf(geometry.primaryAngle, geometry.secondaryAngle).beam));
 }
 
+/// On a slow line the table may have moved while the picture was on its way here.
+std::optional<TableWay> wayIn(const XrayFrame& frame, const TableRest& table)
+{
+    return table.wayOf(frame.earliestCapture(), frame.arrival);
+}
+
 /// Where the table was on its way it may have been at either end.
 template <typename Test>
 bool mayHave(const TableWay& before, const TableWay& now, Test test)
@@ -176,8 +182,8 @@ void Measurement::follow(const XrayFrame& frame, const TableRest& table)
     const bool another =
         !m_frame || m_frame->frame != frame.frame || m_frame->acquisition != frame.acquisition || m_frame->captureNs != frame.captureNs;
     if (!m_table && m_frame) // what is first reported stood so before
-        m_table = m_catheterTable = table.wayOf(m_frame->arrival);
-    if (const auto stood = table.wayOf(frame.arrival); another && stood)
+        m_table = m_catheterTable = wayIn(*m_frame, table);
+    if (const auto stood = wayIn(frame, table); another && stood)
         moveTable(*stood, frame.geometry);
     const bool holds = m_frame && (!m_points.empty() || m_catheterWidth > 0);
     const XrayGeometry geometry = holds ? m_frame->geometry : frame.geometry; // a C-arm that creeps is to be noticed

@@ -78,9 +78,9 @@ public:
     /// That of the catheter, else that of the geometry.
     PixelCalibration calibration() const;
 
-    /// Points and catheter belong to this projection, and to where the table stood in their picture, as `table` tells by its arrival: in
-    /// another they would lie, and are cleared. Sideways the table moves the points away only: the catheter goes once the patient came
-    /// nearer to the source, or farther from it. Any picture, also an older one than before.
+    /// Points and catheter belong to this projection, and to where the table stood in their picture, as `table` tells from when it can have
+    /// been taken to its arrival: in another they would lie, and are cleared. Sideways the table moves the points away only: the catheter
+    /// goes once the patient came nearer to the source, or farther from it. Any picture, also an older one than before.
     void follow(const XrayFrame& frame, const TableRest& table = {});
 
 private:

@@ -40,15 +40,20 @@ std::optional<Instant> TableRest::since(Instant arrival) const
     return last == m_movements.rend() ? Instant::max() : last->until;
 }
 
-std::optional<TableWay> TableRest::wayOf(Instant arrival) const
+std::optional<TableWay> TableRest::wayOf(Instant taken, Instant arrival) const
 {
     if (!m_reported)
         return std::nullopt;
-    const auto last = std::find_if(m_movements.rbegin(), m_movements.rend(), [arrival](const Movement& m) { return m.after < arrival; });
+    return TableWay{wayAt(taken).from, wayAt(arrival).to};
+}
+
+TableWay TableRest::wayAt(Instant moment) const
+{
+    const auto last = std::find_if(m_movements.rbegin(), m_movements.rend(), [moment](const Movement& m) { return m.after < moment; });
     if (last == m_movements.rend())
         return TableWay{nowhere, nowhere};
     const bool first = last->after == Instant::min();
-    if (first || last->until <= arrival)
+    if (first || last->until <= moment)
         return TableWay{last->to, last->to};
     const auto before = std::next(last);
     return TableWay{before == m_movements.rend() ? nowhere : before->to, last->to};

@@ -30,10 +30,10 @@ public:
     /// may have moved.
     std::optional<Instant> since(Instant arrival) const;
 
-    /// Where the table was in a picture that arrived at `arrival`, within 0.1 mm; where it was on its way just then, both ends. What
-    /// arrived after the last report is taken for there, and what arrived before the first one for where that found the table. No numbers
-    /// for what is older than the movements that are kept; nothing without a report.
-    std::optional<TableWay> wayOf(Instant arrival) const;
+    /// Where the table was in a picture that was taken at `taken` at the earliest and was here at `arrival`, within 0.1 mm; where it was on
+    /// its way in between, both ends. What is later than the last report is taken for there, and what is earlier than the first one for
+    /// where that found the table. No numbers for what is older than the movements that are kept; nothing without a report.
+    std::optional<TableWay> wayOf(Instant taken, Instant arrival) const;
 
 private:
     struct Movement {
@@ -41,6 +41,8 @@ private:
         Instant until; ///< the first one of where it led to
         std::array<double, 3> to{};
     };
+
+    TableWay wayAt(Instant moment) const;
 
     std::optional<Instant> m_reported;
     std::deque<Movement> m_movements; ///< the oldest first; before the first report the table may have been anywhere

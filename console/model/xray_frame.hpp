@@ -7,6 +7,7 @@
 #include <QString>
 #include <QtGlobal>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -74,6 +75,14 @@ struct XrayFrame {
 
     /// When the pulse ended on our monotonic clock; nothing while the offset is unknown.
     std::optional<Instant> captured() const { return ageAtArrival ? std::optional<Instant>(arrival - *ageAtArrival) : std::nullopt; }
+
+    /// When it can have been taken at the earliest, never later than `arrival`. Where the clocks do not tell, it can be as old as the X-ray
+    /// system's reports may be.
+    Instant earliestCapture() const
+    {
+        const auto at = captured();
+        return at ? std::min(*at - ageUncertainty, arrival) : arrival - XraySystemState::statusLimit;
+    }
 
     std::shared_ptr<const void> owner; ///< keeps `pixels` alive: the picture travels without a copy
     std::span<const std::byte> pixels;

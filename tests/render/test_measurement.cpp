@@ -16,6 +16,7 @@ const Instant start = Instant() + 1h;
 struct Measured {
     Measured()
     {
+        frame->ageAtArrival = 5ms;
         report({5, 6, 7});
         measurement.setMode(MeasureMode::Distance);
         follow();
@@ -68,6 +69,8 @@ private Q_SLOTS:
     void belongsToThePictureThatStands();
     void goesByWhereTheTableStoodInAnOlderPicture();
     void countsBothEndsOfAMovementForAPictureOnTheWay();
+    void goesByWhenALatePictureWasTaken_data();
+    void goesByWhenALatePictureWasTaken();
     void takesTheFirstReportForThePicturesBefore();
     void noticesATableThatCreeps();
     void calibratesByCatheter();
@@ -209,6 +212,33 @@ void TestMeasurement::countsBothEndsOfAMovementForAPictureOnTheWay()
         QVERIFY(on.measurement.points().empty());
         QCOMPARE(on.kind(), CalibrationKind::Geometry);
     }
+}
+
+void TestMeasurement::goesByWhenALatePictureWasTaken_data()
+{
+    QTest::addColumn<int>("ageMs"); // negative: the clocks do not tell
+    QTest::addColumn<bool>("keeps");
+    QTest::newRow("after the movement") << 5 << true;
+    QTest::newRow("before it") << 150 << false;
+    QTest::newRow("perhaps before it") << -1 << false;
+}
+
+/// It comes behind the report of a movement that it does not show.
+void TestMeasurement::goesByWhenALatePictureWasTaken()
+{
+    QFETCH(int, ageMs);
+    QFETCH(bool, keeps);
+    Measured on;
+    on.report({5, 6, 87});
+    ++on.frame->frame;
+    on.frame->ageAtArrival = ageMs < 0 ? std::nullopt : std::optional<Duration>(std::chrono::milliseconds(ageMs));
+    on.follow();
+    on.measure();
+    on.measurement.nextCatheter();
+    on.frame->ageAtArrival = 5ms;
+    on.moveTable({5, 6, 87}); // where the reports had it when that picture came
+    QCOMPARE(!on.measurement.points().empty(), keeps);
+    QCOMPARE(on.kind(), keeps ? CalibrationKind::Catheter : CalibrationKind::Geometry);
 }
 
 void TestMeasurement::takesTheFirstReportForThePicturesBefore()

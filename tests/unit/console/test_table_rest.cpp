@@ -15,6 +15,9 @@ const Instant start = Instant() + 1h;
 
 std::array<double, 3> at(double longitudinal) { return {0, longitudinal, 900}; }
 
+/// Of a picture that takes no time on its way.
+std::optional<TableWay> wayAt(const TableRest& rest, Instant moment) { return rest.wayOf(moment, moment); }
+
 } // namespace
 
 class TestTableRest : public QObject {
@@ -76,30 +79,43 @@ private Q_SLOTS:
             rest.note(at(report), start + report * 100ms);
         QVERIFY(rest.since(start + 350ms) == Instant::max());
         QVERIFY(rest.since(start + (reports - 1) * 100ms - 50ms) == start + (reports - 1) * 100ms);
-        QVERIFY(std::isnan(rest.wayOf(start + 350ms)->to[1]));
-        QVERIFY(std::isnan(rest.wayOf(start + 550ms)->from[1])); // where the oldest movement that is kept came from
-        QCOMPARE(rest.wayOf(start + 550ms)->to, at(6));
+        QVERIFY(std::isnan(wayAt(rest, start + 350ms)->to[1]));
+        QVERIFY(std::isnan(wayAt(rest, start + 550ms)->from[1])); // where the oldest movement that is kept came from
+        QCOMPARE(wayAt(rest, start + 550ms)->to, at(6));
     }
 
     void saysWhereTheTableWasInAPicture()
     {
         TableRest rest;
-        QVERIFY(!rest.wayOf(start));
+        QVERIFY(!wayAt(rest, start));
         rest.note(at(0), start);
         rest.note(at(0), start + 100ms);
-        QCOMPARE(rest.wayOf(start + 150ms)->to, at(0)); // no later report yet
+        QCOMPARE(wayAt(rest, start + 150ms)->to, at(0)); // no later report yet
         rest.note(at(5), start + 200ms);
         rest.note(at(5), start + 300ms);
         for (const auto early : {-50ms, 50ms, 100ms}) {
-            QCOMPARE(rest.wayOf(start + early)->from, at(0));
-            QCOMPARE(rest.wayOf(start + early)->to, at(0));
+            QCOMPARE(wayAt(rest, start + early)->from, at(0));
+            QCOMPARE(wayAt(rest, start + early)->to, at(0));
         }
-        QCOMPARE(rest.wayOf(start + 150ms)->from, at(0)); // on its way
-        QCOMPARE(rest.wayOf(start + 150ms)->to, at(5));
+        QCOMPARE(wayAt(rest, start + 150ms)->from, at(0)); // on its way
+        QCOMPARE(wayAt(rest, start + 150ms)->to, at(5));
         for (const auto late : {200ms, 250ms, 350ms}) {
-            QCOMPARE(rest.wayOf(start + late)->from, at(5));
-            QCOMPARE(rest.wayOf(start + late)->to, at(5));
+            QCOMPARE(wayAt(rest, start + late)->from, at(5));
+            QCOMPARE(wayAt(rest, start + late)->to, at(5));
         }
+    }
+
+    void aPictureThatIsLateHasTheMovementsOfItsWayInIt()
+    {
+        TableRest rest;
+        for (int report = 0; report <= 4; ++report)
+            rest.note(at(report < 2 ? 0 : 5), start + report * 100ms);
+        const auto from = [&rest](Duration taken) { return rest.wayOf(start + taken, start + 400ms)->from; };
+        for (const auto before : {-50ms, 50ms, 100ms, 150ms})
+            QCOMPARE(from(before), at(0));
+        QCOMPARE(from(200ms), at(5));
+        QCOMPARE(rest.wayOf(start, start + 400ms)->to, at(5));
+        QCOMPARE(rest.wayOf(start, start + 100ms)->to, at(0));
     }
 };
 
