@@ -117,6 +117,8 @@ void PictureDesk::connectReference()
             showHold();
     });
     connect(&m_review, &CineReview::pictureReady, this, &PictureDesk::showReference);
+    connect(&m_pipeline, &FramePipeline::pictureReady, &m_review,
+            [this](const DisplayPicture& picture) { m_review.noteNewest(picture.about); });
     connect(&m_review, &CineReview::placeChanged, this, [this] {
         if (!m_models.roadmap.isWanted())
             showPlace(m_review.place());

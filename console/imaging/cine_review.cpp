@@ -107,13 +107,32 @@ void CineReview::show(quint64 number)
     m_place = std::clamp(number, range.first, range.end - 1);
     m_atEnd = *m_place + 1 == range.end;
     if (const auto frame = m_ring.at(*m_place)) {
-        const auto next = m_ring.at(*m_place + 1);
-        m_moment = frame->arrival + CineRing::longestGap;
-        if (next)
-            m_moment = std::min(*m_moment, next->arrival - Instant::duration(1));
+        m_arrival = frame->arrival;
+        m_moment = m_arrival + CineRing::longestGap;
+        if (const auto next = m_ring.at(*m_place + 1))
+            endMoment(next->arrival);
         m_pipeline.showFrame(frame);
     }
     Q_EMIT placeChanged();
+}
+
+/// What is shown is the newest no more; true when that is sooner than was known.
+bool CineReview::endMoment(Instant next)
+{
+    if (next > *m_moment)
+        return false;
+    m_moment = next - Instant::duration(1);
+    return true;
+}
+
+/// It may be in the ring a little later than it is told here; one that came before it is there.
+void CineReview::noteNewest(const XrayFrame& frame)
+{
+    if (!m_moment || frame.arrival <= m_arrival)
+        return;
+    const auto next = m_ring.at(*m_place + 1);
+    if (endMoment(next ? std::min(next->arrival, frame.arrival) : frame.arrival))
+        Q_EMIT placeChanged();
 }
 
 QString CineReview::place() const

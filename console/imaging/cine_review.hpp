@@ -41,23 +41,31 @@ public:
     QString place() const;
 
     /// Until when the frame that is shown was the newest, by arrivals: what happened by then was at this picture. Nothing while closed.
+    /// While it is the newest in the ring, for as long as one counts; noteNewest() says when that is over.
     std::optional<Instant> moment() const { return m_moment; }
+
+    /// The newest frame of all, which is in the ring or about to be.
+    void noteNewest(const XrayFrame& frame);
 
 Q_SIGNALS:
     void pictureReady(const console::DisplayPicture& picture);
+
+    /// Another place, or other words or times for the same one.
     void placeChanged();
 
 private:
     void show(quint64 number);
     void playOn();
+    bool endMoment(Instant next);
 
     const CineRing& m_ring;
     FramePipeline m_pipeline;
     QTimer m_timer;
     std::optional<quint64> m_place;
-    std::optional<Instant> m_moment;
-    quint64 m_filmEnd = 0; ///< behind its last frame
-    bool m_atEnd = false;  ///< what is shown was the newest when it was shown, or the last of the film
+    Instant m_arrival;               ///< of the frame that is shown
+    std::optional<Instant> m_moment; ///< with a place only
+    quint64 m_filmEnd = 0;           ///< behind its last frame
+    bool m_atEnd = false;            ///< what is shown was the newest when it was shown, or the last of the film
 };
 
 } // namespace console

@@ -195,6 +195,22 @@ private Q_SLOTS:
         QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(stage.lines));
     }
 
+    /// Opened while the pedal is down, it is the newest no more when the next one comes.
+    void theMarkOfTheNewestPictureStaysBeforeTheNext()
+    {
+        Stage stage;
+        QVERIFY(stage.begin());
+        stage.choose(QStringLiteral("third"));
+        QTest::keyClick(stage.lines, Qt::Key_Return);
+        QTRY_COMPARE(stage.reviewed(), 3U);
+        QTest::mouseClick(stage.button(QStringLiteral("One picture on")), Qt::LeftButton);
+        QTRY_COMPARE(stage.reviewed(), 4U);
+        QVERIFY(stage.send(5));
+        stage.models.log.append(LogKind::Note, QStringLiteral("later"), 9000);
+        QCOMPARE(stage.marked(), QStringLiteral("third"));
+        QCOMPARE(stage.reviewed(), 4U);
+    }
+
     void aFilmThatRunsIsStoppedByAnotherLine()
     {
         Stage stage;
