@@ -128,7 +128,7 @@ bool CineReview::endMoment(Instant next)
 /// It may be in the ring a little later than it is told here; one that came before it is there.
 void CineReview::noteNewest(const XrayFrame& frame)
 {
-    if (!m_moment || frame.arrival <= m_arrival)
+    if (!m_place || !m_moment || frame.arrival <= m_arrival)
         return;
     const auto next = m_ring.at(*m_place + 1);
     if (endMoment(next ? std::min(next->arrival, frame.arrival) : frame.arrival))

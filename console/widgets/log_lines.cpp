@@ -11,6 +11,7 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 
@@ -143,6 +144,19 @@ void LogLines::showEvent(QShowEvent* event)
         bringMarkIntoView();
     else if (m_follows)
         scrollToBottom();
+}
+
+// What is read whole below takes its room from the lines; the one that is read stays in view.
+void LogLines::resizeEvent(QResizeEvent* event)
+{
+    const bool follows = m_follows && isVisible() && !m_marked.isValid();
+    const bool readsHere = follows && currentIndex().isValid() && QRect(QPoint(), event->oldSize()).intersects(visualRect(currentIndex()));
+    QListView::resizeEvent(event);
+    if (!follows)
+        return;
+    scrollToBottom();
+    if (readsHere)
+        scrollTo(currentIndex());
 }
 
 // Qt's own `activated` would come of a single click, where the desktop wants it so.

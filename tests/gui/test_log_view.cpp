@@ -50,6 +50,15 @@ struct Shown : CockpitStage {
                 return true;
         return false;
     }
+
+    /// A line's text below the lines, with all the room that it takes.
+    bool showsWhole(const QString& words) const
+    {
+        for (const QLabel* label : log->findChildren<QLabel*>())
+            if (label->isVisible() && label->text().endsWith(words))
+                return label->height() >= label->heightForWidth(label->width());
+        return false;
+    }
 };
 
 } // namespace
@@ -217,6 +226,37 @@ private Q_SLOTS:
         log.append(LogKind::Note, QStringLiteral("new"), 6000);
         QTest::qWait(0);
         QCOMPARE(bar->value(), 0);
+    }
+
+    /// What is read of it below the lines takes its room from them.
+    void opensWithTheNewestLineInView()
+    {
+        Shown stage;
+        auto& log = stage.cockpit.models.log;
+        for (int i = 0; i < 300; ++i)
+            log.append(LogKind::Note, QString::number(i), 5000);
+        log.append(LogKind::Note, QStringLiteral("long ").repeated(60) + QStringLiteral("end"), 6000);
+        QVERIFY(stage.open());
+        QTRY_VERIFY(stage.showsWhole(QStringLiteral("long end")));
+        auto* bar = stage.lines()->verticalScrollBar();
+        QVERIFY(bar->maximum() > 0);
+        QTRY_COMPARE(bar->value(), bar->maximum());
+    }
+
+    void anOlderLineThatIsChosenStaysInView()
+    {
+        Shown stage;
+        auto& log = stage.cockpit.models.log;
+        for (int i = 0; i < 300; ++i)
+            log.append(LogKind::Note, QStringLiteral("long ").repeated(60) + QString::number(i), 5000);
+        log.append(LogKind::Note, QStringLiteral("short"), 6000);
+        QVERIFY(stage.open());
+        QTRY_VERIFY(stage.showsWhole(QStringLiteral("short")));
+        const QPoint top(20, 4);
+        const QPersistentModelIndex chosen = stage.lines()->indexAt(top);
+        QTest::mouseClick(stage.lines()->viewport(), Qt::LeftButton, {}, top);
+        QTRY_VERIFY(stage.showsWhole(QStringLiteral("long ") + chosen.data().toString().section(QLatin1Char(' '), -1)));
+        QVERIFY(stage.lines()->viewport()->rect().intersects(stage.lines()->visualRect(chosen)));
     }
 
     void savesWhatIsShown()
