@@ -3,6 +3,7 @@
 
 #include "link/library_words.hpp"
 #include "link/translate.hpp"
+#include "model/report_title.hpp"
 
 #include <QDateTime>
 
@@ -168,7 +169,9 @@ void SessionIntake::takeRemark(const liena::SessionEvent& event)
         Q_EMIT interrupted(event.peer.value(), milliseconds(event.duration));
         break;
     case Kind::DeadlineMissed:
-        log(LogKind::Trouble, tr("%1: %2 is overdue").arg(peerName(event), message));
+        // Pictures end with the pedal.
+        if (message != QLatin1String("XrayFrame") || picturesDue(m_models.xray, m_models.sessions.state(event.peer.value())) > 0)
+            log(LogKind::Trouble, tr("%1: %2 is overdue").arg(peerName(event), reportTitle(message)));
         Q_EMIT deadlineMissed(event.peer.value(), message);
         break;
     case Kind::MessagesDropped:

@@ -1,6 +1,8 @@
 // The alarm conditions, each by its rule.
 #include "model/alarm_rules.hpp"
 
+#include "model/report_title.hpp"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -15,23 +17,6 @@ struct Text {
 };
 
 using Priority = AlarmPriority;
-
-/// What a person calls the report; a message that another set has keeps its name.
-QString reportTitle(const QString& message)
-{
-    const struct {
-        const char* message;
-        QString title;
-    } table[] = {
-        {"RobotStatus", Text::tr("report of its state")},           {"TipPose", Text::tr("position of the tip")},
-        {"DriveStatus", Text::tr("report of its drives")},          {"TravelLimits", Text::tr("limits of its axes")},
-        {"AcquisitionStatus", Text::tr("report of beam and dose")}, {"ArmStatus", Text::tr("report of its state")},
-    };
-    for (const auto& row : table)
-        if (message == QLatin1String(row.message))
-            return row.title;
-    return message;
-}
 
 class Rules {
 public:

@@ -6,6 +6,7 @@
 #include "model/link_state.hpp"
 #include "model/operator_role.hpp"
 #include "model/picture_state.hpp"
+#include "model/report_title.hpp"
 #include "model/robot_values.hpp"
 #include "model/xray_frame.hpp"
 #include "model/xray_state.hpp"
@@ -157,6 +158,26 @@ QString word(LogKind kind)
                                       QT_TRANSLATE_NOOP("console::Words", "permit"),   QT_TRANSLATE_NOOP("console::Words", "alarm"),
                                       QT_TRANSLATE_NOOP("console::Words", "operator"), QT_TRANSLATE_NOOP("console::Words", "trouble")};
     return at(table, kind);
+}
+
+QString reportTitle(const QString& message)
+{
+    static constexpr struct {
+        const char* message;
+        const char* title;
+    } table[] = {
+        {"RobotStatus", QT_TRANSLATE_NOOP("console::Words", "report of its state")},
+        {"DriveStatus", QT_TRANSLATE_NOOP("console::Words", "report of its drives")},
+        {"TravelLimits", QT_TRANSLATE_NOOP("console::Words", "limits of its axes")},
+        {"TipPose", QT_TRANSLATE_NOOP("console::Words", "position of the tip")},
+        {"AcquisitionStatus", QT_TRANSLATE_NOOP("console::Words", "report of beam and dose")},
+        {"XrayFrame", QT_TRANSLATE_NOOP("console::Words", "picture")},
+        {"ArmStatus", QT_TRANSLATE_NOOP("console::Words", "report of its state")},
+    };
+    for (const auto& row : table)
+        if (message == QLatin1String(row.message))
+            return Text::tr(row.title);
+    return message;
 }
 
 } // namespace console

@@ -507,26 +507,6 @@
         <translation>机器人：有驱动器未启用</translation>
     </message>
     <message>
-        <source>report of its state</source>
-        <translation>状态报告</translation>
-    </message>
-    <message>
-        <source>position of the tip</source>
-        <translation>头端位置</translation>
-    </message>
-    <message>
-        <source>report of its drives</source>
-        <translation>驱动器报告</translation>
-    </message>
-    <message>
-        <source>limits of its axes</source>
-        <translation>各轴限位</translation>
-    </message>
-    <message>
-        <source>report of beam and dose</source>
-        <translation>射线与剂量报告</translation>
-    </message>
-    <message>
         <source>Link between %1 and %2 lost, stand-by</source>
         <translation>%1 与 %2 之间的链路丢失，待机</translation>
     </message>
@@ -5829,6 +5809,30 @@ known here</source>
     <message>
         <source>observer</source>
         <translation>观察者</translation>
+    </message>
+    <message>
+        <source>report of its state</source>
+        <translation>状态报告</translation>
+    </message>
+    <message>
+        <source>report of its drives</source>
+        <translation>驱动器报告</translation>
+    </message>
+    <message>
+        <source>limits of its axes</source>
+        <translation>各轴限位</translation>
+    </message>
+    <message>
+        <source>position of the tip</source>
+        <translation>头端位置</translation>
+    </message>
+    <message>
+        <source>report of beam and dose</source>
+        <translation>射线与剂量报告</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>图像</translation>
     </message>
 </context>
 <context>

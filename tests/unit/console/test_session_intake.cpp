@@ -2,6 +2,7 @@
 #include "link/session_intake.hpp"
 #include "link/translate.hpp"
 #include "linked_models.hpp"
+#include "model/log_roles.hpp"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -27,6 +28,9 @@ liena::SessionEvent occurred(liena::SessionEvent::Kind kind, liena::DeviceId pee
     e.incident.cause = liena::LossCause::HeartbeatLost;
     return e;
 }
+
+/// A line of the log, without its time and kind.
+QString lineOf(const ConsoleModels& models, int row) { return models.log.index(row, 0).data(LogTextRole).toString(); }
 
 } // namespace
 
@@ -176,6 +180,47 @@ private Q_SLOTS:
         QVERIFY(models.sessions.inStandBy());
         intake.take(occurred(Kind::StandByEnded));
         QVERIFY(!models.sessions.inStandBy());
+    }
+
+    void overdueReportsAreLoggedByTheirTitles_data()
+    {
+        QTest::addColumn<QByteArray>("message");
+        QTest::addColumn<QString>("line");
+        QTest::newRow("tip") << QByteArray("TipPose") << QStringLiteral("Robot: position of the tip is overdue");
+        QTest::newRow("drives") << QByteArray("DriveStatus") << QStringLiteral("Robot: report of its drives is overdue");
+        QTest::newRow("another set's") << QByteArray("PumpFlow") << QStringLiteral("Robot: PumpFlow is overdue");
+    }
+
+    void overdueReportsAreLoggedByTheirTitles()
+    {
+        QFETCH(QByteArray, message);
+        QFETCH(QString, line);
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        auto missed = occurred(Kind::DeadlineMissed);
+        missed.message = message.toStdString();
+        intake.take(missed);
+        QCOMPARE(models.log.rowCount(), 1);
+        QCOMPARE(lineOf(models, 0), line);
+    }
+
+    /// The pedal is up: they have ended, and are not late.
+    void picturesAreOverdueOnlyWhereTheyAreDue()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        const QSignalSpy told(&intake, &SessionIntake::deadlineMissed);
+        auto missed = occurred(Kind::DeadlineMissed, xray);
+        missed.message = "XrayFrame";
+        intake.take(missed);
+        QCOMPARE(models.log.rowCount(), 0);
+        models.xray.setPedal(true);
+        intake.take(missed);
+        QCOMPARE(models.log.rowCount(), 1);
+        QCOMPARE(lineOf(models, 0), QStringLiteral("X-ray: picture is overdue"));
+        QCOMPARE(told.count(), 2);
     }
 
     void everyEventIsLoggedOrShown_data()
