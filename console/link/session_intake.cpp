@@ -33,6 +33,12 @@ QString SessionIntake::peerName(const liena::SessionEvent& event) const
     return event.peer.isBroadcast() ? tr("an unknown device") : m_models.sessions.titleOf(event.peer.value());
 }
 
+/// One loss is often more than one incident, and each has lines of its own.
+QString SessionIntake::ofIncident(const QString& line, const liena::Incident& incident) const
+{
+    return tr("%1 \u2013 %2: %3").arg(m_models.sessions.titleOf(incident.a.value()), m_models.sessions.titleOf(incident.b.value()), line);
+}
+
 QString SessionIntake::failureText(const liena::SessionEvent& event) const
 {
     auto reason = words(event.reason);
@@ -129,21 +135,24 @@ void SessionIntake::takeIncident(const liena::SessionEvent& event)
         break;
     case Kind::CauseReported:
         m_models.incidents.raise(record(incident, event.at), event.at);
-        log(LogKind::Link, tr("%1 saw: %2")
-                               .arg(m_models.sessions.titleOf(event.peer.value()),
-                                    word(lossKind(event.peer == incident.a ? incident.causeOfA : incident.causeOfB))));
+        log(LogKind::Link, ofIncident(tr("%1 saw: %2")
+                                          .arg(m_models.sessions.titleOf(event.peer.value()),
+                                               word(lossKind(event.peer == incident.a ? incident.causeOfA : incident.causeOfB))),
+                                      incident));
         break;
     case Kind::IncidentEnded:
         m_models.incidents.end(incident.id);
         m_models.sessions.setLinkIncident(incident.a.value(), incident.b.value(), 0);
         m_localSince.erase(incident.id);
-        log(LogKind::Link,
-            event.dismissed ? tr("incident given up: %1").arg(tr(text(event.detail).toUtf8().constData())) : tr("incident ended"));
+        log(LogKind::Link, ofIncident(event.dismissed ? tr("incident given up: %1").arg(tr(text(event.detail).toUtf8().constData()))
+                                                      : tr("incident ended"),
+                                      incident));
         break;
     case Kind::HoldReported:
         m_models.incidents.setHolds(incident.id, holdLines(incident));
-        log(LogKind::Link, (event.hold.holding ? tr("%1 confirms that it holds") : tr("%1 no longer holds"))
-                               .arg(m_models.sessions.titleOf(event.hold.device.value())));
+        log(LogKind::Link, ofIncident((event.hold.holding ? tr("%1 confirms that it holds") : tr("%1 no longer holds"))
+                                          .arg(m_models.sessions.titleOf(event.hold.device.value())),
+                                      incident));
         break;
     case Kind::StandByBegan:
         m_models.sessions.setStandBy(true);

@@ -44,6 +44,7 @@ private:
     std::vector<HoldLine> holdLines(const liena::Incident& incident) const;
     void timeHold(HoldLine& line, const liena::Incident& incident, const liena::HoldReport& hold) const;
     QString failureText(const liena::SessionEvent& event) const;
+    QString ofIncident(const QString& line, const liena::Incident& incident) const;
     void log(LogKind kind, const QString& text);
     QString peerName(const liena::SessionEvent& event) const;
 

@@ -5009,6 +5009,10 @@
         <translation>事件已结束</translation>
     </message>
     <message>
+        <source>%1 – %2: %3</source>
+        <translation>%1 – %2：%3</translation>
+    </message>
+    <message>
         <source>%1 confirms that it holds</source>
         <translation>%1 确认其保持</translation>
     </message>

@@ -182,6 +182,42 @@ private Q_SLOTS:
         QVERIFY(!models.sessions.inStandBy());
     }
 
+    /// A robot that is lost has lost its arm, too: two incidents, and one hold for each.
+    void linesOfAnIncidentNameItsPair_data()
+    {
+        QTest::addColumn<int>("kind");
+        QTest::addColumn<bool>("yes"); // it holds, or the incident is given up
+        QTest::addColumn<QString>("line");
+        QTest::newRow("cause") << int(Kind::CauseReported) << false << QStringLiteral("Robot saw: %1").arg(word(LossKind::HeartbeatLost));
+        QTest::newRow("holds") << int(Kind::HoldReported) << true << QStringLiteral("Robot confirms that it holds");
+        QTest::newRow("holds no longer") << int(Kind::HoldReported) << false << QStringLiteral("Robot no longer holds");
+        QTest::newRow("ended") << int(Kind::IncidentEnded) << false << QStringLiteral("incident ended");
+        QTest::newRow("given up") << int(Kind::IncidentEnded) << true << QStringLiteral("incident given up: by hand");
+    }
+
+    void linesOfAnIncidentNameItsPair()
+    {
+        QFETCH(int, kind);
+        QFETCH(bool, yes);
+        QFETCH(QString, line);
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        for (const auto other : {arm, cockpit}) {
+            auto event = occurred(static_cast<Kind>(kind));
+            event.incident.id = other.value();
+            event.incident.b = other;
+            event.incident.causeOfA = liena::LossCause::HeartbeatLost;
+            event.hold = {robot, yes, {}};
+            event.dismissed = yes;
+            event.detail = "by hand";
+            intake.take(event);
+        }
+        QCOMPARE(models.log.rowCount(), 2);
+        QCOMPARE(lineOf(models, 0), QStringLiteral("Robot \u2013 Arm: ") + line);
+        QCOMPARE(lineOf(models, 1), QStringLiteral("Robot \u2013 Cockpit: ") + line);
+    }
+
     void overdueReportsAreLoggedByTheirTitles_data()
     {
         QTest::addColumn<QByteArray>("message");
