@@ -1,4 +1,5 @@
 // Measures the way of a picture to the screen: decoding, window and level, paint, and the whole pipeline at a given rate.
+#include "film.hpp"
 #include "imaging/cine_ring.hpp"
 #include "imaging/frame_decoder.hpp"
 #include "imaging/frame_pipeline.hpp"
@@ -7,79 +8,26 @@
 #include "model/picture_state.hpp"
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QTimer>
 
-#include <charls/charls.h>
-
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <functional>
-#include <random>
-#include <thread>
 #include <vector>
 
 using namespace console;
+using namespace console::test;
 
 namespace {
 
 struct Kind {
     const char* name;
-    int edge;
-    int bits;
-    PixelEncoding encoding;
-    int framesPerSecond;
+    Film film;
     bool filtered = false;
     EdgeMethod edges = EdgeMethod::UnsharpMask;
 };
 
-constexpr double mostLate = 0.5;      ///< pictures a second that may be missing of those that were sent
 constexpr double mostReplaced = 0.01; ///< share of the pictures that a newer one may replace before they are shown
-
-// A smooth picture with the noise of few quanta, as fluoroscopy has.
-std::vector<std::byte> filmBytes(const Kind& kind, unsigned seed)
-{
-    std::mt19937 random(seed);
-    std::normal_distribution<double> noise(0, 0.01);
-    const double largest = (1 << kind.bits) - 1;
-    std::vector<std::byte> raw;
-    for (int y = 0; y < kind.edge; ++y)
-        for (int x = 0; x < kind.edge; ++x) {
-            const double share = 0.5 + 0.3 * std::sin(x / 90.0) * std::cos(y / 70.0) + noise(random);
-            const auto value = static_cast<unsigned>(std::clamp(share, 0.0, 1.0) * largest);
-            raw.push_back(static_cast<std::byte>(value & 0xFFU));
-            if (kind.bits > 8)
-                raw.push_back(static_cast<std::byte>(value >> 8U));
-        }
-    if (kind.encoding == PixelEncoding::Raw)
-        return raw;
-    charls::jpegls_encoder encoder;
-    const auto edge = static_cast<std::uint32_t>(kind.edge);
-    encoder.frame_info({edge, edge, kind.bits, 1});
-    std::vector<std::byte> bytes(encoder.estimated_destination_size());
-    encoder.destination(bytes.data(), bytes.size());
-    bytes.resize(encoder.encode(raw.data(), raw.size()));
-    return bytes;
-}
-
-XrayFrame filmFrame(const Kind& kind, unsigned seed = 7)
-{
-    const auto bytes = std::make_shared<const std::vector<std::byte>>(filmBytes(kind, seed));
-    XrayFrame frame;
-    frame.rows = frame.columns = kind.edge;
-    frame.bitsStored = kind.bits;
-    frame.encoding = kind.encoding;
-    frame.source = PictureSource::Simulated;
-    frame.windowCentre = 1 << (kind.bits - 1);
-    frame.windowWidth = 1 << kind.bits;
-    frame.imagerPixelSpacing = 300.0 / kind.edge;
-    frame.geometry.sourceDetectorDistance = 1100;
-    frame.geometry.sourceObjectDistance = 750;
-    frame.owner = bytes;
-    frame.pixels = *bytes;
-    return frame;
-}
 
 // The median of `rounds` runs, ms.
 double median(int rounds, const std::function<void()>& work)
@@ -96,7 +44,7 @@ double median(int rounds, const std::function<void()>& work)
 
 void measureStages(const Kind& kind)
 {
-    const XrayFrame frame = filmFrame(kind);
+    const XrayFrame frame = filmFrame(kind.film);
     cv::Mat stored;
     const double decode = median(31, [&] { decodeFrame(frame, stored); });
     WindowLevelTable table;
@@ -130,11 +78,11 @@ bool keepsUp(const Kind& kind, double painted, const FrameCounts& counts)
 {
     const double replaced = static_cast<double>(counts.replacedBeforeDecoding + counts.replacedBeforeShowing);
     const double share = replaced / std::max(1.0, static_cast<double>(counts.received));
-    const bool good = painted >= kind.framesPerSecond - mostLate && share <= mostReplaced;
+    const bool good = painted >= kind.film.framesPerSecond - mostLate && share <= mostReplaced;
     if (!good)
         std::printf(
             "%-26s TOO SLOW: %.1f of %d pictures a second painted, %.1f %% replaced; at least %.1f and at most %.0f %% are asked for\n",
-            kind.name, painted, kind.framesPerSecond, 100 * share, kind.framesPerSecond - mostLate, 100 * mostReplaced);
+            kind.name, painted, kind.film.framesPerSecond, 100 * share, kind.film.framesPerSecond - mostLate, 100 * mostReplaced);
     return good;
 }
 
@@ -145,7 +93,7 @@ bool measureWhole(const Kind& kind, std::chrono::milliseconds span)
     PictureState state;
     LiveImageView view(state);
     SceneView scene;
-    scene.showCArm(XrayGeometry{0, 0, 1100, 750, {}}); // as the frames are
+    scene.showCArm(filmGeometry());
     CineRing ring;
     FramePipeline pipeline;
     pipeline.recordInto(ring);
@@ -162,31 +110,18 @@ bool measureWhole(const Kind& kind, std::chrono::milliseconds span)
     scene.resize(562, 562);
     view.show();
     scene.show();
-    const std::array film{filmFrame(kind, 7), filmFrame(kind, 8)}; // in turn: the same one twice would be refused
-    const Instant begun = std::chrono::steady_clock::now();
-    std::thread sender([&] {
-        const auto period = std::chrono::nanoseconds(std::chrono::seconds(1)) / kind.framesPerSecond;
-        Instant due = begun;
-        for (quint32 number = 1; due < begun + span; ++number, due += period) {
-            std::this_thread::sleep_until(due);
-            auto frame = std::make_shared<XrayFrame>(film[number % 2]);
-            frame->frame = number;
-            frame->captureNs = static_cast<quint64>(period.count()) * number;
-            frame->arrival = std::chrono::steady_clock::now();
-            frame->ageAtArrival = Duration::zero();
-            pipeline.showFrame(std::move(frame));
-        }
-    });
-    QTimer::singleShot(span + std::chrono::milliseconds(300), qApp, &QApplication::quit);
-    QApplication::exec();
-    sender.join();
+    {
+        const FilmSender sender(kind.film, pipeline, span);
+        QTimer::singleShot(span + std::chrono::milliseconds(300), qApp, &QApplication::quit);
+        QApplication::exec();
+    }
     const FrameCounts counts = pipeline.counts();
     std::sort(ages.begin(), ages.end());
     const double p50 = ages.empty() ? 0 : ages[ages.size() / 2];
     const double p99 = ages.empty() ? 0 : ages[ages.size() * 99 / 100];
     std::printf(
         "%-26s sent %llu at %d/s  painted %zu = %.1f fps  replaced %llu + %llu  arrival to paint p50 %.1f p99 %.1f ms  scene %llu\n",
-        kind.name, static_cast<unsigned long long>(counts.received), kind.framesPerSecond, ages.size(),
+        kind.name, static_cast<unsigned long long>(counts.received), kind.film.framesPerSecond, ages.size(),
         static_cast<double>(ages.size()) / seconds(span), static_cast<unsigned long long>(counts.replacedBeforeDecoding),
         static_cast<unsigned long long>(counts.replacedBeforeShowing), p50, p99, static_cast<unsigned long long>(scene.drawings()));
     return keepsUp(kind, static_cast<double>(ages.size()) / seconds(span), counts);
@@ -198,13 +133,13 @@ int main(int argc, char** argv)
 {
     const QApplication application(argc, argv);
     const std::vector<Kind> kinds{
-        {"512 x 512, 8 bit, raw", 512, 8, PixelEncoding::Raw, 30},
-        {"512 x 512, 8 bit, jpeg-ls", 512, 8, PixelEncoding::JpegLs, 30},
-        {"1024 x 1024, 16 bit, raw", 1024, 16, PixelEncoding::Raw, 15},
-        {"1024 x 1024, 12 bit, jpeg-ls", 1024, 12, PixelEncoding::JpegLs, 15},
-        {"1024 x 1024, 16 bit, jpeg-ls", 1024, 16, PixelEncoding::JpegLs, 15},
-        {"1024, 16 bit, all filters", 1024, 16, PixelEncoding::Raw, 30, true},
-        {"the same, multi-scale", 1024, 16, PixelEncoding::Raw, 30, true, EdgeMethod::MultiScale},
+        {"512 x 512, 8 bit, raw", {512, 8, PixelEncoding::Raw, 30}},
+        {"512 x 512, 8 bit, jpeg-ls", {512, 8, PixelEncoding::JpegLs, 30}},
+        {"1024 x 1024, 16 bit, raw", {1024, 16, PixelEncoding::Raw, 15}},
+        {"1024 x 1024, 12 bit, jpeg-ls", {1024, 12, PixelEncoding::JpegLs, 15}},
+        {"1024 x 1024, 16 bit, jpeg-ls", {1024, 16, PixelEncoding::JpegLs, 15}},
+        {"1024, 16 bit, all filters", {1024, 16, PixelEncoding::Raw, 30}, true},
+        {"the same, multi-scale", {1024, 16, PixelEncoding::Raw, 30}, true, EdgeMethod::MultiScale},
     };
     for (const Kind& kind : kinds)
         measureStages(kind);
