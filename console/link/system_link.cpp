@@ -331,8 +331,8 @@ void SystemLink::repeatEmergencyStop()
     if (message) {
         message.value()
             .set("token", m_stopToken)
-            .set("source", m_system->self().title.substr(0, 64))
-            .set("reason", m_stopReason.left(40).toStdString());
+            .setPrintable("source", m_system->self().title)
+            .setPrintable("reason", m_stopReason.toStdString());
         sent = m_system->send(target, std::move(message).value());
     }
     const auto trouble = sent ? QString() : words(sent.error());

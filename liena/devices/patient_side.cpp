@@ -121,7 +121,7 @@ std::vector<DeviceId> PatientSide::linked(const DistributedSystem& system, Devic
 void PatientSide::stopRobots(std::string_view reason)
 {
     std::random_device entropy;
-    m_stop.say((std::uint64_t{entropy()} << 32U | entropy()) | 1U, reason.substr(0, 128), linked(m_system, DeviceClass::Hand));
+    m_stop.say((std::uint64_t{entropy()} << 32U | entropy()) | 1U, reason, linked(m_system, DeviceClass::Hand));
     sendStop();
 }
 
@@ -132,8 +132,10 @@ void PatientSide::sendStop()
         auto command = m_system.command(robot, "EmergencyStop");
         Result<void> sent = ok();
         if (command) {
-            command.value().set("token", m_stop.token()).set("source", std::string_view(m_system.self().name));
-            command.value().set("reason", std::string_view(m_stop.reason()));
+            command.value()
+                .set("token", m_stop.token())
+                .setPrintable("source", m_system.self().name)
+                .setPrintable("reason", m_stop.reason());
             sent = m_system.send(robot, std::move(command.value()));
         } else {
             sent = command.error();

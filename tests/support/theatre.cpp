@@ -24,7 +24,7 @@ std::vector<liena::test::DeviceSpec> devicesOf(const Theatre::Wishes& wishes)
         spec.place = "title=\"" + title + "\" site=\"" + site + "\"";
         return spec;
     };
-    std::vector<liena::test::DeviceSpec> devices{titled(reference::cockpit, "Surgeon's cockpit", "surgeon"),
+    std::vector<liena::test::DeviceSpec> devices{titled(reference::cockpit, wishes.title, "surgeon"),
                                                  titled(reference::robot, "Vascular robot", "patient"),
                                                  titled(reference::xray, "C-arm X-ray", "patient")};
     devices[1].host = wishes.robotHost;

@@ -33,6 +33,7 @@ public:
         bool arm = true;                              ///< the robotic arm is part of the system
         bool rival = false;                           ///< a second cockpit has a link to the robot: `cockpit-2`
         bool secondXray = false;                      ///< the cockpit has a link to another one, which it does not work with: `xray-2`
+        std::string title = "Surgeon's cockpit";      ///< of the console, in the topology
         std::string robotHost = "127.0.0.1";          ///< in the topology
         liena::test::TestSystem::Options system = {}; ///< timing, for one
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another

@@ -1,5 +1,5 @@
 // What must never be possible where this console is not the only one: that it takes another one's robot for its own, or that its emergency
-// stop is lost beside another one's.
+// stop is lost, beside another one's or by the name that tells whose it is.
 #include "never_possible_stage.hpp"
 #include "widgets/theme.hpp"
 
@@ -92,6 +92,20 @@ private Q_SLOTS:
         QTest::keyClick(&stage.theatre.window(), Qt::Key_Escape);
         QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.stops().back() != token, qPrintable(theatre.story()), patience);
         QTRY_VERIFY2_WITH_TIMEOUT(!theatre.models().instrument.stopUnheard(), qPrintable(theatre.story()), patience);
+    }
+
+    /// 66 bytes of UTF-8, of which the message holds 64: that is within a character.
+    void aStopOfAConsoleWithALongNameReachesTheRobot()
+    {
+        auto wishes = console::test::puppetWishes();
+        wishes.title.clear();
+        for (int i = 0; i < 22; ++i)
+            wishes.title += "舱";
+        Stage stage(wishes);
+        QVERIFY(stage.open());
+        QTest::keyClick(&stage.theatre.window(), Qt::Key_Escape);
+        QTRY_VERIFY2_WITH_TIMEOUT(!stage.robot.stops().empty(), qPrintable(stage.theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(!stage.theatre.models().instrument.stopUnheard(), qPrintable(stage.theatre.story()), patience);
     }
 };
 

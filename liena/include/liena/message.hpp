@@ -116,6 +116,11 @@ public:
         return *this;
     }
 
+    /// Sets a String field to words for people, on which it must not depend whether the message leaves: what is no UTF-8 or would break a
+    /// line is escaped, and what does not fit is cut at a character, with "…" behind it. Never refused.
+    Message& setPrintable(std::string_view field, std::string_view words) { return setPrintable(position(field), words); }
+    Message& setPrintable(std::size_t field, std::string_view words);
+
     /// Sets a Bytes field as set() does, without copying an image: it is sent from where it lies. `owner` keeps the bytes, which must not
     /// change until it is let go: when they have left or never will, by the network thread, or by whoever was refused or calls stop(). Only
     /// the last field can be lent to. What is short, and what does not travel as `bulk`, is copied, and `owner` let go at once.

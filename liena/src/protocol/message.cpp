@@ -249,6 +249,19 @@ void Message::assignText(std::size_t index, std::string_view value)
     splice(m_fields, m_layout->locate(fieldBytes(), index), 2, value.size(), std::as_bytes(std::span(value.data(), value.size())));
 }
 
+Message& Message::setPrintable(std::size_t index, std::string_view words)
+{
+    constexpr std::size_t cutMark = std::string_view("…").size(); // printable() adds it beyond the limit
+    const auto& field = m_definition->fields.at(index);
+    if (!isText(field))
+        throw misuse(*m_definition, field.name, "is not text");
+    auto text = printable(words, field.count);
+    if (text.size() > field.count)
+        text = field.count < cutMark ? std::string() : printable(words, field.count - cutMark);
+    assignText(index, text);
+    return *this;
+}
+
 void Message::assignBytes(std::size_t index, std::span<const std::byte> value)
 {
     const auto& field = m_definition->fields.at(index);
