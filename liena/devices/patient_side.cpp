@@ -94,12 +94,17 @@ PatientSide::PatientSide(DistributedSystem& system, LogSink log, std::vector<Dev
 {
     m_system.subscribe([this](const SessionEvent& event) {
         m_keeper.handle(event, std::chrono::steady_clock::now());
+        if (event.kind == Kind::Opened || event.kind == Kind::ReOpened || event.kind == Kind::Interrupted)
+            m_stop.sessionBegan(event.peer);
         tellEvent(event);
     });
-    if (!linked(m_system, DeviceClass::Hand).empty())
-        complain(m_system.subscribe("RobotStatus", [this](const Message& message) {
+    if (!linked(m_system, DeviceClass::Hand).empty()) {
+        const auto subscribed = m_system.subscribe("RobotStatus", [this](const Message& message) {
             m_stop.reported(message.origin(), message.get<std::uint64_t>("emergency_stop_token"));
-        }));
+        });
+        m_hearsRobots = subscribed.has_value();
+        complain(subscribed);
+    }
     m_system.every(std::chrono::milliseconds(100), [this] {
         keepLinks();
         sendStop();
@@ -120,15 +125,21 @@ std::vector<DeviceId> PatientSide::linked(const DistributedSystem& system, Devic
 
 void PatientSide::stopRobots(std::string_view reason)
 {
+    auto robots = linked(m_system, DeviceClass::Hand);
+    std::set<DeviceId> mute(robots.begin(), robots.end());
+    std::erase_if(mute, [this](DeviceId robot) {
+        const auto* link = m_system.topology().link(m_system.self().id, robot);
+        return m_hearsRobots && link != nullptr && link->carries("RobotStatus", robot);
+    });
     std::random_device entropy;
-    m_stop.say((std::uint64_t{entropy()} << 32U | entropy()) | 1U, reason, linked(m_system, DeviceClass::Hand));
+    m_stop.say((std::uint64_t{entropy()} << 32U | entropy()) | 1U, reason, std::move(robots), std::move(mute));
     sendStop();
 }
 
 /// A repeat is harmless; a stop that is thrown away while its link is interrupted is not.
 void PatientSide::sendStop()
 {
-    for (const DeviceId robot : m_stop.robots()) {
+    for (const DeviceId robot : m_stop.due()) {
         auto command = m_system.command(robot, "EmergencyStop");
         Result<void> sent = ok();
         if (command) {
@@ -140,6 +151,8 @@ void PatientSide::sendStop()
         } else {
             sent = command.error();
         }
+        if (sent)
+            m_stop.given(robot);
         if (m_stop.isNews(robot, sent ? std::string() : sent.error().what))
             m_log(LogLevel::Error, "EMERGENCY STOP DID NOT LEAVE: " + sent.error().what + "; press the stop on the robot itself");
     }

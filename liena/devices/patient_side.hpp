@@ -38,7 +38,7 @@ public:
     static std::vector<DeviceId> linked(const DistributedSystem& system, DeviceClass deviceClass);
 
     /// Sends EmergencyStop to every linked hand, again each 100 ms until that names it, also over a session that is opened later: the arm
-    /// and the X-ray system stop the robot so.
+    /// and the X-ray system stop the robot so. Where the topology lets none of its reports come here, once in each session.
     void stopRobots(std::string_view reason);
 
 private:
@@ -57,6 +57,7 @@ private:
     std::function<void(std::string_view)> m_emergencyStop;
     Arming m_arming;
     UnheardStop m_stop;
+    bool m_hearsRobots = false;                 ///< their reports are known here; the flows of a link may keep them away all the same
     std::map<DeviceId, std::string> m_failures; ///< what was last said of an opening that failed: it is tried every second
 };
 

@@ -208,7 +208,11 @@ void RobotDevice::onInjection(const Message& message)
 
 void RobotDevice::onEmergencyStop(const Message& message)
 {
-    handle(EmergencyStopCommanded{message.origin(), message.get<std::uint64_t>("token")});
+    const EmergencyStopCommanded stop{message.origin(), message.get<std::uint64_t>("token")};
+    const bool repeated = m_machine.isInForce(stop);
+    handle(stop);
+    if (repeated) // it is sent until it is named
+        return;
     m_system.audit("emergency-stop", m_patientSide.nameOf(message.origin()), message.get<std::string_view>("reason"));
     m_log(LogLevel::Error, "emergency stop from " + m_patientSide.nameOf(message.origin()) + " (" +
                                printable(message.get<std::string_view>("source")) +

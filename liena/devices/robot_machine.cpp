@@ -198,6 +198,12 @@ void RobotMachine::on(const EmergencyStopCommanded& event, SteadyTime)
     m_state = RobotState::EmergencyStop;
 }
 
+bool RobotMachine::isInForce(const EmergencyStopCommanded& stop) const
+{
+    return std::any_of(m_stops.begin(), m_stops.end(),
+                       [&stop](const EmergencyStopCommanded& known) { return known.origin == stop.origin && known.token == stop.token; });
+}
+
 void RobotMachine::on(const ResetCommanded& event, SteadyTime now)
 {
     const auto found =

@@ -147,6 +147,9 @@ public:
     /// Of the stop in force that was heard last, a repeat included: who repeats a stop until it is reported learns of it beside others.
     std::uint64_t emergencyStopToken() const { return m_stops.empty() ? 0 : m_stops.back().token; }
 
+    /// That very one: hearing it is a repeat.
+    bool isInForce(const EmergencyStopCommanded& stop) const;
+
     std::uint32_t lastSequence() const { return m_lastSequence; }
     std::uint64_t appliedCommands() const { return m_applied; }
     std::uint64_t refusedCommands() const { return m_refused; }

@@ -33,7 +33,10 @@ std::string linkElement(const std::string& link)
 {
     const auto bar = link.find('|');
     const auto start = "  <link between=\"" + link.substr(0, bar);
-    return bar == std::string::npos ? start + "\"/>\n" : start + "\"><timing " + link.substr(bar + 1) + "/></link>\n";
+    if (bar == std::string::npos)
+        return start + "\"/>\n";
+    const auto within = link.substr(bar + 1);
+    return start + "\">" + (within.starts_with('<') ? within : "<timing " + within + "/>") + "</link>\n";
 }
 
 std::filesystem::path deviceSets() { return std::filesystem::path(LIENA_SOURCE_DIR) / "resources" / "devices"; }

@@ -55,7 +55,8 @@ public:
         bool lateCommands = false;
     };
 
-    /// `links` are as in the topology: "cockpit robot", or with a timing of their own: R"(cockpit robot|heartbeat="20ms")".
+    /// `links` are as in the topology: "cockpit robot", or with a timing of their own: R"(cockpit robot|heartbeat="20ms")", or with
+    /// any elements: R"(xray robot|<flow message="EmergencyStop" from="xray"/>)".
     TestSystem(std::vector<DeviceSpec> devices, std::vector<std::string> links)
         : TestSystem(std::move(devices), std::move(links), Options())
     {}

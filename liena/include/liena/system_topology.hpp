@@ -52,6 +52,9 @@ struct TopologyLink {
 
     bool joins(DeviceId x, DeviceId y) const { return (x == a && y == b) || (x == b && y == a); }
     DeviceId otherEnd(DeviceId end) const { return end == a ? b : a; }
+
+    /// Whether the flows let that message of `from` through.
+    bool carries(std::string_view message, DeviceId from) const;
 };
 
 class SystemTopology {

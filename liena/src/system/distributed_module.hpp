@@ -171,7 +171,6 @@ private:
     void startProbe(std::optional<session::SessionLost> lost);
     Result<void> notAdmitted(Result<void> why);
     Result<void> admit(transport::TcpChannel& channel) const;
-    bool flowAllowed(const MessageDefinition& definition, DeviceId from) const;
     Result<void> checkSendable(const Message& message) const;
     SessionEvent event(SessionEvent::Kind kind) const;
     void say(LogLevel level, std::string_view event, const std::string& text) const;

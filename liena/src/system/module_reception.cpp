@@ -148,7 +148,7 @@ void DistributedModule::receivedApplication(const protocol::DatagramHeader& head
     const bool control = definition->priority == Priority::Control;
     if (!carriesMessages(state) && (control || (state != SessionState::Reconnecting && state != SessionState::Closing)))
         return drop("session not open", header.message.number);
-    if (!flowAllowed(*definition, m_peer.id))
+    if (!m_link.carries(definition->name, m_peer.id))
         return drop("the topology's flows forbid it", header.message.number);
     if (!isNewest(*definition, header))
         return drop("a newer one was delivered before", header.message.number);

@@ -6,8 +6,6 @@
 #include <boost/asio/post.hpp>
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace liena::system {
 
 namespace {
@@ -17,19 +15,11 @@ constexpr std::size_t mostIncidentNews = 32768;
 
 } // namespace
 
-bool DistributedModule::flowAllowed(const MessageDefinition& definition, DeviceId from) const
-{
-    if (m_link.flows.empty())
-        return true;
-    return std::any_of(m_link.flows.begin(), m_link.flows.end(),
-                       [&](const TopologyFlow& flow) { return flow.from == from && flow.message == definition.name; });
-}
-
 Result<void> DistributedModule::checkSendable(const Message& message) const
 {
     const auto& definition = message.definition();
     const auto state = m_machine.state();
-    if (!flowAllowed(definition, m_host.ownDevice().id))
+    if (!m_link.carries(definition.name, m_host.ownDevice().id))
         return fail(Errc::Forbidden, fmt::format("{} may not flow to {}: the topology's link says what may", definition.name, m_peer.name));
     if (!definition.allowedInStandBy && m_host.standsBy())
         return fail(Errc::StandBy, fmt::format("{} is refused while the system stands by", definition.name));

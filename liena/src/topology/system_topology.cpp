@@ -10,6 +10,12 @@
 
 namespace liena {
 
+bool TopologyLink::carries(std::string_view message, DeviceId from) const
+{
+    return flows.empty() ||
+           std::any_of(flows.begin(), flows.end(), [&](const TopologyFlow& flow) { return flow.from == from && flow.message == message; });
+}
+
 Result<SystemTopology> SystemTopology::parse(std::string_view xml, const std::string& file, Findings* findings)
 {
     FindingList list(file, xml);

@@ -180,6 +180,22 @@ private slots:
         QCOMPARE(robot.machine.emergencyStopToken(), 0U);
     }
 
+    void knowsARepeatOfAStopInForce()
+    {
+        Robot robot;
+        robot.bring(RobotState::Ready);
+        QVERIFY(!robot.machine.isInForce({cockpit, 1}));
+        robot.give(EmergencyStopCommanded{cockpit, 1});
+        robot.give(EmergencyStopCommanded{otherCockpit, 2});
+        QVERIFY(robot.machine.isInForce({cockpit, 1}));
+        QVERIFY(robot.machine.isInForce({otherCockpit, 2}));
+        QVERIFY(!robot.machine.isInForce({cockpit, 2}));
+        robot.give(ResetCommanded{cockpit, 1});
+        QVERIFY(!robot.machine.isInForce({cockpit, 1}));
+        robot.give(EmergencyStopCommanded{otherCockpit, 3});
+        QVERIFY(!robot.machine.isInForce({otherCockpit, 2}));
+    }
+
     void everyStopNeedsItsOwnReset()
     {
         Robot robot;

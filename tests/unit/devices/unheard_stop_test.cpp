@@ -45,6 +45,23 @@ private slots:
         QVERIFY(stop.robots().empty());
     }
 
+    void goesOnceInASessionToARobotThatCannotNameIt()
+    {
+        UnheardStop stop;
+        stop.say(7, "smoke", {robot, other}, {robot});
+        QVERIFY((stop.due() == std::vector{robot, other}));
+        stop.given(robot);
+        stop.given(other);
+        QVERIFY(stop.due() == std::vector{other});
+        stop.sessionBegan(other);
+        QVERIFY(stop.due() == std::vector{other});
+        stop.sessionBegan(robot);
+        QVERIFY((stop.due() == std::vector{robot, other}));
+        stop.given(robot);
+        stop.say(8, "fire", {robot, other}, {robot});
+        QVERIFY((stop.due() == std::vector{robot, other}));
+    }
+
     void sameTroubleIsToldOnce()
     {
         UnheardStop stop;
