@@ -8,8 +8,13 @@
 #include <memory>
 #include <string_view>
 
+#include <arpa/inet.h>
 #include <dlfcn.h>
 #include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 using namespace liena;
 using namespace liena::test;
@@ -22,6 +27,42 @@ constexpr const char* host = "device.liena.test";
 std::atomic<int> asked{0};
 std::atomic<bool> answers{true};
 std::atomic<bool> isTwoAddresses{false};
+
+/// Who calls there gets no answer, as from a network that is gone: it listens, and its queue of those who wait to be taken is full.
+class DeafPort {
+public:
+    DeafPort(const char* address, std::uint16_t port)
+    {
+        sockaddr_in at{};
+        at.sin_family = AF_INET;
+        at.sin_port = htons(port);
+        ::inet_pton(AF_INET, address, &at.sin_addr);
+        const auto* place = reinterpret_cast<const sockaddr*>(&at);
+        const int on = 1;
+        ::setsockopt(m_listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+        if (::bind(m_listener, place, sizeof at) == 0 && ::listen(m_listener, 0) == 0)
+            (void)::connect(m_caller, place, sizeof at); // the one that it has room for
+    }
+    ~DeafPort()
+    {
+        ::close(m_caller);
+        ::close(m_listener);
+    }
+    Q_DISABLE_COPY_MOVE(DeafPort)
+
+    bool isDeaf() const
+    {
+        tcp_info info{};
+        socklen_t size = sizeof info;
+        // of a socket that listens: those who wait, and how many may
+        return ::getsockopt(m_listener, IPPROTO_TCP, TCP_INFO, &info, &size) == 0 && info.tcpi_state == TCP_LISTEN &&
+               info.tcpi_unacked > info.tcpi_sacked;
+    }
+
+private:
+    int m_listener = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    int m_caller = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+};
 
 } // namespace
 
@@ -78,6 +119,25 @@ private Q_SLOTS:
         answers = false;
         asked = 0;
         line.reset(); // that network is gone
+        QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Interrupted, stage.xrayId); }), stage.story().c_str());
+        QVERIFY2(!stage.robot.heard(Kind::Lost, stage.xrayId), stage.story().c_str());
+        QCOMPARE(asked.load(), 0);
+    }
+
+    /// No error says that it is gone, and an attempt has no time to wait for one.
+    void aLaneWhoseAddressFellSilentGoesToAnotherOfTheSameHost()
+    {
+        isTwoAddresses = true;
+        HostileStage stage({.xrayHost = host});
+        SlowLine line(QHostAddress("127.0.0.2"), QHostAddress("127.0.0.1"));
+        QVERIFY(line.open(stage.peer.role().port));
+        stage.openPeer();
+        answers = false;
+        asked = 0;
+        line.stopListening();
+        const DeafPort silence("127.0.0.2", stage.peer.role().port);
+        QVERIFY2(eventually([&] { return silence.isDeaf(); }), "no full queue at 127.0.0.2");
+        QVERIFY(stage.peer.talkBack(wire::Bytes(1))); // ends the robot's lane
         QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Interrupted, stage.xrayId); }), stage.story().c_str());
         QVERIFY2(!stage.robot.heard(Kind::Lost, stage.xrayId), stage.story().c_str());
         QCOMPARE(asked.load(), 0);

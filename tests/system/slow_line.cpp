@@ -38,6 +38,8 @@ public:
         return m_server.listen(m_shown, port) && m_packets.bind(m_shown, port);
     }
 
+    void stopListening() { m_server.close(); }
+
 private:
     struct Underway {
         Clock::time_point arrives;
@@ -130,6 +132,12 @@ bool SlowLine::open(quint16 port)
     m_carrier->moveToThread(&m_thread);
     m_thread.start();
     return true;
+}
+
+void SlowLine::stopListening()
+{
+    QMetaObject::invokeMethod(
+        m_carrier, [carrier = m_carrier] { carrier->stopListening(); }, Qt::BlockingQueuedConnection);
 }
 
 } // namespace liena::test

@@ -21,6 +21,9 @@ public:
     /// Once; false when the port is taken at `shown`.
     bool open(quint16 port);
 
+    /// Who is connected stays so; the port at `shown` is free for another one.
+    void stopListening();
+
     /// Of what leaves from now on; no delay before the first call.
     void setDelay(std::chrono::milliseconds delay) { m_delay = delay; }
 

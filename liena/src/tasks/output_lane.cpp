@@ -36,12 +36,15 @@ void OutputLane::connect(protocol::EncodedMessage attach, std::chrono::nanosecon
 {
     m_attach = std::move(attach);
     cancelAttempt();
-    const auto ended = [this](transport::TcpClient::Outcome outcome) {
+    const auto ended = [this, inSession = !known.empty()](transport::TcpClient::Outcome outcome) {
         auto addresses = m_client->addresses();
         bury(std::move(m_client));
         auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome);
-        if (channel == nullptr)
+        if (channel == nullptr) {
+            if (inSession && !addresses.empty())
+                m_addresses = std::move(addresses);
             return m_handlers.failed(std::get<transport::ConnectionFailure>(outcome));
+        }
         if (const auto admitted = m_handlers.admit ? m_handlers.admit(**channel) : ok(); !admitted) {
             (*channel)->close();
             return m_handlers.failed({ProbeResult::TlsFailure, admitted.error().what});

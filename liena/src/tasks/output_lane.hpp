@@ -39,7 +39,8 @@ public:
     bool isUp() const { return m_task != nullptr; }
     bool isConnecting() const { return m_client != nullptr; }
 
-    /// Of the peer's host, the one of the newest connection first; none before there was one.
+    /// Of the peer's host, the one of the newest connection first; where that did not answer to an attempt with known ones, the next. None
+    /// before there was a connection.
     const std::vector<boost::asio::ip::address>& addresses() const { return m_addresses; }
 
     /// The connection; null while there is none.

@@ -73,6 +73,7 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
         socket.close(error);
         if (candidate == candidates.size())
             return finish(explainConnect(last, place));
+        inHand = candidate;
         socket.open(candidates[candidate].protocol(), error);
         if (error)
             return tryNext(candidate + 1, error);
@@ -82,8 +83,6 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
                 return;
             if (refused)
                 return self->tryNext(candidate + 1, refused);
-            std::rotate(self->candidates.begin(), self->candidates.begin() + static_cast<std::ptrdiff_t>(candidate),
-                        self->candidates.begin() + static_cast<std::ptrdiff_t>(candidate) + 1);
             self->begin();
         });
     }
@@ -93,7 +92,7 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
         connected = true;
         channel = std::make_shared<TcpChannel>(std::move(socket));
         if (!identity)
-            return finish(std::exchange(channel, nullptr));
+            return succeed();
         channel->secure(identity->clientContext(), false,
                         [self = shared_from_this()](const Result<void>& result) { self->secured(result); });
     }
@@ -111,15 +110,23 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
             return finish(ConnectionFailure{ProbeResult::TlsFailure,
                                             fmt::format("{} is device {}, not {} ({}): check the topology and the certificates there",
                                                         place, device.value()->toString(), peer.id.toString(), peer.name)});
+        succeed();
+    }
+
+    void succeed()
+    {
+        const auto reached = candidates.begin() + static_cast<std::ptrdiff_t>(inHand);
+        std::rotate(candidates.begin(), reached, reached + 1);
         finish(std::exchange(channel, nullptr));
     }
 
     void expire()
     {
         if (connected)
-            finish(ConnectionFailure{ProbeResult::PeerSilent, place + ": connected, and then silence"});
-        else
-            finish(ConnectionFailure{ProbeResult::HostUnreachable, place + ": no answer"});
+            return finish(ConnectionFailure{ProbeResult::PeerSilent, place + ": connected, and then silence"});
+        if (!candidates.empty()) // another attempt begins with the next one: this one takes seconds to be known as gone
+            std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(inHand) + 1, candidates.end());
+        finish(ConnectionFailure{ProbeResult::HostUnreachable, place + ": no answer"});
     }
 
     void finish(Outcome outcome)
@@ -149,7 +156,8 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
     tcp::resolver resolver;
     tcp::socket socket;
     Timer timer;
-    std::vector<tcp::endpoint> candidates; ///< the one that was reached is the first
+    std::vector<tcp::endpoint> candidates;
+    std::size_t inHand = 0; ///< of these, the one that is tried, or was reached
     std::shared_ptr<TcpChannel> channel;
     bool connected = false;
     bool ended = false;

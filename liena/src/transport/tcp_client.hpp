@@ -28,8 +28,8 @@ public:
     TcpClient(const TcpClient&) = delete;
     TcpClient& operator=(const TcpClient&) = delete;
 
-    /// All of the peer's host, in the order in which they are tried; where it was reached, that one is the first. None while nobody said
-    /// them.
+    /// All of the peer's host, in the order in which they are tried; after the end, in which they should be next: the one where it was
+    /// reached first, one that did not answer in time last. None while nobody said them.
     std::vector<boost::asio::ip::address> addresses() const;
 
     /// No callback from now on.
