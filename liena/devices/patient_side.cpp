@@ -256,6 +256,9 @@ void PatientSide::tellStatus() const
 {
     if (m_arming.status)
         m_log(LogLevel::Info, m_arming.status());
+    for (const DeviceId robot : m_stop.robots())
+        m_log(LogLevel::Warning, nameOf(robot) + " has not named the stop that was said here (" + printable(m_stop.reason(), 128) +
+                                     "): it goes there, also when the channel is opened later");
     for (const LinkStatus& link : m_system.links())
         m_log(LogLevel::Info, nameOf(link.peer) + ": " + std::string(toString(link.state)) + (link.incident != 0 ? ", incident" : "") +
                                   ", " + std::to_string(link.messagesReceived) + " messages in, " + std::to_string(link.messagesSent) +

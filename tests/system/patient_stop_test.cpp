@@ -18,30 +18,6 @@ using Kind = SessionEvent::Kind;
 
 namespace {
 
-/// The arm with a person beside it, and a robot that says nothing of what it hears.
-struct Bedside {
-    explicit Bedside(const std::string& link = "robot arm") : system({reference::robot, reference::arm}, {link}) {}
-
-    TestSystem system;
-    TestDevice robot{system.settingsOf("robot")};
-    std::unique_ptr<devices::PatientSide> side; ///< outlives the arm's run
-    std::atomic<int> turns{0};                  ///< in which it could have repeated a stop
-    TestDevice arm{system.settingsOf("arm"), [this](DistributedSystem& device) {
-                       side = std::make_unique<devices::PatientSide>(
-                           device, [](LogLevel, std::string_view) {}, std::vector<DeviceId>(),
-                           [this](std::string_view reason) { side->stopRobots(reason); });
-                       device.every(std::chrono::milliseconds(100), [this] { ++turns; });
-                   }};
-
-    bool open()
-    {
-        return arm->openChannel(system.idOf("robot")) &&
-               QTest::qWaitFor([this] { return robot.heard(Kind::Opened) && arm.heard(Kind::Opened); }, 20000);
-    }
-    std::vector<Message> stops() { return robot.messages("EmergencyStop"); }
-    std::string story() const { return arm.story() + robot.story(); }
-};
-
 /// Lines of a device.
 class Lines {
 public:
@@ -61,6 +37,30 @@ public:
 private:
     mutable std::mutex m_mutex;
     QByteArray m_text;
+};
+
+/// The arm with a person beside it, and a robot that says nothing of what it hears.
+struct Bedside {
+    explicit Bedside(const std::string& link = "robot arm") : system({reference::robot, reference::arm}, {link}) {}
+
+    TestSystem system;
+    TestDevice robot{system.settingsOf("robot")};
+    Lines log;                                  ///< the arm's
+    std::unique_ptr<devices::PatientSide> side; ///< outlives the arm's run
+    std::atomic<int> turns{0};                  ///< in which it could have repeated a stop
+    TestDevice arm{system.settingsOf("arm"), [this](DistributedSystem& device) {
+                       side = std::make_unique<devices::PatientSide>(device, log.sink(), std::vector<DeviceId>(),
+                                                                     [this](std::string_view reason) { side->stopRobots(reason); });
+                       device.every(std::chrono::milliseconds(100), [this] { ++turns; });
+                   }};
+
+    bool open()
+    {
+        return arm->openChannel(system.idOf("robot")) &&
+               QTest::qWaitFor([this] { return robot.heard(Kind::Opened) && arm.heard(Kind::Opened); }, 20000);
+    }
+    std::vector<Message> stops() { return robot.messages("EmergencyStop"); }
+    std::string story() const { return arm.story() + robot.story(); }
 };
 
 QByteArray contentOf(const std::filesystem::path& path)
@@ -89,6 +89,19 @@ private Q_SLOTS:
             QCOMPARE(stop.get<std::uint64_t>("token"), token);
             QCOMPARE(std::string(stop.get<std::string_view>("reason")), std::string("smoke"));
         }
+    }
+
+    /// It may be heard hours later, by a robot that works again.
+    void statusTellsOfAStopThatIsNotNamed()
+    {
+        Bedside bedside;
+        bedside.side->obey("status");
+        QTRY_VERIFY(bedside.log.text().contains("robot: closed"));
+        QVERIFY(!bedside.log.text().contains("has not named"));
+        bedside.side->obey("stop smoke");
+        bedside.side->obey("status");
+        QTRY_VERIFY2(bedside.log.text().contains("robot has not named the stop that was said here (smoke)"),
+                     bedside.log.text().constData());
     }
 
     void leavesWhateverItsWordsAre_data()
