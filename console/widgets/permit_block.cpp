@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace console {
 
@@ -99,26 +100,45 @@ void PermitBlock::paintEvent(QPaintEvent*)
     painter.drawRoundedRect(box, 5, 5);
     if (held)
         painter.drawRoundedRect(box.adjusted(6, 6, -6, -6), 3, 3);
-    const QColor ink = engaged ? colour::onAlarm : armed ? colour::armed : colour::bright;
-    const double wordHeight = QFontMetricsF(font()).height();
     const double pad = theme::px(this, 18);
-    const QRectF inner = box.adjusted(pad, 0, -pad, 0);
-    const QRectF room(0, 0, inner.width(), inner.height());
-    const auto heightIn = [&](const QFont& face) {
-        return QFontMetricsF(face).boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, m_explanation);
-    };
-    QFont caption = theme::font(TextRole::Body, theme::scaleOf(this));
-    if (wordHeight + heightIn(caption).height() > inner.height() - 8)
-        caption = theme::font(TextRole::Caption, theme::scaleOf(this));
-    const QRectF text = heightIn(caption);
-    const double top = inner.center().y() - (wordHeight + text.height()) / 2;
-    painter.setFont(font());
-    painter.setPen(ink);
-    painter.drawText(QRectF(inner.left(), top, inner.width(), wordHeight), Qt::AlignLeft | Qt::AlignVCenter, word(m_phase));
-    painter.setFont(caption);
-    painter.setPen(engaged ? colour::onAlarm : colour::text);
-    painter.drawText(QRectF(inner.left(), top + wordHeight, inner.width(), text.height() + 1), Qt::AlignLeft | Qt::TextWordWrap,
-                     m_explanation);
+    const double air = held ? 9.5 : 4; // held: the inner frame, and two pixels within it
+    paintWords(painter, box.adjusted(pad, air, -pad, -air),
+               engaged ? colour::onAlarm
+               : armed ? colour::armed
+                       : colour::bright,
+               engaged ? colour::onAlarm : colour::text);
+}
+
+/// In the largest letters that `room` has the height for; it is measured by the word's ink, above and below which a line of it is empty.
+void PermitBlock::paintWords(QPainter& painter, const QRectF& room, const QColor& wordInk, const QColor& lineInk) const
+{
+    using Roles = std::pair<TextRole, TextRole>;
+    constexpr int inLines = Qt::AlignLeft | Qt::TextWordWrap;
+    const double leastGap = theme::px(this, 4);
+    const double scale = theme::scaleOf(this);
+    QFont large;
+    QFont small;
+    QRectF ink;
+    double lines = 0;
+    for (const auto& [wordRole, lineRole] :
+         {Roles{TextRole::Permit, TextRole::Body}, Roles{TextRole::Permit, TextRole::Caption}, Roles{TextRole::Alarm, TextRole::Caption}}) {
+        large = theme::font(wordRole, scale);
+        small = theme::font(lineRole, scale);
+        ink = QFontMetricsF(large).tightBoundingRect(word(m_phase));
+        lines = QFontMetricsF(small).boundingRect(QRectF(0, 0, room.width(), room.height()), inLines, m_explanation).height();
+        if (ink.height() + leastGap + lines <= room.height())
+            break;
+    }
+    const QFontMetricsF metrics(large);
+    const double gap = std::max(leastGap, std::min(metrics.descent(), room.height() - ink.height() - lines));
+    const double top = room.center().y() - (ink.height() + gap + lines) / 2;
+    painter.setFont(large);
+    painter.setPen(wordInk);
+    painter.drawText(QRectF(room.left(), top - ink.top() - metrics.ascent(), room.width(), metrics.height() + 1),
+                     Qt::AlignLeft | Qt::AlignTop, word(m_phase));
+    painter.setFont(small);
+    painter.setPen(lineInk);
+    painter.drawText(QRectF(room.left(), top + ink.height() + gap, room.width(), lines + 1), inLines, m_explanation);
 }
 
 } // namespace console

@@ -23,6 +23,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintWords(QPainter& painter, const QRectF& room, const QColor& wordInk, const QColor& lineInk) const;
+
     PermitPhase m_phase = PermitPhase::Off;
     QString m_explanation;
 };
