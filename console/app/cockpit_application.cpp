@@ -5,6 +5,7 @@
 #include "editor/topology_view.hpp"
 #include "imaging/scene_view.hpp"
 #include "model/input_origin.hpp"
+#include "model/present_readings.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/log_view.hpp"
 #include "widgets/theme.hpp"
@@ -219,12 +220,8 @@ void CockpitApplication::connectPictures()
 void CockpitApplication::refreshScene()
 {
     const auto now = std::chrono::steady_clock::now();
-    const auto& tip = m_models.instrument.tip();
     const auto& xray = m_models.xray;
-    // In stand-by the last known place helps; while the robot can move, one that is no longer measured must not be steered by.
-    const bool linked = m_link->robot() && carriesMessages(m_models.sessions.state(*m_link->robot()));
-    const bool fresh = m_models.instrument.tipFresh(now);
-    m_scene->showTip(tip.known() && (fresh || !linked) ? std::optional<TipPose>(tip.value) : std::nullopt, !fresh);
+    m_scene->showTip(shownTip(m_models, m_link->robot(), now), !m_models.instrument.tipFresh(now));
     const auto& account = m_models.interruption;
     m_scene->showTipBefore(account.stage() == InterruptionAccount::Stage::Unread ? account.before().tip : std::nullopt);
     m_scene->showCArm(xray.fresh(now) ? std::optional<XrayGeometry>(xray.status().value.geometry) : std::nullopt);

@@ -92,6 +92,14 @@ GuardLine drivesLine(const GuardReadings& r)
                 r.armFault ? Text::tr("Robotic arm: fault") : Text::tr("Drives faulty or unknown"));
 }
 
+/// Where it is not measured the scene shows none while the robot can move, and fluoroscopy alone is steered by.
+GuardLine tipLine(const GuardReadings& r)
+{
+    return line(Guard::TipTrackedOrOff, r.tipTracked || !r.tipShown,
+                r.tipTracked ? Text::tr("Tip is tracked") : Text::tr("Tip not tracked, not shown"),
+                Text::tr("Tip is shown where it was last"));
+}
+
 GuardLine forceLine(const GuardReadings& r)
 {
     const bool nearZero = std::abs(r.force) <= r.limits.forceNearZero;
@@ -173,6 +181,7 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
         drivesLine(r),
         line(Guard::QueueEmpty, r.queuedMessages == 0, Text::tr("Nothing waits to be sent"),
              Text::tr("%1 messages wait to be sent").arg(r.queuedMessages)),
+        tipLine(r),
         forceLine(r),
         roundTripLine(r),
         clearanceLine(r),

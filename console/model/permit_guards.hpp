@@ -28,6 +28,7 @@ enum class Guard : std::uint8_t {
     RobotHolds,
     DrivesHealthy,
     QueueEmpty,
+    TipTrackedOrOff,
     ForceNearZero,
     CommandsQuick,
     ClearToArm,
@@ -40,7 +41,7 @@ enum class Guard : std::uint8_t {
     AlarmsTested,
     InterruptionRead,
 };
-inline constexpr std::size_t guardCount = 20;
+inline constexpr std::size_t guardCount = 21;
 
 using GuardSet = std::bitset<guardCount>; ///< bit n: guard n is met
 
@@ -77,6 +78,8 @@ struct GuardReadings {
     std::optional<Duration> roundTrip;      ///< of commands; nothing: not measured
     std::optional<Duration> usualRoundTrip; ///< of the last few
     std::optional<Duration> carried;        ///< LinkNode::carried of the robot's link
+    bool tipTracked = false;                ///< measured now
+    bool tipShown = false;                  ///< in the scene, measured now or not
     double force = 0;                       ///< N
     bool forceAccepted = false;             ///< a person has seen it and arms all the same
     RobotLimits limits;

@@ -59,6 +59,14 @@ std::optional<Duration> soundStaysFor(const ConsoleModels& models, Instant now)
     return barred ? std::optional(models.alarms.audibleForLongIn(now)) : std::nullopt;
 }
 
+std::optional<TipPose> shownTip(const ConsoleModels& models, std::optional<quint32> robot, Instant now)
+{
+    const auto& tip = models.instrument.tip();
+    const bool linked = robot && carriesMessages(models.sessions.state(*robot));
+    const bool shown = tip.known() && tip.value.valid && (models.instrument.tipFresh(now) || !linked);
+    return shown ? std::optional(tip.value) : std::nullopt;
+}
+
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now)
 {
     GuardReadings r;
@@ -79,6 +87,8 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.clearance = status.clearance;
     r.force = status.guidewireForce;
     r.forceAccepted = models.instrument.forceAccepted(now);
+    r.tipTracked = models.instrument.tipFresh(now);
+    r.tipShown = shownTip(models, robot, now).has_value();
     r.limits = models.instrument.limits();
     r.recorded = models.recorder.logKept;
     r.auditKept = models.recorder.auditTrouble.isEmpty();

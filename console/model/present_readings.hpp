@@ -19,6 +19,10 @@ bool armFault(const ConsoleModels& models);
 /// How long no pause of the alarms' sound may begin; nothing when one may, or runs.
 std::optional<Duration> soundStaysFor(const ConsoleModels& models, Instant now);
 
+/// The tip as the scene shows it: as it is measured, or where it was last while no session with `robot` carries messages. In stand-by the
+/// last known place helps; while the robot can move, one that is no longer measured must not be steered by.
+std::optional<TipPose> shownTip(const ConsoleModels& models, std::optional<quint32> robot, Instant now);
+
 /// `robot`: the device that is moved; nothing when the topology has none. `windowActive`: the hand may use the keyboard.
 GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> robot, bool windowActive, Instant now);
 

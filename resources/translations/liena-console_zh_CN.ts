@@ -1503,6 +1503,18 @@
         <translation>机器人保持且就绪</translation>
     </message>
     <message>
+        <source>Tip is tracked</source>
+        <translation>头端正在跟踪</translation>
+    </message>
+    <message>
+        <source>Tip not tracked, not shown</source>
+        <translation>头端未跟踪，不予显示</translation>
+    </message>
+    <message>
+        <source>Tip is shown where it was last</source>
+        <translation>显示的是头端最后已知位置</translation>
+    </message>
+    <message>
         <source>Force near zero</source>
         <translation>受力接近零</translation>
     </message>

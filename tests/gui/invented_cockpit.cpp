@@ -144,6 +144,7 @@ GuardReadings InventedCockpit::goodReadings() const
     r.roundTrip = 8ms;
     r.usualRoundTrip = 8ms;
     r.carried = 30ms;
+    r.tipTracked = r.tipShown = true;
     r.recorded = models.recorder.logKept;
     r.auditKept = models.recorder.auditTrouble.isEmpty();
     r.handAlive = true;

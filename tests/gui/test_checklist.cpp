@@ -108,11 +108,11 @@ private Q_SLOTS:
         QVERIFY(stage.ready());
         stage.cockpit.openAll();
         const auto* summary = stage.view->findChild<QLabel*>();
-        QCOMPARE(summary->text(), QStringLiteral("All 20 conditions are met"));
+        QCOMPARE(summary->text(), QStringLiteral("All 21 conditions are met"));
         auto readings = stage.cockpit.goodReadings();
         readings.alarmsTested = false;
         stage.cockpit.models.permit.check(readings, stage.cockpit.now);
-        QCOMPARE(summary->text(), QStringLiteral("1 of 20 conditions is missing"));
+        QCOMPARE(summary->text(), QStringLiteral("1 of 21 conditions is missing"));
         QCOMPARE(stage.stateOf(QStringLiteral("Alarm self-test is due (F8)")), QStringLiteral("missing"));
     }
 

@@ -1,5 +1,6 @@
 // The guards: each one by itself, to arm and while armed.
 #include "model/permit_guards.hpp"
+#include "model/present_readings.hpp"
 
 #include <QTest>
 
@@ -34,6 +35,7 @@ GuardReadings good()
     r.roundTrip = 40ms;
     r.usualRoundTrip = 38ms;
     r.carried = 400ms;
+    r.tipTracked = r.tipShown = true;
     r.recorded = true;
     r.auditKept = true;
     r.handAlive = true;
@@ -85,6 +87,7 @@ const std::vector<Case>& cases()
         {"arm in fault", [](auto& r) { r.armFault = true; }, Guard::DrivesHealthy, false},
         {"a message waits", [](auto& r) { r.queuedMessages = 1; }, Guard::QueueEmpty, true},
         {"a queue", [](auto& r) { r.queuedMessages = 17; }, Guard::QueueEmpty, false},
+        {"tip shown where it was last", [](auto& r) { r.tipTracked = false; }, Guard::TipTrackedOrOff, true},
         {"some force", [](auto& r) { r.force = -0.21; }, Guard::ForceNearZero, true},
         {"commands slow", [](auto& r) { r.roundTrip = 251ms; }, Guard::CommandsQuick, true},
         {"commands slow, other profile", [](auto& r) { r.pictureLimit = 400ms, r.roundTrip = 401ms; }, Guard::CommandsQuick, true},
@@ -118,6 +121,8 @@ class TestPermitGuards : public QObject {
 private Q_SLOTS:
     void areAllMetWhenEverythingIsGood();
     void areUnmetWithoutAnyReading();
+    void aTipThatIsNotTrackedIsMissingOnlyWhileItIsShown();
+    void theTipIsShownOnlyWhereItIsMeasuredWhileTheRobotCanMove();
     void acceptedForceMeetsItsGuard();
     void lateCommandsAreToldWithBothFigures();
     void fewPicturesEndMotion();
@@ -143,6 +148,53 @@ void TestPermitGuards::areUnmetWithoutAnyReading()
     QVERIFY(!met.test(std::size_t(Guard::AlarmsTested)));
     QVERIFY(!met.test(std::size_t(Guard::InterruptionRead)));
     QVERIFY(!checkKept({}).all());
+}
+
+void TestPermitGuards::aTipThatIsNotTrackedIsMissingOnlyWhileItIsShown()
+{
+    auto readings = good();
+    const auto said = [&readings] { return checkGuards(readings).at(std::size_t(Guard::TipTrackedOrOff)); };
+    QVERIFY(said().met);
+    QCOMPARE(said().text, QStringLiteral("Tip is tracked"));
+    readings.tipTracked = readings.tipShown = false;
+    QVERIFY(said().met);
+    QCOMPARE(said().text, QStringLiteral("Tip not tracked, not shown"));
+    readings.tipShown = true;
+    QVERIFY(!said().met);
+}
+
+/// What the scene is given and what the guard is told are one and the same.
+void TestPermitGuards::theTipIsShownOnlyWhereItIsMeasuredWhileTheRobotCanMove()
+{
+    const Instant now = Instant{} + 1h;
+    constexpr quint32 robot = 0x8208;
+    DeviceNode self;
+    self.id = 0x40018208;
+    self.self = true;
+    DeviceNode hand;
+    hand.id = robot;
+    SessionModel::Topology topology;
+    topology.devices = {self, hand};
+    topology.links = {{self.id, robot}};
+    ConsoleModels models;
+    models.sessions.setTopology(topology);
+    models.sessions.setLinkState(robot, LinkState::Open, now);
+    const auto line = [&](Duration passed) {
+        return checkGuards(guardReadings(models, robot, true, now + passed)).at(std::size_t(Guard::TipTrackedOrOff));
+    };
+    const auto shown = [&](Duration passed) { return shownTip(models, robot, now + passed).has_value(); };
+    QVERIFY(!shown(0ms)); // none was ever told
+    models.instrument.receiveTip({true, {1, 2, 3}, {1, 0, 0, 0}, 0.4}, now);
+    QVERIFY(shown(0ms));
+    QCOMPARE(line(0ms).text, QStringLiteral("Tip is tracked"));
+    QVERIFY(!shown(1s)); // overdue
+    QCOMPARE(line(1s).text, QStringLiteral("Tip not tracked, not shown"));
+    models.sessions.setLinkState(robot, LinkState::StandBy, now + 1s);
+    QVERIFY(shown(1s)); // where it was last
+    QVERIFY(!line(1s).met);
+    models.instrument.receiveTip({false, {1, 2, 3}, {1, 0, 0, 0}, 0.4}, now + 1s);
+    QVERIFY(!shown(1s)); // the tracker does not see it
+    QVERIFY(line(1s).met);
 }
 
 void TestPermitGuards::acceptedForceMeetsItsGuard()
