@@ -100,6 +100,7 @@ void AlarmList::update(const std::vector<AlarmReport>& present, Instant now, qin
             std::none_of(present.begin(), present.end(), [&alarm](const AlarmReport& report) { return isAbout(alarm, report); });
         if (lasts(missing, alarm.missingSince, endDelay(alarm.condition), now) && alarm.present) {
             alarm.present = false;
+            alarm.endedWallMs = wallMs;
             different = true;
             write(wallMs, alarm.priority, Text::tr("ended: %1").arg(alarm.text), now);
         }
@@ -230,7 +231,7 @@ void AlarmList::write(qint64 wallMs, AlarmPriority priority, const QString& text
 void AlarmList::sort()
 {
     std::stable_sort(m_alarms.begin(), m_alarms.end(), [](const Alarm& a, const Alarm& b) {
-        return std::tuple(b.priority, a.acknowledged, b.raised) < std::tuple(a.priority, b.acknowledged, a.raised);
+        return std::tuple(b.priority, b.present, a.acknowledged, b.raised) < std::tuple(a.priority, a.present, b.acknowledged, a.raised);
     });
 }
 

@@ -67,6 +67,7 @@ struct Alarm {
     std::optional<Instant> missingSince; ///< not reported any more, and not ended yet
     std::optional<Instant> lesserSince;  ///< reported with fewer causes or, once acknowledged, with a lower priority
     quint32 other = 0;                   ///< the second device of a pair that it is about; 0 when none
+    qint64 endedWallMs = 0;              ///< when it is not present: since when
 
     /// It flashes.
     bool demandsAttention() const { return !acknowledged; }
@@ -113,7 +114,8 @@ public:
 
     explicit AlarmList(QObject* parent = nullptr);
 
-    /// Highest priority first, then the unacknowledged, then the newest.
+    /// Highest priority first, then those that are present, then the unacknowledged, then the newest: what ended never stands before what
+    /// is there and as urgent.
     const std::vector<Alarm>& alarms() const { return m_alarms; }
     const Alarm* highest() const { return m_alarms.empty() ? nullptr : &m_alarms.front(); }
     int count(AlarmPriority priority) const;

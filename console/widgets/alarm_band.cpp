@@ -8,6 +8,7 @@
 #include "widgets/theme.hpp"
 #include "widgets/touch_button.hpp"
 
+#include <QDateTime>
 #include <QHBoxLayout>
 
 #include <algorithm>
@@ -117,6 +118,19 @@ const Alarm* AlarmBand::firstUnacknowledged() const
     return found == m_alarms.end() ? nullptr : &*found;
 }
 
+/// The words come first: where room lacks, it is the rest that is cut.
+QString AlarmBand::textOf(const Alarm& alarm)
+{
+    if (alarm.present)
+        return alarm.text;
+    const auto ended = QDateTime::fromMSecsSinceEpoch(alarm.endedWallMs);
+    const bool today = ended.date() == QDate::currentDate();
+    return tr("ENDED %1 \u00B7 %2")
+        .arg(ended.toString(today ? QStringLiteral("HH:mm:ss") : QStringLiteral("yyyy-MM-dd HH:mm:ss")), alarm.text);
+}
+
+QString AlarmBand::remedyOf(const Alarm& alarm) { return alarm.present ? alarm.remedy : tr("It has ended; acknowledge that you saw it."); }
+
 void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
 {
     m_alarms = alarms;
@@ -132,13 +146,15 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
         const bool shown = next == &m_alarms.front();
         const bool whole = next->text.size() <= mostCharacters;
         const QString text = whole ? next->text : next->text.left(mostCharacters - 1) + QChar(0x2026);
-        m_acknowledge->setText(shown ? tr("Acknowledge") : tr("Acknowledge: %1").arg(text));
-        m_acknowledge->setToolTip(next->text.toHtmlEscaped());
-        m_acknowledge->setAccessibleDescription(next->text);
+        m_acknowledge->setText(shown           ? tr("Acknowledge")
+                               : next->present ? tr("Acknowledge: %1").arg(text)
+                                               : tr("Acknowledge ended: %1").arg(text));
+        m_acknowledge->setToolTip(textOf(*next).toHtmlEscaped());
+        m_acknowledge->setAccessibleDescription(textOf(*next));
     }
     QStringList lines;
     for (const Alarm& alarm : m_alarms)
-        lines << word(alarm.priority) + QStringLiteral(": ") + alarm.text + QStringLiteral(" ") + alarm.remedy;
+        lines << word(alarm.priority) + QStringLiteral(": ") + textOf(alarm) + QStringLiteral(" ") + remedyOf(alarm);
     setAccessibleDescription(lines.isEmpty() ? tr("No alarms") : lines.join(QLatin1Char('\n')));
     setToolTip(lines.join(QLatin1Char('\n')).toHtmlEscaped());
     update();

@@ -66,12 +66,15 @@ private:
     std::optional<AlarmColours> colours() const;
     std::optional<AlarmPriority> testSignal() const { return m_testSignal; }
     double freeRight() const;
+    static QString textOf(const Alarm& alarm);   ///< what is wrong; or that it has ended, and when
+    static QString remedyOf(const Alarm& alarm); ///< of one that has ended, what is left to do
     int paintBadge(QPainter& painter, AlarmPriority priority, bool acknowledged) const;
     QFont fitting(const QString& text, double room, std::initializer_list<theme::TextRole> roles) const;
     double paintText(QPainter& painter, const QString& text, double left, double most) const;
     void paintRemedy(QPainter& painter, const QString& remedy, const QRectF& room) const;
     void paintChips(QPainter& painter, const QRectF& room, std::size_t first) const;
     void paintChip(QPainter& painter, const QRectF& chip, const Alarm& alarm) const;
+    void paintEndedFrame(QPainter& painter, const QRectF& where) const;
     double textRoom(double room) const;
     double leastRemedyRoom(const QString& remedy) const;
     void paintQuiet(QPainter& painter, double right) const;

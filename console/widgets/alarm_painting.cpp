@@ -1,4 +1,5 @@
-// The band's colour says the priority from afar; its badge flashes, its text never does.
+// The band's colour says the priority from afar; its badge flashes, its text never does. What has ended is dark, in a dashed frame, with
+// ENDED before it: only its mark flashes until somebody has seen it.
 #include "widgets/alarm_band.hpp"
 #include "widgets/alarm_colours.hpp"
 #include "widgets/flash_clock.hpp"
@@ -42,7 +43,7 @@ std::optional<AlarmColours> AlarmBand::colours() const
         return alarmColours(*test, false);
     if (m_alarms.empty())
         return std::nullopt;
-    return alarmColours(m_alarms.front().priority, m_alarms.front().acknowledged);
+    return alarmColours(m_alarms.front().priority, m_alarms.front().acknowledged || !m_alarms.front().present);
 }
 
 QColor AlarmBand::surface() const
@@ -85,7 +86,7 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room, std::size_t fi
     for (std::size_t i = first; i < m_alarms.size(); ++i) {
         const QString more = tr("+%1 more").arg(m_alarms.size() - i);
         const double reserve = i + 1 < m_alarms.size() ? metrics.horizontalAdvance(more) + pad : 0;
-        const double width = metrics.horizontalAdvance(m_alarms[i].text) + metrics.height() * 0.8 + 3 * pad;
+        const double width = metrics.horizontalAdvance(textOf(m_alarms[i])) + metrics.height() * 0.8 + 3 * pad;
         if (x + width + reserve > room.right()) {
             painter.setPen(ink());
             painter.drawText(QRectF(x, room.top(), room.right() - x, room.height()), Qt::AlignLeft | Qt::AlignVCenter, more);
@@ -96,21 +97,33 @@ void AlarmBand::paintChips(QPainter& painter, const QRectF& room, std::size_t fi
     }
 }
 
-/// One that nobody acknowledged flashes, whatever stands before it in the band.
+/// One that nobody acknowledged flashes, whatever stands before it in the band: whole while it is there, with its mark once it has ended.
 void AlarmBand::paintChip(QPainter& painter, const QRectF& chip, const Alarm& alarm) const
 {
-    const AlarmColours colours = alarmColours(alarm.priority, alarm.acknowledged);
+    const AlarmColours colours = alarmColours(alarm.priority, alarm.acknowledged || !alarm.present);
     const bool lit = alarm.acknowledged || m_clock->isLit(alarm.priority);
     const double pad = theme::px(this, 12);
     const double bars = QFontMetricsF(painter.font()).height() * 0.8;
+    const QRectF mark(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8);
     QPainterPath path;
     path.addRoundedRect(chip, 4, 4);
-    painter.fillPath(path, lit ? colours.surface : colours.badgeDim);
+    painter.fillPath(path, lit || !alarm.present ? colours.surface : colours.badgeDim);
     painter.setPen(QPen(colour::background, 2));
     painter.drawPath(path);
-    painter.setPen(lit ? colours.ink : colours.badgeInkDim);
-    drawPriorityBars(painter, QRectF(chip.left() + pad, chip.center().y() - bars * 0.4, bars, bars * 0.8), alarm.priority);
-    painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, alarm.text);
+    if (!alarm.present) {
+        QPainterPath badge;
+        badge.addRect(chip.left(), chip.top(), pad * 1.25 + bars, chip.height());
+        painter.fillPath(path.intersected(badge), lit ? colours.badgeLit : colours.badgeDim);
+        painter.setPen(lit ? colours.badgeInkLit : colours.badgeInkDim);
+        drawPriorityBars(painter, mark, alarm.priority);
+        painter.setPen(QPen(colours.ink, 2, Qt::DashLine));
+        painter.drawPath(path);
+        painter.setPen(colours.ink);
+    } else {
+        painter.setPen(lit ? colours.ink : colours.badgeInkDim);
+        drawPriorityBars(painter, mark, alarm.priority);
+    }
+    painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, textOf(alarm));
 }
 
 /// What is left of the band for the highest alarm's text: the others' chips give way to it, down to how many they are, and what is to be
@@ -118,8 +131,8 @@ void AlarmBand::paintChip(QPainter& painter, const QRectF& chip, const Alarm& al
 double AlarmBand::textRoom(double room) const
 {
     const QFontMetricsF metrics(theme::font(TextRole::Strong, theme::scaleOf(this)));
-    const double beside =
-        m_alarms.size() > 1 ? metrics.horizontalAdvance(tr("+%1 more").arg(m_alarms.size() - 1)) : leastRemedyRoom(m_alarms.front().remedy);
+    const double beside = m_alarms.size() > 1 ? metrics.horizontalAdvance(tr("+%1 more").arg(m_alarms.size() - 1))
+                                              : leastRemedyRoom(remedyOf(m_alarms.front()));
     return room - beside - theme::px(this, 24 + 12);
 }
 
@@ -184,10 +197,19 @@ void AlarmBand::paintAlarms(QPainter& painter, double right) const
     const Alarm& top = m_alarms.front();
     const int left = paintBadge(painter, top.priority, top.acknowledged);
     const double room = right - left;
-    const double end = paintText(painter, top.text, left, textRoom(room));
+    const double end = paintText(painter, textOf(top), left, textRoom(room));
+    if (!top.present)
+        paintEndedFrame(painter, QRectF(3, 3, end - theme::px(this, 12) - 3, height() - 6));
     if (m_alarms.size() > 1)
         return paintChips(painter, QRectF(end, 0, right - end, height()), 1);
-    paintRemedy(painter, top.remedy, QRectF(end, 0, right - end, height()));
+    paintRemedy(painter, remedyOf(top), QRectF(end, 0, right - end, height()));
+}
+
+/// Round what has ended alone: the chips beside it may be there.
+void AlarmBand::paintEndedFrame(QPainter& painter, const QRectF& where) const
+{
+    painter.setPen(QPen(ink(), 2, Qt::DashLine));
+    painter.drawRect(where);
 }
 
 /// One line, or two of smaller letters.

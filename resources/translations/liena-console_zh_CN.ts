@@ -106,6 +106,18 @@
         <translation>确认：%1</translation>
     </message>
     <message>
+        <source>Acknowledge ended: %1</source>
+        <translation>确认已结束的报警：%1</translation>
+    </message>
+    <message>
+        <source>ENDED %1 · %2</source>
+        <translation>已结束 %1 · %2</translation>
+    </message>
+    <message>
+        <source>It has ended; acknowledge that you saw it.</source>
+        <translation>报警已结束；请确认您已看到。</translation>
+    </message>
+    <message>
         <source>No alarms</source>
         <translation>无报警</translation>
     </message>

@@ -30,10 +30,12 @@ void InventedCockpit::lose(quint32 peer, quint64 id, const LinkDiagnosis& diagno
     models.incidents.raise(record, now - 12s);
     models.interruption.begin(QStringLiteral("%1 link").arg(models.sessions.titleOf(peer)), now - 12s, record.sinceWallMs);
     feed(PermitEventKind::SystemStandsBy);
-    models.alarms.update(
-        {{AlarmCondition::LinkLost, peer, AlarmPriority::High, true, QStringLiteral("%1: link lost").arg(models.sessions.titleOf(peer)),
-          QStringLiteral("Ask the patient side whether the robot holds.")}},
-        now, QDateTime::currentMSecsSinceEpoch());
+    std::vector<AlarmReport> lost;
+    for (const IncidentRecord& one : models.incidents.incidents())
+        lost.push_back({AlarmCondition::LinkLost, one.peer, AlarmPriority::High, true,
+                        QStringLiteral("%1: link lost").arg(models.sessions.titleOf(one.peer)),
+                        QStringLiteral("Ask the patient side whether the robot holds.")});
+    models.alarms.update(lost, now, QDateTime::currentMSecsSinceEpoch());
 }
 
 void InventedCockpit::loseRobot(quint64 incident)
@@ -95,6 +97,7 @@ void InventedCockpit::reopenAll()
     xray.framesAcquired += 48;
     models.xray.receive(xray, now - 64ms);
     m_pictures += 6;
+    models.alarms.update({}, now, QDateTime::currentMSecsSinceEpoch() - 2000);
     models.interruption.end(now - 2s);
     noteSystem();
     feed(PermitEventKind::SessionOpen);

@@ -5,6 +5,7 @@
 #include "widgets/flash_clock.hpp"
 #include "widgets/theme.hpp"
 
+#include <QDateTime>
 #include <QImage>
 
 #include <algorithm>
@@ -24,6 +25,16 @@ inline Alarm alarm(AlarmPriority priority, bool acknowledged)
     one.acknowledged = acknowledged;
     one.text = QStringLiteral("Vascular robot: link lost, stand-by");
     one.remedy = QStringLiteral("Read the prompt.");
+    return one;
+}
+
+/// It was there, latched, and nobody has seen it.
+inline Alarm ended(AlarmPriority priority)
+{
+    Alarm one = alarm(priority, false);
+    one.latching = true;
+    one.present = false;
+    one.endedWallMs = QDateTime(QDate::currentDate(), QTime(6, 20, 56)).toMSecsSinceEpoch();
     return one;
 }
 

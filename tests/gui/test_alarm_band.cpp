@@ -5,6 +5,7 @@
 #include "unit/console/alarm_cases.hpp"
 
 #include <QApplication>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -24,9 +25,10 @@ struct Course {
 };
 
 /// Ten seconds, a hundred looks a second.
-Course courseOf(AlarmPriority priority, bool acknowledged = false)
+Course courseOf(const Alarm& shown)
 {
-    Band room(priority, acknowledged);
+    Band room(shown.priority);
+    room.band.setAlarms({shown});
     std::map<QRgb, int> seen;
     int changes = 0;
     const QRgb first = room.at(0ms, badgePoint).pixel(0, 0);
@@ -39,6 +41,36 @@ Course courseOf(AlarmPriority priority, bool acknowledged = false)
         last = now;
     }
     return {changes == 0 ? 0.0 : (changes + 1) / 2.0 / 10.0, double(seen[first]) / looks, int(seen.size())};
+}
+
+Course courseOf(AlarmPriority priority, bool acknowledged = false) { return courseOf(alarm(priority, acknowledged)); }
+
+QString paintedWords(AlarmBand& band)
+{
+    QStringList words;
+    for (const ShownText& text : textsPaintedBy(band))
+        words << text.text.trimmed();
+    return words.join(QLatin1Char(' '));
+}
+
+const QPushButton* acknowledgeOf(const AlarmBand& band)
+{
+    const auto buttons = band.findChildren<QPushButton*>();
+    const auto found = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* one) {
+        return one->accessibleName() == QLatin1String("Acknowledge the alarm shown");
+    });
+    return found == buttons.end() ? nullptr : *found;
+}
+
+/// How many pixels of a row are in the band's ink: the long sides of a frame.
+int inkIn(Band& room, int row)
+{
+    const QImage image = room.at(900ms, QRect(0, row, wide, 1));
+    const QColor surface = room.band.surface();
+    int inked = 0;
+    for (int x = 0; x < 600; ++x)
+        inked += theme::contrast(image.pixelColor(x, 0), surface) >= 4.5 ? 1 : 0;
+    return inked;
 }
 
 } // namespace
@@ -65,6 +97,74 @@ private Q_SLOTS:
         QCOMPARE(courseOf(AlarmPriority::Low).colours, 1);
         QCOMPARE(courseOf(AlarmPriority::High, true).colours, 1);
         QCOMPARE(courseOf(AlarmPriority::Medium, true).colours, 1);
+    }
+
+    // What has ended, and nobody has seen yet.
+
+    void whatHasEndedFlashesUntilItIsSeen()
+    {
+        QCOMPARE(courseOf(ended(AlarmPriority::High)).rate, 2.0);
+        QCOMPARE(courseOf(ended(AlarmPriority::Medium)).rate, 0.6);
+        QCOMPARE(courseOf(ended(AlarmPriority::Low)).colours, 1);
+    }
+
+    void whatHasEndedSaysSoAndWhenAndAsksForNothingElse()
+    {
+        Band room(AlarmPriority::High);
+        room.band.setAlarms({ended(AlarmPriority::High)});
+        const auto* acknowledge = acknowledgeOf(room.band);
+        QVERIFY(acknowledge);
+        const QString what = alarm(AlarmPriority::High, false).text;
+        for (const QString& said : {paintedWords(room.band), room.band.toolTip(), room.band.accessibleDescription()}) {
+            QVERIFY2(said.contains(QStringLiteral("ENDED")) && said.contains(QStringLiteral("06:20:56")) && said.contains(what),
+                     qPrintable(said));
+            QVERIFY2(said.contains(QStringLiteral("It has ended; acknowledge that you saw it.")), qPrintable(said));
+            QVERIFY2(!said.contains(alarm(AlarmPriority::High, false).remedy), qPrintable(said));
+        }
+        for (const QString& said : {acknowledge->toolTip(), acknowledge->accessibleDescription()})
+            QVERIFY2(said.startsWith(QStringLiteral("ENDED")) && said.endsWith(what), qPrintable(said));
+        room.band.setAlarms({alarm(AlarmPriority::High, false)});
+        for (const QString& said : {paintedWords(room.band), room.band.toolTip(), room.band.accessibleDescription()})
+            QVERIFY2(!said.contains(QStringLiteral("ENDED")) && said.contains(what), qPrintable(said));
+    }
+
+    /// Dark as one that was acknowledged, which has no frame; that it is to be seen yet says its mark.
+    void whatHasEndedLooksLikeNothingThatIsThere()
+    {
+        constexpr int frame = 3;
+        for (const auto priority : {AlarmPriority::High, AlarmPriority::Medium, AlarmPriority::Low}) {
+            Band room(priority);
+            const QColor there = room.band.surface();
+            QCOMPARE(inkIn(room, frame), 0);
+            room.band.setAlarms({alarm(priority, true)});
+            QCOMPARE(inkIn(room, frame), 0);
+            room.band.setAlarms({ended(priority)});
+            QVERIFY(room.band.surface() != there);
+            QVERIFY2(inkIn(room, frame) > 200, qPrintable(QString::number(inkIn(room, frame))));
+        }
+    }
+
+    void whatHasEndedIsToldFromWhatIsThereAsAChipToo()
+    {
+        Band room(AlarmPriority::High);
+        const auto behind = [&room](const Alarm& second) {
+            room.band.setAlarms({alarm(AlarmPriority::High, true), second});
+            const QImage lit = room.at(0ms);
+            const QImage dim = room.at(900ms);
+            int changed = 0;
+            for (int x = 0; x < wide; ++x)
+                changed += lit.pixel(x, tall / 4) != dim.pixel(x, tall / 4) ? 1 : 0;
+            return changed;
+        };
+        const auto saidOnce = [&room] { return paintedWords(room.band).count(QStringLiteral("ENDED")) == 1; };
+        QVERIFY(behind(alarm(AlarmPriority::Medium, false)) > 200); // the whole chip
+        QVERIFY(!saidOnce());
+        const int mark = behind(ended(AlarmPriority::Medium));
+        QVERIFY2(mark > 15 && mark < 100, qPrintable(QString::number(mark)));
+        QVERIFY(saidOnce());
+        const auto* acknowledge = acknowledgeOf(room.band);
+        QVERIFY(acknowledge && acknowledge->isVisible());
+        QVERIFY2(acknowledge->text().startsWith(QStringLiteral("Acknowledge ended: Vascular robot")), qPrintable(acknowledge->text()));
     }
 
     /// Behind an acknowledged one of higher priority: the band itself is steady then.
@@ -145,21 +245,23 @@ private Q_SLOTS:
     void everyAlarmTextIsReadable_data()
     {
         QTest::addColumn<int>("priority");
-        QTest::addColumn<bool>("acknowledged");
+        QTest::addColumn<QString>("how");
         QTest::addColumn<int>("phaseMs");
         for (const auto priority : {AlarmPriority::High, AlarmPriority::Medium, AlarmPriority::Low})
-            for (const bool acknowledged : {false, true})
+            for (const char* how : {"there", "acknowledged", "ended"})
                 for (const int phase : {0, 900})
-                    QTest::addRow("%s%s at %d ms", qPrintable(word(priority)), acknowledged ? ", acknowledged" : "", phase)
-                        << int(priority) << acknowledged << phase;
+                    QTest::addRow("%s, %s at %d ms", qPrintable(word(priority)), how, phase)
+                        << int(priority) << QString::fromLatin1(how) << phase;
     }
 
     void everyAlarmTextIsReadable()
     {
         QFETCH(int, priority);
-        QFETCH(bool, acknowledged);
+        QFETCH(QString, how);
         QFETCH(int, phaseMs);
-        Band room(AlarmPriority(priority), acknowledged);
+        Band room(AlarmPriority(priority), how == QLatin1String("acknowledged"));
+        if (how == QLatin1String("ended"))
+            room.band.setAlarms({ended(AlarmPriority(priority))});
         const auto phase = std::chrono::milliseconds(phaseMs);
         for (const QRect& where : {alarmText, badgeWord}) {
             const double measured = paintedContrast(room.at(phase, where));

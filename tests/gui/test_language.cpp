@@ -283,8 +283,15 @@ private:
         shown.show();
         const auto reports = reportsOf(wrongReadings());
         QVERIFY(reports.size() > 50);
-        for (const AlarmReport& report : reports) {
+        std::vector<std::pair<AlarmReport, bool>> all; // what latches is also shown when it has ended
+        for (const AlarmReport& report : reports)
+            for (const bool ended : {false, true})
+                if (!ended || report.latching)
+                    all.emplace_back(report, !ended);
+        for (const auto& [report, present] : all) {
             Alarm alarm;
+            alarm.present = present;
+            alarm.endedWallMs = 1; // long ago: with its date
             alarm.id = 1;
             alarm.condition = report.condition;
             alarm.priority = report.priority;

@@ -89,6 +89,47 @@ private Q_SLOTS:
         QCOMPARE(told.raised.count(), 2); // at once, and anew
     }
 
+    void whatHasEndedSaysWhen()
+    {
+        AlarmList list;
+        const auto lost = report(C::LinkLost, High, true);
+        const Instant start = Instant{} + 1h;
+        list.update({lost}, start, 1000);
+        list.update({}, start + 1s, 2000);
+        QCOMPARE(list.highest()->endedWallMs, qint64(2000));
+        list.update({}, start + 2s, 3000); // it ended once
+        QCOMPARE(list.highest()->endedWallMs, qint64(2000));
+        QCOMPARE(list.log().back().wallMs, qint64(2000));
+        list.update({lost}, start + 3s, 4000);
+        QVERIFY(list.highest()->present);
+        QCOMPARE(list.alarms().size(), std::size_t(1));
+    }
+
+    /// Also when nobody has seen the one, and somebody the other: the band's words are of now. Of another priority it is that which counts.
+    void whatIsThereStandsBeforeWhatHasEndedAndIsAsUrgent()
+    {
+        AlarmList list;
+        const auto conditions = [&list] {
+            std::vector<C> all;
+            for (const Alarm& alarm : list.alarms())
+                all.push_back(alarm.condition);
+            return all;
+        };
+        const auto lost = report(C::LinkLost, High, true);
+        const auto fault = report(C::DriveFault, High, true);
+        const auto force = report(C::ForceWarn, Medium, false);
+        const Instant start = Instant{} + 1h;
+        list.update({fault, force}, start, 0);
+        list.acknowledge(list.highest()->id, 0);
+        list.update({fault, force, lost}, start + 1s, 0);
+        QCOMPARE(list.highest()->condition, C::LinkLost); // newer, and not acknowledged
+        list.update({fault, force}, start + 2s, 0);
+        const std::vector wanted{C::DriveFault, C::LinkLost, C::ForceWarn};
+        QVERIFY(conditions() == wanted);
+        QVERIFY(list.highest()->acknowledged && !list.alarms()[1].acknowledged);
+        QVERIFY(list.unacknowledgedHigh()); // none that was missed is lost
+    }
+
     /// Acknowledged while its end is awaited: it goes with its end, and not before.
     void whatIsAcknowledgedWithinTheDelayIsNoNewAlarmWhenItComesBack()
     {
