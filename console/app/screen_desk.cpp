@@ -97,11 +97,12 @@ void ScreenDesk::begin()
 {
     if (const QWindow* handle = m_window.windowHandle()) {
         m_present.cockpit = nameOf(handle->screen());
-        // Queued: when a screen goes, what it took with it is known before Qt's own move of the window.
+        // Queued: when a screen goes, what it took with it is known before Qt's own move of the window. By then the screen that the signal
+        // named may be gone, too.
         connect(
             handle, &QWindow::screenChanged, this,
-            [this](const QScreen* screen) {
-                m_present.cockpit = nameOf(screen);
+            [this] {
+                m_present.cockpit = nameOf(m_window.screen());
                 refreshView();
             },
             Qt::QueuedConnection);
