@@ -1,5 +1,7 @@
 // What a hand must never be able to do, tried through the console's own window and seen at the robot: arm or move by a key that repeats, a
 // click, a wheel or a key with another, make up for what was missed, jump into motion, raise a limit, inject by chance.
+//
+// Masters besides the keyboard: system.never_by_master.
 #include "never_possible_stage.hpp"
 
 #include <QApplication>
@@ -10,6 +12,7 @@
 #include <utility>
 
 using namespace console;
+using console::test::rampAt;
 using console::test::Theatre;
 using Stage = console::test::NeverStage;
 
@@ -36,13 +39,6 @@ void fumble(Stage& stage)
             turnWheel(widget, there);
         QTest::mouseDClick(&widget, Qt::LeftButton, {}, there);
     }
-}
-
-/// The share of the set velocity that motion may have at most, after so long of engagement.
-double rampAt(std::chrono::nanoseconds engagedFor)
-{
-    const double seconds = std::chrono::duration<double>(engagedFor).count();
-    return std::min(1.0, 0.25 + 0.75 * seconds / 2);
 }
 
 /// Visible, and a person can give it the focus by mouse or by key.

@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -106,6 +107,13 @@ inline std::unique_ptr<NeverStage> openStage(const Theatre::Wishes& wishes = pup
     theme::apply(*qobject_cast<QApplication*>(QCoreApplication::instance()));
     auto stage = std::make_unique<NeverStage>(wishes);
     return stage->open() ? std::move(stage) : nullptr;
+}
+
+/// The share of the set velocity that motion may have at most, after so long of engagement.
+inline double rampAt(std::chrono::nanoseconds engagedFor)
+{
+    const double seconds = std::chrono::duration<double>(engagedFor).count();
+    return std::min(1.0, 0.25 + 0.75 * seconds / 2);
 }
 
 /// Something that is done to the cockpit, and how it is undone.
