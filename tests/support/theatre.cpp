@@ -187,8 +187,9 @@ bool Theatre::readyOnce(const Hand& hand)
         return false;
     acknowledgeAlarms();
     readAccount();
+    hold(Qt::Key_F); // pictures must be live for a second, which passes while the alarms are tested
     testAlarms();
-    hold(Qt::Key_F);
+    hold(Qt::Key_F); // unheard before where the keys were elsewhere: a click on the test gives them back to the hand
     return reaches(PermitPhase::Ready);
 }
 
