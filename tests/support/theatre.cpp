@@ -167,9 +167,9 @@ void Theatre::releaseAll()
         release(key);
 }
 
-bool Theatre::reaches(PermitPhase wanted)
+bool Theatre::reaches(PermitPhase wanted, int time)
 {
-    return QTest::qWaitFor([&] { return phase() == wanted; }, 6000);
+    return QTest::qWaitFor([&] { return phase() == wanted; }, time);
 }
 
 Theatre::Hand Theatre::keyboardHand()

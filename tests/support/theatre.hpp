@@ -22,7 +22,8 @@ namespace console::test {
 /// `patience`, and says so by false.
 class Theatre {
 public:
-    static constexpr int patience = 30000; ///< milliseconds
+    static constexpr int patience = 30000;    ///< milliseconds
+    static constexpr int twiceArmHold = 3200; ///< milliseconds; who looks for an arming that must not come need look no longer
 
     struct Wishes {
         QSize window{1366, 768};
@@ -73,7 +74,8 @@ public:
     void strike(int key); ///< pressed and released
     void releaseAll();
 
-    bool reaches(PermitPhase wanted);
+    /// Within `time` milliseconds.
+    bool reaches(PermitPhase wanted, int time = 6000);
 
     /// The console ends and starts again; its links are closed then. Throws when it refuses.
     void restartConsole();

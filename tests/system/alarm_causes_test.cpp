@@ -307,7 +307,7 @@ private Q_SLOTS:
         QCOMPARE(theatre.link("robot"), LinkState::Closed);
         theatre.strike(Qt::Key_F1);
         theatre.hold(Qt::Key_R);
-        QVERIFY(!theatre.reaches(PermitPhase::Arming));
+        QVERIFY(!theatre.reaches(PermitPhase::Arming, Theatre::twiceArmHold));
         QCOMPARE(robot.armRequests(), 0);
         theatre.releaseAll();
     }

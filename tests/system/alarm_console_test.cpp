@@ -129,7 +129,7 @@ private Q_SLOTS:
             QTRY_VERIFY_WITH_TIMEOUT(stripSays(theatre, field, QStringLiteral("Stopped")), patience);
             QTRY_VERIFY_WITH_TIMEOUT(bandSays(theatre, QStringLiteral("Recording: ")), patience);
             theatre.hold(Qt::Key_R);
-            QVERIFY(!theatre.reaches(PermitPhase::Arming));
+            QVERIFY(!theatre.reaches(PermitPhase::Arming, Theatre::twiceArmHold));
             theatre.release(Qt::Key_R);
             QCOMPARE(stage.robot.armRequests(), 0);
         }

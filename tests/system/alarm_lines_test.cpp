@@ -95,7 +95,7 @@ private Q_SLOTS:
         QVERIFY2(!clocks.met && clocks.text.startsWith(QStringLiteral("Clock uncertain by \u00B1")), qPrintable(clocks.text));
         QVERIFY(!line.guard(Guard::CommandsQuick).met);
         theatre.hold(Qt::Key_R);
-        QVERIFY(!theatre.reaches(PermitPhase::Arming));
+        QVERIFY(!theatre.reaches(PermitPhase::Arming, Theatre::twiceArmHold));
         theatre.release(Qt::Key_R);
         QVERIFY(line.robot.heard(permitRequest).empty());
         line.robot.habits.delay = 0ms;

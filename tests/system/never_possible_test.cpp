@@ -360,7 +360,7 @@ private Q_SLOTS:
         const auto line = permit.checklist().at(std::size_t(Guard::CommandsQuick));
         QVERIFY2(!line.met && line.text.contains(QStringLiteral("up to 0 ms")), qPrintable(line.text));
         theatre.hold(Qt::Key_R);
-        QVERIFY(!theatre.reaches(PermitPhase::Arming));
+        QVERIFY(!theatre.reaches(PermitPhase::Arming, Theatre::twiceArmHold));
         QCOMPARE(stage.robot.armRequests(), 0);
         theatre.releaseAll();
     }
