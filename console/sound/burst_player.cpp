@@ -9,7 +9,11 @@
 
 namespace console {
 
-BurstPlayer::BurstPlayer() : m_samples(this) {}
+BurstPlayer::BurstPlayer() : m_look(this), m_samples(this)
+{
+    m_look.setInterval(std::chrono::milliseconds(500));
+    connect(&m_look, &QTimer::timeout, this, &BurstPlayer::lookForOutput);
+}
 
 BurstPlayer::~BurstPlayer()
 {
@@ -32,7 +36,15 @@ void BurstPlayer::tell(const QString& trouble)
 void BurstPlayer::open()
 {
     openOutput();
+    m_look.start();
     ++m_served;
+}
+
+/// Qt 6.4 never says that the outputs of PulseAudio are others, but what it lists is true.
+void BurstPlayer::lookForOutput()
+{
+    if (QMediaDevices::defaultAudioOutput().id() != m_output)
+        openOutput();
 }
 
 void BurstPlayer::openOutput()
@@ -46,6 +58,7 @@ void BurstPlayer::openOutput()
         disconnect(m_sink.get(), nullptr, this, nullptr);
     m_sink.reset();
     const auto device = QMediaDevices::defaultAudioOutput();
+    m_output = device.id();
     // What the sound server shows where there is no hardware: it takes everything, and nobody hears it.
     if (device.isNull() || device.id() == "auto_null")
         return tell(tr("this computer has no sound output"));
@@ -66,6 +79,7 @@ void BurstPlayer::openOutput()
 
 void BurstPlayer::followWish()
 {
+    lookForOutput();
     playWish();
     ++m_served;
 }

@@ -5,6 +5,7 @@
 
 #include <QBuffer>
 #include <QObject>
+#include <QTimer>
 
 #include <atomic>
 #include <memory>
@@ -36,6 +37,7 @@ Q_SIGNALS:
 
 private:
     void openOutput();
+    void lookForOutput();
     void playWish();
     void tell(const QString& trouble);
     void readSink();
@@ -46,6 +48,8 @@ private:
     std::atomic<quint64> m_served{0};
     int m_played = silent; ///< last
     std::unique_ptr<QMediaDevices> m_devices;
+    QTimer m_look;
+    QByteArray m_output; ///< that was looked at last, open or not; empty: there was none
     std::unique_ptr<QAudioSink> m_sink;
     QBuffer m_samples;
     std::optional<QString> m_told;
