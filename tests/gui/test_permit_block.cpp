@@ -64,6 +64,7 @@ private Q_SLOTS:
         } else {
             readings.picture.atRate = readings.picture.keepsRate = false;
             readings.picture.shownPerSecond = 10;
+            readings.picture.liveFor = 0ms;
         }
         auto& permit = stage.cockpit.models.permit;
         permit.keep(readings, stage.cockpit.now);
