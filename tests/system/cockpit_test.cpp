@@ -413,7 +413,6 @@ private Q_SLOTS:
         QObject::disconnect(watch);
         QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::StandBy, patience);
         QVERIFY2(hand.commandsSent() > inTime + 3 * underway, qPrintable(theatre.story()));
-        const auto frozen = theatre.robotStatus();
         theatre.robot->thaw();
         QVERIFY2(theatre.robot->waitForLine(QStringLiteral("did not run")), qPrintable(theatre.robot->output()));
         DiagnosisSheet* sheet = nullptr;
@@ -422,8 +421,9 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(theatre.link("robot") == LinkState::Open, patience);
         QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.robotFresh(std::chrono::steady_clock::now()), patience);
         QVERIFY(theatre.robotStatus().appliedCommands <= inTime);
-        // Nor was it only refused because the robot held by then: that would not help one that was armed again meanwhile.
-        QCOMPARE(theatre.robotStatus().refusedCommands, frozen.refusedCommands);
+        // Nor was it only refused because the robot held by then: that would not help one that was armed again meanwhile. (The drives' last
+        // gate may have refused the one that was in hand when the robot froze, since its lease is over; that is a count and no such line.)
+        QVERIFY2(!theatre.robot->output().contains(QStringLiteral("command refused")), qPrintable(theatre.robot->output()));
         QVERIFY(theatre.robotStatus().holdConfirmed);
         QVERIFY(theatre.phase() != PermitPhase::Armed && theatre.phase() != PermitPhase::Engaged);
         theatre.releaseAll();
