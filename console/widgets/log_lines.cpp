@@ -150,11 +150,11 @@ void LogLines::showEvent(QShowEvent* event)
 void LogLines::resizeEvent(QResizeEvent* event)
 {
     const bool follows = m_follows && isVisible() && !m_marked.isValid();
-    const bool readsHere = follows && currentIndex().isValid() && QRect(QPoint(), event->oldSize()).intersects(visualRect(currentIndex()));
+    const bool readsHere =
+        isVisible() && currentIndex().isValid() && QRect(QPoint(), event->oldSize()).intersects(visualRect(currentIndex()));
     QListView::resizeEvent(event);
-    if (!follows)
-        return;
-    scrollToBottom();
+    if (follows)
+        scrollToBottom();
     if (readsHere)
         scrollTo(currentIndex());
 }
@@ -169,11 +169,11 @@ void LogLines::keyPressEvent(QKeyEvent* event)
         Q_EMIT chosen(currentIndex());
 }
 
-// Whoever comes by Tab begins with the newest line.
+// Whoever comes by Tab begins with the line that is marked, or the newest.
 void LogLines::focusInEvent(QFocusEvent* event)
 {
     if (!currentIndex().isValid() && model() != nullptr && model()->rowCount() > 0)
-        setCurrentIndex(model()->index(model()->rowCount() - 1, 0));
+        setCurrentIndex(m_marked.isValid() ? QModelIndex(m_marked) : model()->index(model()->rowCount() - 1, 0));
     QListView::focusInEvent(event);
 }
 

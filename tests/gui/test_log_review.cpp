@@ -196,6 +196,25 @@ private Q_SLOTS:
     }
 
     /// Opened while the pedal is down, it is the newest no more when the next one comes.
+    /// Its text takes several lines below, and that room from the list.
+    void theMarkedLineIsReadWhereTheLogOpensInAReview()
+    {
+        Stage stage;
+        QVERIFY(stage.begin());
+        const QString whole = QStringLiteral("word ").repeated(80) + QStringLiteral("reviewed");
+        stage.models.log.append(LogKind::Note, whole, 9000);
+        for (int i = 0; i < 200; ++i)
+            stage.models.log.append(LogKind::Note, QStringLiteral("later"), 9000);
+        stage.lines->setCurrentIndex(QModelIndex());
+        QTest::keyClick(&stage.window, Qt::Key_F1);
+        QVERIFY(!stage.lines->isVisible());
+        stage.lines->mark(stage.line(QStringLiteral("reviewed")));
+        QTest::keyClick(&stage.window, Qt::Key_F4);
+        QTRY_VERIFY(stage.says(QStringLiteral("reviewed")));
+        QCOMPARE(QModelIndex(stage.lines->marked()), stage.lines->currentIndex());
+        QTRY_VERIFY(stage.lines->viewport()->rect().contains(stage.lines->visualRect(stage.lines->marked())));
+    }
+
     void theMarkOfTheNewestPictureStaysBeforeTheNext()
     {
         Stage stage;

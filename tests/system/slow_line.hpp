@@ -21,7 +21,7 @@ public:
     /// Once; false when the port is taken at `shown`.
     bool open(quint16 port);
 
-    /// Who is connected stays so; the port at `shown` is free for another one.
+    /// Of an open line. Who is connected stays so; the port at `shown` is free for another one.
     void stopListening();
 
     /// Of what leaves from now on; no delay before the first call.
@@ -29,8 +29,10 @@ public:
 
 private:
     class Carrier;
+    enum class Listening { Goes, Ends, Ended };
 
     std::atomic<std::chrono::milliseconds> m_delay{std::chrono::milliseconds(0)};
+    std::atomic<Listening> m_listening{Listening::Goes};
     std::atomic<bool> m_ended{false}; ///< all of the carrier
     QThread m_thread;
     Carrier* m_carrier; ///< lives on the thread from open() on, and ends with it
