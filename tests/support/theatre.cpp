@@ -187,9 +187,8 @@ bool Theatre::readyOnce(const Hand& hand)
         return false;
     acknowledgeAlarms();
     readAccount();
-    hold(Qt::Key_F); // pictures must be live for a second, which passes while the alarms are tested
     testAlarms();
-    hold(Qt::Key_F); // unheard before where the keys were elsewhere: a click on the test gives them back to the hand
+    hold(Qt::Key_F);
     return reaches(PermitPhase::Ready);
 }
 
