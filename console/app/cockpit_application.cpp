@@ -48,6 +48,13 @@ CockpitApplication::~CockpitApplication()
         m_link->stop();
 }
 
+void CockpitApplication::skipTestSignals()
+{
+    auto later = std::chrono::steady_clock::now();
+    while (m_models.selfTest.signal())
+        m_models.selfTest.update(false, later += AlarmSelfTest::whole.high);
+}
+
 bool CockpitApplication::prepare(QString* error)
 {
     if (m_options.unattended && m_options.recording.isEmpty())

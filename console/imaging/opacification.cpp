@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace console {
@@ -16,11 +17,16 @@ namespace {
 constexpr int vesselEdge = 512;     ///< pixels, at most
 constexpr int backgroundEdge = 256; ///< pixels, at most
 constexpr double newest = 0.5;      ///< share of the newest picture in the mean over time
+constexpr int noiseEdge = 31;       ///< pixels around one that tell its noise
+constexpr double mostNoise = 4;     ///< of the usual one; what brightened a pixel more was no noise
+constexpr double leastNoise = 0.25; ///< of the usual one
+constexpr double noiseSeenAt = 0.1; ///< of the usual one; a pixel with less is saturated, or behind lead
 constexpr double noiseShown = 3;    ///< of its spread; below that a pixel is no vessel
 constexpr double noiseSeen = 8;     ///< of its spread; below that the darkest pixels are none
 constexpr double darkestShare = 0.002;
-constexpr double leastSignal = 0.05; ///< of the usual one
-constexpr double leastSpread = 1e-4;
+constexpr double leastSignal = 0.05;   ///< of the usual one
+constexpr double leastUsual = 1e-4;    ///< of a logarithm; pictures without noise have none
+constexpr double leastSpread = 0.01;   ///< of the noise around a pixel
 constexpr double shadingSigma = 6;     ///< pixels
 constexpr double noiseSigma = 2;       ///< pixels
 constexpr double leastLikeness = 0.15; ///< response of the correlation below which its peak is one of noise; that of noise is 0.08
@@ -64,6 +70,37 @@ cv::Mat shadows(const cv::Mat& mask, const XrayFrame& frame)
     return mask < leastSignal * quantile(values, 0.5);
 }
 
+/// What noise does to each pixel in this run: as much as it brightens those around it.
+class NoiseAround {
+public:
+    explicit NoiseAround(const cv::Mat& brightened) : m_brightened(brightened)
+    {
+        std::vector<float> seen;
+        std::copy_if(brightened.begin<float>(), brightened.end<float>(), std::back_inserter(seen), [](float value) { return value > 0; });
+        m_usual = seen.empty() ? 0 : quantile(seen, 0.5);
+        cv::blur(cv::min(brightened, mostNoise * m_usual), m_around, {noiseEdge, noiseEdge}, {-1, -1}, cv::BORDER_REPLICATE);
+        m_around = cv::max(m_around, std::max(leastNoise * m_usual, leastUsual));
+    }
+
+    const cv::Mat& around() const { return m_around; }
+
+    /// `values` where there is noise to be seen; all of them where there is none at all.
+    std::vector<float> whereSeen(const cv::Mat& values) const
+    {
+        std::vector<float> result;
+        auto brightened = m_brightened.begin<float>();
+        for (auto value = values.begin<float>(); value != values.end<float>(); ++value, ++brightened)
+            if (*brightened >= noiseSeenAt * m_usual)
+                result.push_back(*value);
+        return result;
+    }
+
+private:
+    cv::Mat m_brightened;
+    cv::Mat m_around;
+    double m_usual = 0;
+};
+
 /// Without its shading, which stays where the detector is, and without the finest, which is noise.
 cv::Mat detail(const cv::Mat& values, cv::Size size)
 {
@@ -103,7 +140,7 @@ bool Opacification::endsWith(const XrayFrame& frame) const
 Opacification Opacification::copy() const
 {
     Opacification other(*this);
-    for (cv::Mat* picture : {&other.m_coarse, &other.m_mask, &other.m_smooth, &other.m_darkest})
+    for (cv::Mat* picture : {&other.m_coarse, &other.m_mask, &other.m_smooth, &other.m_darkest, &other.m_brightest})
         *picture = picture->clone();
     return other;
 }
@@ -132,13 +169,14 @@ void Opacification::take(const cv::Mat& stored, const XrayFrame& frame)
         m_mask += m_coarse;
         m_smooth = m_mask / m_count;
         m_smooth.copyTo(m_darkest);
+        m_smooth.copyTo(m_brightest);
         return;
     }
     cv::addWeighted(m_coarse, newest, m_smooth, 1 - newest, 0, m_smooth);
-    if (darkerIsLess(m_first))
-        cv::min(m_darkest, m_smooth, m_darkest);
-    else
-        cv::max(m_darkest, m_smooth, m_darkest);
+    cv::Mat& least = darkerIsLess(m_first) ? m_darkest : m_brightest;
+    cv::Mat& most = darkerIsLess(m_first) ? m_brightest : m_darkest;
+    cv::min(least, m_smooth, least);
+    cv::max(most, m_smooth, most);
 }
 
 std::optional<Roadmap> Opacification::roadmap() const
@@ -147,22 +185,30 @@ std::optional<Roadmap> Opacification::roadmap() const
         return std::nullopt;
     const cv::Mat before = attenuation(m_mask / maskPictures, m_first);
     cv::Mat darkened = attenuation(m_darkest, m_first) - before;
+    cv::Mat brightened = before - attenuation(m_brightest, m_first);
     const cv::Mat dark = shadows(m_mask, m_first);
-    darkened.setTo(0, dark);
-    cv::GaussianBlur(darkened, darkened, {5, 5}, 1.0, 1.0, cv::BORDER_REPLICATE);
+    for (cv::Mat* change : {&darkened, &brightened}) {
+        change->setTo(0, dark);
+        cv::GaussianBlur(*change, *change, {5, 5}, 1.0, 1.0, cv::BORDER_REPLICATE);
+    }
+    darkened -= brightened;
 
-    std::vector<float> values(darkened.begin<float>(), darkened.end<float>());
+    const NoiseAround noise(brightened);
+    std::vector<float> values = noise.whereSeen(darkened / noise.around());
     const float usual = quantile(values, 0.5);
-    const float most = quantile(values, 1 - darkestShare);
+    const float darkest = quantile(values, 1 - darkestShare);
     std::transform(values.begin(), values.end(), values.begin(), [usual](float value) { return std::abs(value - usual); });
     const double spread = std::max(1.4826 * quantile(values, 0.5), leastSpread); // of a normal distribution with that median deviation
-    if (most - usual < noiseSeen * spread)
+    if (darkest - usual < noiseSeen * spread)
         return std::nullopt;
 
+    // From what may be noise at that place up to the darkest anywhere.
+    const cv::Mat least = noise.around() * (usual + noiseShown * spread);
+    values.assign(darkened.begin<float>(), darkened.end<float>());
+    const double most = quantile(values, 1 - darkestShare);
     Roadmap roadmap;
-    const double least = usual + noiseShown * spread;
-    const double scale = 255 / (most - least);
-    darkened.convertTo(roadmap.vessels, CV_8U, scale, -least * scale);
+    const cv::Mat shown = (darkened - least) / cv::max(most - least, leastUsual);
+    shown.convertTo(roadmap.vessels, CV_8U, 255);
     roadmap.vessels.setTo(0, dark);
     roadmap.background = detail(before, coarser(before.size(), backgroundEdge));
     roadmap.about = m_first;

@@ -25,8 +25,9 @@ struct Roadmap {
 QImage vesselLayer(const Roadmap& roadmap);
 
 /// Peak opacification: the most that each pixel was darkened in a run, R = max D over its time, with D = ln M - ln C, M the mean of the
-/// first pictures and C those after them (Harrington, AJR 1982;139:781; DICOM PS3.3 C.8.19.7 has the logarithmic space). A wire that moves
-/// in the run is in it as well. One thread at a time.
+/// first pictures and C those after them (Harrington, AJR 1982;139:781; DICOM PS3.3 C.8.19.7 has the logarithmic space). Noise darkens as
+/// well, and the more the longer a run is; but it brightens as much, which contrast does not, so that the most by which a pixel was
+/// brightened is taken off. A wire that moves in the run is in it as well. One thread at a time.
 class Opacification {
 public:
     static constexpr int maskPictures = 4;
@@ -58,6 +59,7 @@ private:
     cv::Mat m_mask;   ///< sum of the first
     cv::Mat m_smooth; ///< over time
     cv::Mat m_darkest;
+    cv::Mat m_brightest;
 };
 
 } // namespace console

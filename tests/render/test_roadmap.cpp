@@ -20,6 +20,7 @@ struct Scene {
     cv::Point2d patient; ///< pixels
     Photometric photometric = Photometric::Monochrome2;
     IntensityRelationship intensity = IntensityRelationship::Linear;
+    bool dense = false; ///< air beside the head saturates the detector, and a quarter of it is all bone
 };
 
 bool inVessel(int y) { return y >= 120 && y < 128; }
@@ -31,7 +32,8 @@ cv::Mat picture(unsigned seed, const Scene& scene)
         const double px = x - scene.patient.x;
         const double py = y - scene.patient.y;
         const double bones = 0.2 * std::sin(px * 0.31 + 2 * std::sin(py * 0.11)) * std::cos(py * 0.23 + std::sin(px * 0.07));
-        const double back = (px < edge / 2.0 ? 1200 : 2400) * (1 + bones);
+        const double beam = !scene.dense ? (px < edge / 2.0 ? 1200 : 2400) : x < edge / 4 ? 9000 : x < edge / 2 ? 200 : 1200;
+        const double back = beam * (1 + bones);
         return inVessel(y) ? back * std::exp(-absorbed * scene.contrast) : back;
     };
     cv::Mat stored;
@@ -42,7 +44,7 @@ cv::Mat picture(unsigned seed, const Scene& scene)
     }
     if (scene.photometric == Photometric::Monochrome1)
         linear = 4095 - linear;
-    linear.convertTo(stored, CV_16U);
+    cv::Mat(cv::min(linear, 4095.0F)).convertTo(stored, CV_16U);
     return stored;
 }
 
@@ -59,12 +61,12 @@ XrayFrame frame(quint32 number, const Scene& scene, quint32 run = 1)
     return frame;
 }
 
-/// Contrast comes after the sixth picture, passes, and is gone again.
+/// Contrast comes after the sixth picture or a later one, passes, and is gone again.
 template <typename Taker>
-void takeRun(Taker& taker, Scene scene, double contrast, quint32 run = 1, quint32 pictures = 20)
+void takeRun(Taker& taker, Scene scene, double contrast, quint32 run = 1, quint32 pictures = 20, quint32 before = 6)
 {
     for (quint32 number = 1; number <= pictures; ++number) {
-        scene.contrast = number > 6 && number < 16 ? contrast : 0;
+        scene.contrast = number > before && number < before + 10 ? contrast : 0;
         taker.take(picture(run * 1000 + number, scene), frame(run * 100 + number, scene, run));
     }
 }
@@ -78,6 +80,7 @@ class TestRoadmap : public QObject {
 private Q_SLOTS:
     void findsWhatContrastFilled_data();
     void findsWhatContrastFilled();
+    void findsContrastHoweverLateInARunItComes();
     void noiseIsNoVessel();
     void nothingIsSeenBehindABlade();
     void aRunThatIsTooShortIsNone();
@@ -124,11 +127,32 @@ void TestRoadmap::findsWhatContrastFilled()
     QVERIFY(cv::countNonZero(outside > 60) < outside.rows * outside.cols / 200);
 }
 
+/// Noise darkens a pixel the more the longer one looks, and one behind bone the most.
+void TestRoadmap::findsContrastHoweverLateInARunItComes()
+{
+    Scene scene;
+    scene.dense = true;
+    for (const quint32 before : {6U, 60U, 600U}) {
+        Opacification run;
+        takeRun(run, scene, 1, 1, before + 20, before);
+        const auto roadmap = run.roadmap();
+        QVERIFY2(roadmap, qPrintable(QString::number(before)));
+        const double vessel = meanOf(roadmap->vessels, {edge / 2 + 8, 122, edge / 2 - 16, 4});
+        QVERIFY2(vessel > 150, qPrintable(QStringLiteral("%1: %2").arg(before).arg(vessel)));
+        const cv::Mat outside = roadmap->vessels.rowRange(0, 110);
+        QVERIFY2(cv::countNonZero(outside > 60) < outside.rows * outside.cols / 200, qPrintable(QString::number(before)));
+    }
+}
+
 void TestRoadmap::noiseIsNoVessel()
 {
-    Opacification run;
-    takeRun(run, {}, 0, 1, 100);
-    QVERIFY(!run.roadmap());
+    Scene dense;
+    dense.dense = true;
+    for (const Scene& scene : {Scene{}, dense}) {
+        Opacification run;
+        takeRun(run, scene, 0, 1, 100);
+        QVERIFY(!run.roadmap());
+    }
 }
 
 /// A few quanta leak through the lead: in the logarithm their noise is larger than any vessel.

@@ -42,6 +42,7 @@ public:
         QString watchdog;    ///< program; empty: none
         QString remoteInput; ///< the way by which keys and mouse come from elsewhere; empty: they do not
         Preferences preferences = {};
+        bool listens = false;        ///< to the whole of each alarm self-test; it takes 7 s, and after the first 4
         AlarmVoice* voice = nullptr; ///< in place of the loudspeaker; outlives the theatre
     };
 
@@ -97,7 +98,7 @@ public:
     bool armAndMove(const Hand& hand);
     bool armAndMove() { return armAndMove(keyboardHand()); }
 
-    /// Looks at the colours, listens, and says so. A high alarm that comes between ends the test.
+    /// Looks at the colours, listens when that was wished, and says so. A high alarm that comes between ends the test.
     void testAlarms();
 
     /// What happened while the system stood by, once it can be read.

@@ -348,7 +348,9 @@ private Q_SLOTS:
 
     void everyArmingAsksForTheSelfTestAnew()
     {
-        Theatre theatre(wishes());
+        auto asked = wishes();
+        asked.listens = true;
+        Theatre theatre(asked);
         QVERIFY(theatre.openAll());
         QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
         const auto before = theatre.models().selfTest.passedInAll();
