@@ -1,6 +1,8 @@
 // The queue without a lock, its thread, and the process's own writer.
 #include "base/line_writer.hpp"
 
+#include "base/ordinary_thread.hpp"
+
 #include <cerrno>
 #include <condition_variable>
 #include <csignal>
@@ -12,7 +14,6 @@
 
 #include <poll.h>
 #include <pthread.h>
-#include <sched.h>
 #include <unistd.h>
 
 namespace liena::base {
@@ -44,16 +45,6 @@ bool takesNow(int descriptor)
 {
     pollfd asked{descriptor, POLLOUT, 0};
     return ::poll(&asked, 1, 0) > 0 && (asked.revents & (POLLOUT | POLLERR)) == POLLOUT;
-}
-
-/// Threads inherit the priority and the processors of whoever puts the first line, which may be a network thread.
-void runAsOrdinaryThread()
-{
-    const sched_param parameters{};
-    (void)::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &parameters);
-    cpu_set_t processors;
-    if (::sched_getaffinity(::getpid(), sizeof processors, &processors) == 0) // those of the process's first thread
-        (void)::sched_setaffinity(0, sizeof processors, &processors);
 }
 
 } // namespace
@@ -114,7 +105,7 @@ struct LineWriter::Core {
 
     void run()
     {
-        runAsOrdinaryThread();
+        runAsOrdinaryThread(); // a network thread may have put the first line
         for (bool last = false; !last;) {
             const auto seen = turn.load();
             last = ending;

@@ -1,7 +1,7 @@
 // Asking the policy, and the processors that it may count on.
 #include "system/elastic_work.hpp"
 
-#include "system/real_time.hpp"
+#include "base/ordinary_thread.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -21,8 +21,8 @@ double share(std::chrono::nanoseconds busy, std::chrono::nanoseconds time)
 }
 
 /// Of the processors one is the network thread's and one the application's: where there are no others, a step on another thread costs more
-/// than it relieves. A network thread that looks for work does not leave its processor, and one that is bound to some leaves its threads no
-/// others.
+/// than it relieves. A network thread that looks for work does not leave its processor, and who binds one to processors divides them by
+/// himself.
 std::size_t mostWorkers(const Settings& settings)
 {
     constexpr unsigned taken = 2;
@@ -36,7 +36,7 @@ std::size_t mostWorkers(const Settings& settings)
 } // namespace
 
 ElasticWork::ElasticWork(boost::asio::io_context& network, const Settings& settings)
-    : m_workers(network, runAsOrdinaryThread), m_balancer(mostWorkers(settings)), m_begin(std::chrono::steady_clock::now())
+    : m_workers(network, base::runAsOrdinaryThread), m_balancer(mostWorkers(settings)), m_begin(std::chrono::steady_clock::now())
 {}
 
 bool ElasticWork::balance(std::chrono::steady_clock::time_point now)

@@ -1,6 +1,7 @@
 // From bytes of a peer to a set in the store.
 #include "system/set_keeper.hpp"
 
+#include "base/ordinary_thread.hpp"
 #include "liena/log.hpp"
 
 #include <boost/asio/post.hpp>
@@ -18,8 +19,11 @@ using session::SetStanding;
 void SetKeeper::learn(DeviceId peer, const Sha256& hash, std::vector<std::byte> xml, Done done)
 {
     try {
-        if (!m_thread)
-            m_thread = m_start();
+        if (!m_thread) {
+            auto started = m_start();
+            asio::post(*started, base::runAsOrdinaryThread); // a peer's set must not be checked at the network thread's priority
+            m_thread = std::move(started);
+        }
     } catch (const std::exception& none) {
         asio::post(m_io, [why = fmt::format("no thread can be had to check the message set: {}", none.what()), done = std::move(done)] {
             done({SetStanding::Invalid, why});
