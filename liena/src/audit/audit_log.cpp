@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace liena::audit {
@@ -35,7 +36,13 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(const std::filesystem::path& fi
         return opened.as_failure();
     for (const auto& remark : opened.value().remarks())
         log({LogLevel::Warning, remark, "audit"});
-    return std::unique_ptr<AuditLog>(new AuditLog(std::move(opened.value()), std::move(log)));
+    try {
+        return std::unique_ptr<AuditLog>(new AuditLog(std::move(opened.value()), std::move(log)));
+    } catch (const std::system_error& none) {
+        return fail(Errc::Forbidden, fmt::format("{} is not written, since no thread can be had ({}): allow more with `nproc` in "
+                                                 "/etc/security/limits.d, or with TasksMax= in the systemd unit",
+                                                 file.string(), none.code().message()));
+    }
 }
 
 AuditLog::~AuditLog() { close(); }

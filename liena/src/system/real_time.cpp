@@ -13,6 +13,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 #include <thread>
 
 namespace liena::system {
@@ -77,6 +78,20 @@ Result<void> takeThread(const RealTimeOptions& options)
     return taken ? takePriority(options.priority) : taken;
 }
 
+/// On a thread of its own: priority and processors are a thread's.
+Result<void> tryOnAThread(const RealTimeOptions& options)
+{
+    Result<void> taken = ok();
+    try {
+        std::thread([&] { taken = takeThread(options); }).join();
+    } catch (const std::system_error& none) {
+        return fail(Errc::Forbidden, fmt::format("no thread can be had ({}): allow more with `nproc` in /etc/security/limits.d, or with "
+                                                 "TasksMax= in the systemd unit",
+                                                 none.code().message()));
+    }
+    return taken;
+}
+
 bool hasOneProcessor()
 {
     cpu_set_t set;
@@ -103,10 +118,8 @@ Result<void> prepareRealTime(const RealTimeOptions& options)
     auto done = checkValues(options);
     if (done)
         done = checkCardSearch(options.cardSearch);
-    if (!done)
-        return done;
-    std::thread trial([&] { done = takeThread(options); });
-    trial.join();
+    if (done)
+        done = tryOnAThread(options);
     if (!done)
         return done;
     if (options.lockMemory && ::mlockall(MCL_CURRENT | MCL_FUTURE) != 0)
@@ -115,12 +128,6 @@ Result<void> prepareRealTime(const RealTimeOptions& options)
                                                  "CAP_IPC_LOCK",
                                                  std::strerror(errno)));
     return ok();
-}
-
-void runAsOrdinaryThread()
-{
-    const sched_param parameters{};
-    (void)::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &parameters); // less is always permitted
 }
 
 void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options, tasks::Attention& attention)

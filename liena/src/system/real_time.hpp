@@ -19,7 +19,4 @@ Result<void> prepareRealTime(const RealTimeOptions& options);
 /// not sleep, unless the options forbid it or it has one processor only: then whoever is to answer needs that.
 void runNetworkThread(boost::asio::io_context& context, const RealTimeOptions& options, tasks::Attention& attention);
 
-/// For a thread that the network thread makes and that must not stand in its way: threads inherit their priority.
-void runAsOrdinaryThread();
-
 } // namespace liena::system

@@ -1,6 +1,7 @@
 // The audit log's queue and thread: in order, without waiting, and honest about what a full disk does.
 #include "audit/audit_log.hpp"
 #include "liena/audit.hpp"
+#include "support/no_more_threads.hpp"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -59,6 +60,7 @@ private slots:
     void noFloodFillsTheDisk();
     void endsAlsoWhenNothingCanBeWritten();
     void tellsThatItsFileWasTaken();
+    void isNotOpenedWithoutAThread();
 
 private:
     std::unique_ptr<AuditLog> open()
@@ -228,6 +230,17 @@ void AuditLogTest::tellsThatItsFileWasTaken()
     QTRY_VERIFY(!statusOf(*log).lost);
     log->close();
     QCOMPARE(verifyAudit(m_file).value().entries, std::uint64_t(2));
+}
+
+void AuditLogTest::isNotOpenedWithoutAThread()
+{
+    {
+        const test::NoMoreThreads none;
+        const auto opened = AuditLog::open(m_file, "robot", [](LogLevel, std::string_view) {});
+        QVERIFY(!opened);
+        QVERIFY2(opened.error().what.find("no thread can be had") != std::string::npos, opened.error().what.c_str());
+    }
+    QVERIFY(open()); // it holds the file no longer
 }
 
 QTEST_GUILESS_MAIN(AuditLogTest)

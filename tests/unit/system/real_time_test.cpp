@@ -1,6 +1,9 @@
 // What a process may ask of the scheduler, and the network thread's way to wait.
 #include "system/real_time.hpp"
 
+#include "base/ordinary_thread.hpp"
+#include "support/no_more_threads.hpp"
+
 #include <QTest>
 
 #include <boost/asio/io_context.hpp>
@@ -138,6 +141,14 @@ private slots:
                  memory.constData());
     }
 
+    void saysThatNoThreadCanBeHad()
+    {
+        const test::NoMoreThreads none;
+        const auto done = prepareRealTime({});
+        QVERIFY(!done);
+        QVERIFY2(done.error().what.find("no thread can be had") != std::string::npos, done.error().what.c_str());
+    }
+
     void tryingLeavesTheCallersThreadAsItWas()
     {
         cpu_set_t before;
@@ -181,7 +192,7 @@ private slots:
         boost::asio::post(context, [&] {
             network = ownPolicy();
             std::thread([&] { // inherits it
-                runAsOrdinaryThread();
+                base::runAsOrdinaryThread();
                 worker = ownPolicy();
             })
                 .join();
