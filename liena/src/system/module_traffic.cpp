@@ -143,7 +143,7 @@ LinkStatus DistributedModule::status() const
     status.queuedMessages = static_cast<std::uint32_t>(m_laneZero.queue().size() + m_bulk.queuedMessages());
     status.bulkQueuedBytes = m_bulk.queuedBytes();
     const auto now = m_host.now().mono;
-    if (const auto known = m_bulk.knownRate()) {
+    if (const auto known = m_bulk.knownRate(now)) {
         status.bulkRate = known->bytesPerSecond;
         status.bulkRateAge = now - known->shown;
     }

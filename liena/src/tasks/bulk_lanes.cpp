@@ -1,8 +1,6 @@
 // Which stream goes on which lane.
 #include "tasks/bulk_lanes.hpp"
 
-#include "tasks/lane_shares.hpp"
-
 #include <algorithm>
 #include <numeric>
 
@@ -44,6 +42,8 @@ std::size_t BulkLanes::placeFor(std::uint16_t number, Instant now)
         known != m_streams.end() && (now - known->second.lastUsed < pauseLimit || !m_lanes[known->second.place]->isDelivered());
     const auto place = stays ? known->second.place : choosePlace(now);
     m_streams[number] = {place, now};
+    if (!stays)
+        shareLimit(); // its lane may come into use
     return place;
 }
 
@@ -54,7 +54,7 @@ std::size_t BulkLanes::choosePlace(Instant now)
         if (!isInUse(place, now))
             return place;
     if (m_lanes.size() < m_wanted.want(streamsInUse(now) + 1, now))
-        return addLane();
+        return addLane(now);
     const auto least = std::min_element(m_lanes.begin(), m_lanes.end(),
                                         [](const auto& a, const auto& b) { return a->queue().bytes() < b->queue().bytes(); });
     return static_cast<std::size_t>(least - m_lanes.begin());
@@ -62,9 +62,10 @@ std::size_t BulkLanes::choosePlace(Instant now)
 
 bool BulkLanes::isInUse(std::size_t place, Instant now) const
 {
-    return !m_lanes[place]->isDelivered() || std::any_of(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
+    const bool hasStream = std::any_of(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
         return stream.second.place == place && now - stream.second.lastUsed < pauseLimit;
     });
+    return hasStream || !m_lanes[place]->isDelivered();
 }
 
 std::size_t BulkLanes::streamsInUse(Instant now) const
@@ -74,8 +75,10 @@ std::size_t BulkLanes::streamsInUse(Instant now) const
     }));
 }
 
-std::size_t BulkLanes::addLane()
+/// Where all that there are are in use.
+std::size_t BulkLanes::addLane(Instant now)
 {
+    const double beginning = beginningBeside(knownRate(now), m_lanes.size());
     const auto number = static_cast<std::uint8_t>(m_lanes.size() + 1);
     const auto again = [this] { m_retry.after(retryDelay, [this] { connect(); }); };
     OutputLane::Handlers handlers;
@@ -89,6 +92,7 @@ std::size_t BulkLanes::addLane()
     handlers.dropped = m_handlers.dropped;
     handlers.abandoning = m_handlers.abandoning;
     m_lanes.push_back(std::make_unique<OutputLane>(m_io, m_peer, m_identity, m_settings, std::move(handlers)));
+    m_lanes.back()->beginAt(beginning);
     return m_lanes.size() - 1;
 }
 
@@ -152,14 +156,15 @@ std::size_t BulkLanes::queuedBytes() const
                            [](std::size_t sum, const auto& lane) { return sum + lane->queue().bytes(); });
 }
 
-std::optional<KnownRate> BulkLanes::knownRate() const
+std::vector<LaneRate> BulkLanes::laneRates(Instant now) const
 {
-    std::optional<KnownRate> sum;
-    for (const auto& lane : m_lanes)
-        if (const auto rate = lane->knownRate())
-            sum = sum ? KnownRate{sum->bytesPerSecond + rate->bytesPerSecond, std::min(sum->shown, rate->shown)} : *rate;
-    return sum;
+    std::vector<LaneRate> rates;
+    for (std::size_t place = 0; place < m_lanes.size(); ++place)
+        rates.push_back({m_lanes[place]->steadyRate(), m_lanes[place]->knownRate(), isInUse(place, now)});
+    return rates;
 }
+
+std::optional<KnownRate> BulkLanes::knownRate(Instant now) const { return togetherOf(laneRates(now)); }
 
 std::vector<BulkStream> BulkLanes::streamRates(Instant now) const
 {
@@ -203,13 +208,10 @@ void BulkLanes::arrivalsReported(std::chrono::nanoseconds window, std::uint64_t 
     shareLimit();
 }
 
-/// With each report, and when a lane comes up, which has no share before.
+/// With each report, when a lane comes up, which has no share before, and when one may come into use.
 void BulkLanes::shareLimit()
 {
-    std::vector<double> steadyRates;
-    for (const auto& lane : m_lanes)
-        steadyRates.push_back(lane->steadyRate());
-    const auto shares = sharesOf(m_arrivals.bytesPerSecond(), steadyRates);
+    const auto shares = sharesOf(m_arrivals.bytesPerSecond(), laneRates(std::chrono::steady_clock::now()));
     for (std::size_t place = 0; place < m_lanes.size(); ++place)
         m_lanes[place]->limitRate(shares[place]);
 }

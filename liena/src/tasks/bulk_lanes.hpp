@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tasks/arrival_limit.hpp"
+#include "tasks/lane_shares.hpp"
 #include "tasks/load_balancer.hpp"
 #include "tasks/output_lane.hpp"
 #include "tasks/stream_rates.hpp"
@@ -57,8 +58,8 @@ public:
     std::uint64_t bytesSent() const;
     std::size_t queuedBytes() const;
 
-    /// That the lanes together carry, as the one that was filled longest ago showed it.
-    std::optional<KnownRate> knownRate() const;
+    /// That the lanes in use together carry, as the one that was filled longest ago showed it; see togetherOf().
+    std::optional<KnownRate> knownRate(std::chrono::steady_clock::time_point now) const;
 
     /// The streams that were used lately, each with what it can count on, as far as that is known.
     std::vector<BulkStream> streamRates(std::chrono::steady_clock::time_point now) const;
@@ -89,8 +90,9 @@ private:
 
     std::size_t placeFor(std::uint16_t number, Instant now);
     std::size_t choosePlace(Instant now);
-    std::size_t addLane();
+    std::size_t addLane(Instant now);
     void shareLimit();
+    std::vector<LaneRate> laneRates(Instant now) const;
     bool isInUse(std::size_t place, Instant now) const;
     std::size_t streamsInUse(Instant now) const;
 

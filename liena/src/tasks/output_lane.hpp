@@ -69,6 +69,9 @@ public:
     double steadyRate() const { return m_task && m_paced ? m_rate.steady() : 0; }
     void limitRate(std::optional<double> bytesPerSecond) { m_rate.limit(bytesPerSecond); }
 
+    /// Before its first connection, where others tell something of the path; see PathRate::beginAt().
+    void beginAt(double bytesPerSecond) { m_rate.beginAt(bytesPerSecond); }
+
     std::uint64_t bytesSent() const { return m_bytesSent + (m_task ? m_task->bytesSent() : 0); }
 
     /// Ends the connection and any attempt. Session management that waits may still leave within `grace`; nothing else does.

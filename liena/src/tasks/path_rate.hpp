@@ -50,6 +50,9 @@ public:
     void shareWith(std::shared_ptr<FairShare> share, DeviceId session = {});
     DeviceId session() const { return m_session; }
 
+    /// Before anything is known of the path: with this rate instead of `first`.
+    void beginAt(double bytesPerSecond) { m_rate = std::clamp(bytesPerSecond, least, most); }
+
     /// While something is being sent: at each write that begins or ends, and now and then during one.
     void observe(const transport::PathFacts& facts, Instant now);
 
