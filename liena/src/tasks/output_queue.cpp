@@ -160,7 +160,7 @@ void OutputQueue::take(Class& from, std::size_t maximumSegment, Out& out)
 {
     auto& stream = *from.turns.front();
     if (stream.credit <= 0)
-        stream.credit += static_cast<std::ptrdiff_t>(maximumSegment);
+        stream.credit += static_cast<std::ptrdiff_t>(maximumSegment + protocol::headerSize); // just what a full segment takes
     auto& front = stream.waiting.front();
     if (!front.begun && front.entry.message.part.size() >= OutputBatch::longBody)
         front.begun = std::make_shared<const FieldBytes>(std::move(front.entry.message.part));

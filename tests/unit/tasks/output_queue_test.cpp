@@ -19,6 +19,7 @@ private slots:
     void higherClassPassesBetweenSegments();
     void streamsOfAClassTakeTurns();
     void smallMessagesShareATurn();
+    void streamOfLongMessagesOwesNothing();
     void controlKeepsTheOrderOfAllItsMessages();
     void noHeartbeatWaitsBehindIncidents();
     void bothPartialsBeginAgainOnAnotherConnection();
@@ -90,18 +91,37 @@ void OutputQueueTest::streamsOfAClassTakeTurns()
         QCOMPARE(lane.next(2), std::string(expected));
 }
 
-/// A turn is a segment's worth of bytes, not a message.
+/// A turn is a segment's worth of bytes with its header, not a message.
 void OutputQueueTest::smallMessagesShareATurn()
 {
     Lane lane;
     const std::string large(1000, 'L');
     lane.push(0x0202, Rank::Status, large);
     for (int i = 0; i < 100; ++i)
-        lane.push(0x0241, Rank::Status, std::string(30, 's')); // 50 bytes with the header
+        lane.push(0x0241, Rank::Status, std::string(32, 's')); // 52 bytes with the header
     QCOMPARE(lane.next(500), large.substr(0, 500) + "+");
     for (int i = 0; i < 10; ++i)
-        QCOMPARE(lane.next(500), std::string(30, 's'));
+        QCOMPARE(lane.next(500), std::string(32, 's'));
     QCOMPARE(lane.next(500), large.substr(500));
+}
+
+/// What it sends afterwards has whole turns, however many full segments went before.
+void OutputQueueTest::streamOfLongMessagesOwesNothing()
+{
+    constexpr int segments = 60;
+    Lane lane;
+    lane.push(0x0202, Rank::Bulk, std::string(500 * segments, 'L'));
+    for (int i = 0; i < 20; ++i)
+        lane.push(0x0202, Rank::Bulk, std::string(32, 's')); // 52 bytes with the header
+    lane.push(0x0241, Rank::Bulk, std::string(500 * segments * 2, 'O'));
+    for (int i = 0; i < segments; ++i)
+        for (const char letter : {'L', 'O'})
+            QCOMPARE(lane.next(500), std::string(500, letter) + (i == segments - 1 && letter == 'L' ? "" : "+"));
+    for (int turn = 0; turn < 2; ++turn) {
+        for (int i = 0; i < 10; ++i)
+            QCOMPARE(lane.next(500), std::string(32, 's'));
+        QCOMPARE(lane.next(500), std::string(500, 'O') + "+");
+    }
 }
 
 /// What a hand did happens in the order in which it did it, whichever messages say so.
