@@ -124,12 +124,12 @@ Result<Subjects> subjectsOf(const BenchOptions& options)
 
 Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, const LineProfile& profile)
 {
+    const std::chrono::seconds whole(options.seconds);
     if (options.live) {
         const auto socket = statusSocket(options.folder, subjects.from.id);
-        return measureLive({socket, subjects.from.name, subjects.to.id, options.seconds, profile.commandsPerSecond, options.commandBytes,
-                            profile.framesPerSecond, profile.imageBytes});
+        return measureLive({socket, subjects.from.name, liveOrder(subjects.to.id, profile, whole, options.commandBytes), whole});
     }
-    const auto plan = benchPlan(profile, std::chrono::seconds(options.seconds), options.commandBytes);
+    const auto plan = benchPlan(profile, whole, options.commandBytes);
     if (options.local)
         return measureLocally(subjects.topology, subjects.from, subjects.to, options.settings.registry, plan);
     fillFrom(options, subjects.from.name);

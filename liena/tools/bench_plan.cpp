@@ -3,6 +3,8 @@
 
 #include "line_verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +37,12 @@ MeasurementPlan benchPlan(const LineProfile& profile, std::chrono::seconds whole
             {phases::messages, half, {0, many, commandBytes}, {}, {}},
             {phases::besideImages, whole, paced, paced, {profile.framesPerSecond, 0, profile.imageBytes}},
             {phases::images, half, {}, {}, {0, imagesAtOnce(profile), profile.imageBytes}}};
+}
+
+std::string liveOrder(DeviceId peer, const LineProfile& profile, std::chrono::seconds whole, std::uint32_t commandBytes)
+{
+    return fmt::format("measure {} {} {:.10g} {} {:.10g} {}\n", peer.toString(), whole.count(), profile.commandsPerSecond, commandBytes,
+                       profile.framesPerSecond, profile.imageBytes);
 }
 
 } // namespace liena::tools

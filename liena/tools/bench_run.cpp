@@ -322,10 +322,9 @@ Result<Measurement> measureLive(const LiveRequest& request)
         return fail(Errc::NetworkFailure,
                     fmt::format("{} does not run here as this user: nothing answers at {}. Name its folder with --folder", request.device,
                                 request.socket.string()));
-    const auto line = fmt::format("measure {} {} {:.0f} {} {:.3f} {}\n", request.peer.toString(), request.seconds,
-                                  request.commandsPerSecond, request.commandBytes, request.framesPerSecond, request.imageBytes);
+    const auto& line = request.order;
     const bool sent = ::send(socket, line.data(), line.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(line.size());
-    const std::chrono::seconds longest(2L * request.seconds + 10);
+    const auto longest = 2 * request.whole + 10s;
     auto measured = sent ? awaitMeasurement(socket, request.device, longest, watch)
                          : Result<Measurement>(fail(Errc::NetworkFailure, request.device + " closed its status socket"));
     ::close(socket);

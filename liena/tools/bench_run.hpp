@@ -25,12 +25,8 @@ Result<Measurement> measureLocally(const SystemTopology& topology, const Topolog
 struct LiveRequest {
     std::filesystem::path socket; ///< of the running device
     std::string device;
-    DeviceId peer;
-    unsigned seconds = 5;
-    double commandsPerSecond = 0;
-    std::uint32_t commandBytes = 64;
-    double framesPerSecond = 0;
-    std::uint32_t imageBytes = 0;
+    std::string order; ///< liveOrder()
+    std::chrono::seconds whole{5};
 };
 
 /// Asks a running device of this user to measure inside its own session.

@@ -29,14 +29,14 @@ bool read(std::string_view word, T least, T most, T& value)
 Result<MeasureOrder> MeasureOrder::parse(std::string_view line)
 {
     constexpr std::uint32_t mostSeconds = 600;
-    constexpr std::uint32_t mostCommands = 10000;
+    constexpr double mostCommands = 10000;
     constexpr double mostImages = 1000;
     MeasureOrder order;
     const bool endsInBlank = line.ends_with(' '); // a word after it would be missing
     const bool measure = takeWord(line) == "measure";
     const auto peer = DeviceId::fromString(takeWord(line));
     const bool inBounds = read(takeWord(line), 1U, mostSeconds, order.seconds) &&
-                          read(takeWord(line), 1U, mostCommands, order.commandsPerSecond) &&
+                          read(takeWord(line), 1.0, mostCommands, order.commandsPerSecond) &&
                           read(takeWord(line), 0U, static_cast<std::uint32_t>(protocol::maximumPromptPadding), order.commandBytes) &&
                           read(takeWord(line), 0.0, mostImages, order.imagesPerSecond) &&
                           read(takeWord(line), 1U, static_cast<std::uint32_t>(protocol::maximumProbePadding), order.imageBytes);
@@ -50,7 +50,7 @@ Result<MeasureOrder> MeasureOrder::parse(std::string_view line)
 MeasurementPlan MeasureOrder::plan() const
 {
     const std::chrono::seconds whole(seconds);
-    const ProbeStream commands{static_cast<double>(commandsPerSecond), 0, commandBytes};
+    const ProbeStream commands{commandsPerSecond, 0, commandBytes};
     const auto& packets = commands; // the two share what is granted in equal parts: with fewer, the commands would be slowed
     return {{"paced", whole, commands, packets, {}}, {"beside-images", whole, commands, packets, {imagesPerSecond, 0, imageBytes}}};
 }

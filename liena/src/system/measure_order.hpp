@@ -10,12 +10,12 @@
 
 namespace liena::system {
 
-/// `measure 0x00008208 5 500 64 15 524288`: peer, seconds of each phase, commands a second, bytes of a command, images a second, bytes of
+/// `measure 0x00008208 5 500 64 7.5 524288`: peer, seconds of each phase, commands a second, bytes of a command, images a second, bytes of
 /// an image.
 struct MeasureOrder {
     DeviceId peer;
     std::uint32_t seconds = 0;
-    std::uint32_t commandsPerSecond = 0;
+    double commandsPerSecond = 0;
     std::uint32_t commandBytes = 0;
     double imagesPerSecond = 0;
     std::uint32_t imageBytes = 0;

@@ -31,6 +31,16 @@ private Q_SLOTS:
         QCOMPARE(plan[1].images.bytes, 524'288U);
     }
 
+    void takesARateThatIsNoWholeNumber()
+    {
+        const auto order = MeasureOrder::parse("measure 0x00008208 20 2.5 32 7.5 524288");
+        QVERIFY(order);
+        for (const auto& phase : order.value().plan()) {
+            QCOMPARE(phase.prompt.perSecond, 2.5);
+            QCOMPARE(phase.packets.perSecond, 2.5);
+        }
+    }
+
     void refusesEverythingElse_data()
     {
         QTest::addColumn<QByteArray>("line");
@@ -47,6 +57,10 @@ private Q_SLOTS:
                                  "measure 0x00008208 601 500 64 15 524288",
                                  "measure 0x00008208 -1 500 64 15 524288",
                                  "measure 0x00008208 20 0 64 15 524288",
+                                 "measure 0x00008208 20 0.5 64 15 524288",
+                                 "measure 0x00008208 20 nan 64 15 524288",
+                                 "measure 0x00008208 20 inf 64 15 524288",
+                                 "measure 0x00008208 20 10000.5 64 15 524288",
                                  "measure 0x00008208 20 10001 64 15 524288",
                                  "measure 0x00008208 20 500 -1 15 524288",
                                  "measure 0x00008208 20 500 1025 15 524288",

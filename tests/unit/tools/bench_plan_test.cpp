@@ -2,6 +2,7 @@
 #include "bench_plan.hpp"
 #include "line_verdict.hpp"
 #include "support/probed_line.hpp"
+#include "system/measure_order.hpp"
 
 #include <QTest>
 
@@ -48,6 +49,37 @@ private Q_SLOTS:
         profile.imageBytes = 1U << 20U;
         profile.limits[Figure::ImageRate] = {100, 50};
         QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 96U); // 100 MB
+    }
+
+    /// A rate that was rounded would be measured, and judged as the one that was asked for.
+    void aRunningDeviceIsAskedForTheRatesOfTheProfile_data()
+    {
+        QTest::addColumn<double>("commands");
+        QTest::addColumn<double>("frames");
+        QTest::newRow("whole") << 500.0 << 15.0;
+        QTest::newRow("halves") << 2.5 << 7.5;
+        QTest::newRow("least") << 1.0 << 0.1;
+        QTest::newRow("many digits") << 1234.5678 << 29.97003;
+        QTest::newRow("most") << 10000.0 << 1000.0;
+    }
+    void aRunningDeviceIsAskedForTheRatesOfTheProfile()
+    {
+        QFETCH(double, commands);
+        QFETCH(double, frames);
+        auto profile = shipped("vascular-robot");
+        profile.commandsPerSecond = commands;
+        profile.framesPerSecond = frames;
+        auto line = liveOrder(DeviceId(0x00008208U), profile, 20s, 64);
+        QVERIFY(line.ends_with('\n'));
+        line.pop_back();
+        const auto order = system::MeasureOrder::parse(line);
+        QVERIFY2(order, line.c_str());
+        QVERIFY(order.value().peer == DeviceId(0x00008208U));
+        QCOMPARE(order.value().seconds, 20U);
+        QCOMPARE(order.value().commandsPerSecond, commands);
+        QCOMPARE(order.value().commandBytes, 64U);
+        QCOMPARE(order.value().imagesPerSecond, frames);
+        QCOMPARE(order.value().imageBytes, profile.imageBytes);
     }
 
     void aLongFastLineIsGo()
