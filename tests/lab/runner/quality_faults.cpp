@@ -103,6 +103,14 @@ std::function<void(Scene&)> collapse(long rate, long queue, long picture)
     };
 }
 
+/// Beside what is required. The fault breaks at twice that: a machine's own noise keeps pictures waiting, too.
+std::string healingTime(double found)
+{
+    constexpr double required = 5000;
+    return "full quality again after " + milliseconds(found) + ", required " + milliseconds(required) +
+           (found > required ? ": NOT MET" : ": met");
+}
+
 bool isRung(const Record& record, std::uint64_t rung) { return record.kind() == "picture" && record.number(3) == rung; }
 
 /// The product's X-ray system takes a lower rung of its ladder when the cockpit's way in falls to a tenth, and the first again when it
@@ -135,7 +143,7 @@ void ladder(Scene& scene)
         scene.fails("a tenth of the way, and no picture said that it is reduced");
     const auto healed = rig.wire(wide);
     if (rig.until([&] { return cockpit.first(healed, isFull) != nullptr; }, Milliseconds(10'000)))
-        scene.note("full quality again after " + milliseconds(static_cast<double>(cockpit.first(healed, isFull)->at - healed) / 1e6));
+        scene.note(healingTime(static_cast<double>(cockpit.first(healed, isFull)->at - healed) / 1e6));
     else
         scene.fails("no picture as asked for within 10 s of the healing");
     scene.note("lowest rung " + std::to_string(lowest) + ", largest gap of commands " + milliseconds(scene.largestGap(fallen)));
