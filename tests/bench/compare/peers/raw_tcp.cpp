@@ -2,6 +2,7 @@
 // alone takes.
 #include "measure/frame_post.hpp"
 #include "measure/periodic_tasks.hpp"
+#include "measure/send_buffer.hpp"
 #include "stream/stream_input.hpp"
 #include "stream/stream_output.hpp"
 #include "workloads/peer.hpp"
@@ -70,6 +71,21 @@ int connectTo(const Options& options)
     }
 }
 
+/// As LiENa's bulk lanes, which leave to the kernel what the other end may take: the age of their frames is held against this one's, which
+/// is to be the line's and not that of a buffer too short for it. Nothing is asked for on one computer.
+void askForLongLine(int socket)
+{
+    const auto addressBy = [socket](auto ask) {
+        sockaddr_in address{};
+        socklen_t size = sizeof address;
+        checked(ask(socket, reinterpret_cast<sockaddr*>(&address), &size), "address");
+        return address.sin_addr.s_addr;
+    };
+    const auto bytes = addressBy(::getsockname) != addressBy(::getpeername) ? sendBufferWorthAsking() : std::nullopt;
+    if (bytes)
+        ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &*bytes, sizeof *bytes);
+}
+
 class RawTcp final : public Transport {
 public:
     explicit RawTcp(const Options& options)
@@ -83,6 +99,7 @@ public:
         m_socket = m_options.role == Role::Client ? connectTo(m_options) : acceptOne(m_options);
         const int on = 1;
         ::setsockopt(m_socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+        askForLongLine(m_socket);
         m_tasks.start();
         events.ready();
         flush();
