@@ -8,6 +8,20 @@ namespace liena::tasks {
 
 namespace asio = boost::asio;
 
+namespace {
+
+/// There no way is shared: who waits, waits for a processor. A segment costs its reader a turn, so that images leave in the longest there
+/// are; sealed they leave in a record each.
+TransmissionTask::Settings onThisComputer(TransmissionTask::Settings settings, bool isSecured)
+{
+    settings.patientBatch = settings.batch;
+    if (settings.traffic == transport::TcpChannel::Traffic::Bulk && !isSecured)
+        settings.segment = protocol::maximumBody;
+    return settings;
+}
+
+} // namespace
+
 OutputLane::OutputLane(asio::io_context& io, TopologyDevice peer, std::shared_ptr<security::TlsIdentity> identity,
                        TransmissionTask::Settings settings, Handlers handlers)
     : m_io(io),
@@ -72,9 +86,7 @@ void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
     m_queue->restart();
     m_paced = m_settings.traffic == transport::TcpChannel::Traffic::Bulk && !channel->isLocal();
     m_rate.shareWith(m_paced && m_settings.interfaces != nullptr ? m_settings.interfaces->of(channel->localAddress()) : nullptr, m_peer.id);
-    auto settings = m_settings;
-    if (channel->isLocal())
-        settings.patientBatch = settings.batch; // who waits there waits for a processor
+    const auto settings = channel->isLocal() ? onThisComputer(m_settings, channel->isSecured()) : m_settings;
     m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, settings, m_paced ? &m_rate : nullptr,
                                                 [this](const std::string& detail, bool identity) { lost(detail, identity); });
     m_task->sendFirst(m_attach);
