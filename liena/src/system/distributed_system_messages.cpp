@@ -15,15 +15,22 @@ void DistributedSystem::State::deliver(Message&& message)
 {
     if (message.definition().priority != Priority::Bulk)
         attention.heard();
-    const auto found = subscriptions.find(message.name());
-    if (found == subscriptions.end())
+    const auto* subscription = subscriptionTo(message.name());
+    if (subscription == nullptr)
         return MessageCacheAccess::put(messageCache, std::move(message));
-    const auto& subscription = found->second;
-    for (const auto& handler : subscription.handlers)
+    for (const auto& handler : subscription->handlers)
         handler(message);
-    if (subscription.keeper)
-        return subscription.keeper(kept(std::move(message)));
+    if (subscription->keeper)
+        return subscription->keeper(kept(std::move(message)));
     partialBudget.recycle(MessageAccess::takeFields(message));
+}
+
+/// The one that was asked for last is most often asked for next. Null when there is none.
+const DistributedSystem::State::Subscription* DistributedSystem::State::subscriptionTo(const std::string& message)
+{
+    if (lastSubscription == subscriptions.end() || lastSubscription->first != message)
+        lastSubscription = subscriptions.find(message);
+    return lastSubscription != subscriptions.end() ? &lastSubscription->second : nullptr;
 }
 
 /// Its buffer comes back from whichever thread lets go of it last.

@@ -175,7 +175,10 @@ struct DistributedSystem::State final : public system::ModuleHost {
         std::vector<MessageHandler> handlers;
         KeepingHandler keeper; ///< comes last; there may be none
     };
-    std::map<std::string, Subscription, std::less<>> subscriptions; ///< by the name of the message
+    using Subscriptions = std::map<std::string, Subscription, std::less<>>;
+    Subscriptions subscriptions; ///< by the name of the message; none is taken out
+    Subscriptions::const_iterator lastSubscription = subscriptions.end();
+    const Subscription* subscriptionTo(const std::string& message);
     std::vector<EventHandler> eventHandlers;
     struct Periodic {
         std::chrono::nanoseconds period;
