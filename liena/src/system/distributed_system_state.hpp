@@ -101,8 +101,8 @@ struct DistributedSystem::State final : public system::ModuleHost {
     protocol::PartialBudget& budget() override { return partialBudget; }
     transport::UdpSocket& packets() override { return udpSocket; }
     transport::WorkerThreads& workers() override { return elasticWork.workers(); }
-    Timestamp stamp() override { return stamps.next(clocks.now().wall); }
     session::Now now() const override { return clocks.now(); }
+    Timestamp stamp(session::Now now) override { return stamps.next(now.wall); }
     std::uint64_t freshToken() override;
     bool isTokenUsed(DeviceId asking, std::uint64_t token) const override;
     void turned() override;

@@ -46,8 +46,10 @@ public:
     virtual transport::UdpSocket& packets() = 0;
     virtual transport::WorkerThreads& workers() = 0;
 
-    virtual Timestamp stamp() = 0;
     virtual session::Now now() const = 0;
+    /// What is made now carries it; later than every one before.
+    virtual Timestamp stamp(session::Now now) = 0;
+    Timestamp stamp() { return stamp(now()); }
     virtual std::uint64_t freshToken() = 0;
     /// Another peer's session has it, or it names an incident.
     virtual bool isTokenUsed(DeviceId asking, std::uint64_t token) const = 0;

@@ -35,6 +35,7 @@ Result<void> DistributedModule::send(Message&& message)
 {
     if (auto allowed = checkSendable(message); !allowed)
         return allowed;
+    const auto now = m_host.now(); // reading the clocks is a good part of what a small message costs
     const auto& definition = message.definition();
     if (definition.priority != Priority::Status)
         m_usedSince = true;
@@ -43,7 +44,7 @@ Result<void> DistributedModule::send(Message&& message)
     auto& encoded = entry.message;
     encoded.header.message = {m_host.ownDevice().id, definition.number};
     encoded.header.target = m_peer.id;
-    encoded.header.timestamp = m_host.stamp();
+    encoded.header.timestamp = m_host.stamp(now);
     if (definition.priority == Priority::Control) {
         const auto fields = message.fieldBytes();
         const auto record = m_machine.stamper().next(encoded.header, fields);
@@ -57,12 +58,12 @@ Result<void> DistributedModule::send(Message&& message)
         encoded.part = MessageAccess::takeFields(message);
         encoded.lent = MessageAccess::takeLent(message);
     }
-    if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded, m_host.now().mono)) {
+    if (definition.path == Path::Datagram && m_machine.datagramsHeardByPeer() > 0 && m_datagrams.send(encoded, now.mono)) {
         m_books.sentInPacket(encoded.part.size());
         return ok();
     }
     if (definition.lifespan)
-        entry.expires = m_host.now().mono + *definition.lifespan;
+        entry.expires = now.mono + *definition.lifespan;
     const bool taken = definition.priority == Priority::Bulk ? m_bulk.push(std::move(entry)) : m_laneZero.push(std::move(entry));
     if (!taken)
         return fail(Errc::QueueFull, fmt::format("too much waits for {} already: {} is refused", m_peer.name, definition.name));
