@@ -23,11 +23,12 @@ void append(Ring<T>& ring, std::type_identity_t<T>&& value)
     ring.push_back(std::move(value));
 }
 
-/// After what was taken away: a burst's memory is given back.
+/// After what was taken away: the memory of a long burst is given back. One that comes again and again, as answers to a window of questions
+/// do, finds its own: it would be asked for, and all that waits moved, two or three times in each.
 template <typename T>
 void settle(Ring<T>& ring)
 {
-    constexpr std::size_t longest = 64;
+    constexpr std::size_t longest = 256; // of messages some 90 KiB
     if (ring.empty() && ring.capacity() > longest)
         ring.set_capacity(longest);
 }
