@@ -15,6 +15,7 @@
 #include "widgets/status_strip.hpp"
 #include "widgets/theme.hpp"
 #include "widgets/trends_pane.hpp"
+#include "widgets/urgent_keys.hpp"
 
 #include <QApplication>
 #include <QDateTime>
@@ -118,9 +119,10 @@ void CockpitWindow::addKeys()
     bind(Qt::Key_F2, [this] { toggleView(View::Topology); });
     bind(Qt::Key_F4, [this] { toggleView(View::Log); });
     bind(Qt::Key_F8, [this] { Q_EMIT alarmTestRequested(); });
-    bind(Qt::Key_F9, [this] { Q_EMIT audioPauseRequested(); });
-    bind(Qt::Key_F12, [this] { Q_EMIT panicHoldRequested(); });
-    bind(Qt::Key_Escape, [this] {
+    auto* urgent = new UrgentKeys(this);
+    connect(urgent, &UrgentKeys::audioPausePressed, this, &CockpitWindow::audioPauseRequested);
+    connect(urgent, &UrgentKeys::holdPressed, this, &CockpitWindow::panicHoldRequested);
+    connect(urgent, &UrgentKeys::emergencyStopPressed, this, [this] {
         Q_EMIT emergencyStopRequested(QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Esc key on the console")));
     });
 }

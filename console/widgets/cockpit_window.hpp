@@ -27,9 +27,10 @@ class TrendsPane;
 ///
 /// Keys: F1 cockpit, F2 topology, F3 plots, F4 log, F6 conditions, F7 screens, F10 and F11 reference or scene beside the live picture,
 /// Ctrl+, (with a comma) preferences, Ctrl+1 … Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency
-/// stop, wherever the focus is. F5 does nothing yet. All other keys belong to the hand while the cockpit itself has the focus; while a
-/// sheet, a view or another window has it, the hand has none, and `handFocusChanged(false)` says so before the first key goes elsewhere.
-/// Space and Enter are never handed on, nor is what is pressed with Ctrl, Alt or Meta.
+/// stop, wherever the focus is, the last three with any modifiers (UrgentKeys). F5 does nothing yet. All other keys belong to the hand
+/// while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
+/// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on, nor is what is pressed with
+/// Ctrl, Alt or Meta.
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:

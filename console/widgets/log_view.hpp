@@ -24,8 +24,7 @@ class LogLines;
 class LogReview;
 class SheetButton;
 
-/// Nothing in it opens a window of its own: a list that drops down would take Esc, which is the emergency stop, for itself. Both logs must
-/// outlive it.
+/// Nothing in it opens a window of its own: a list that drops down would have the keyboard for itself. Both logs must outlive it.
 class LogView : public QFrame {
     Q_OBJECT
 public:

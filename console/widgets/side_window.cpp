@@ -2,6 +2,7 @@
 #include "widgets/side_window.hpp"
 
 #include "widgets/labels.hpp"
+#include "widgets/urgent_keys.hpp"
 
 #include <QCloseEvent>
 #include <QHBoxLayout>
@@ -36,18 +37,16 @@ SideWindow::SideWindow(const QString& name) : m_column(new QVBoxLayout(this))
 
 void SideWindow::addKeys()
 {
-    const auto bind = [this](Qt::Key key, auto act) {
-        auto* shortcut = new QShortcut(QKeySequence(key), this);
-        shortcut->setAutoRepeat(false);
-        connect(shortcut, &QShortcut::activated, this, act);
-    };
-    bind(Qt::Key_Escape, [this] {
+    auto* urgent = new UrgentKeys(this);
+    connect(urgent, &UrgentKeys::emergencyStopPressed, this, [this] {
         Q_EMIT emergencyStopRequested(
             QString::fromLatin1(QT_TRANSLATE_NOOP("console::SystemLink", "Esc key on the console's further screen")));
     });
-    bind(Qt::Key_F12, [this] { Q_EMIT panicHoldRequested(); });
-    bind(Qt::Key_F9, [this] { Q_EMIT audioPauseRequested(); });
-    bind(Qt::Key_F1, [this] { Q_EMIT cockpitRequested(); });
+    connect(urgent, &UrgentKeys::holdPressed, this, &SideWindow::panicHoldRequested);
+    connect(urgent, &UrgentKeys::audioPausePressed, this, &SideWindow::audioPauseRequested);
+    auto* back = new QShortcut(QKeySequence(Qt::Key_F1), this);
+    back->setAutoRepeat(false);
+    connect(back, &QShortcut::activated, this, &SideWindow::cockpitRequested);
 }
 
 void SideWindow::add(std::initializer_list<QWidget*> parts, int share)

@@ -5,7 +5,7 @@
 
 namespace console {
 
-/// At least theme::touchSide() tall. It opens no menu: one would take Esc, which is the emergency stop, for itself.
+/// At least theme::touchSide() tall. It opens no menu: one would have the keyboard for itself.
 class TouchLine : public QLineEdit {
     Q_OBJECT
 public:
