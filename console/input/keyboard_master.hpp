@@ -29,7 +29,7 @@ public:
     void rezero(Instant now) override;
     void requireRelease() override { releaseAll(); }
 
-    /// Qt's key codes. True when the key belongs to the hand.
+    /// Qt's key codes, of a release that of the press: whoever hears the keyboard knows the key again. True when it belongs to the hand.
     bool press(int key, bool autoRepeat = false);
     bool release(int key, bool autoRepeat = false);
     void releaseAll();

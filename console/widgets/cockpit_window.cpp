@@ -70,12 +70,12 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     setWindowTitle(tr("LiENa cockpit \u2014 research system, not a medical device"));
     setAccessibleName(tr("Cockpit"));
     setFocusPolicy(Qt::StrongFocus);
-    qApp->installEventFilter(this);
     placeRegions();
     connectIntents();
     connectModels();
     addKeys();
     addViewKeys();
+    qApp->installEventFilter(this); // the last one hears first, so this one hears of every key, also of those that UrgentKeys takes
     m_clock.setInterval(clockMs);
     m_clock.setTimerType(Qt::PreciseTimer);
     connect(&m_clock, &QTimer::timeout, this, &CockpitWindow::tick);
@@ -263,6 +263,7 @@ void CockpitWindow::updateHandKeys()
     if (has == m_handHasKeys)
         return;
     m_handHasKeys = has;
+    m_held.clear(); // what is down now counts for nothing until it is pressed again, and what comes up elsewhere is not heard
     Q_EMIT handFocusChanged(has);
 }
 
@@ -282,21 +283,33 @@ void CockpitWindow::keyPressEvent(QKeyEvent* event)
 /// A button or a slider with the focus would take the arrows to move the focus or itself, and what it leaves its list would.
 bool CockpitWindow::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() != QEvent::KeyPress || !m_handHasKeys || watched == this || !watched->isWidgetType() ||
-        static_cast<QWidget*>(watched)->window() != this)
+    const bool press = event->type() == QEvent::KeyPress;
+    const bool down = press || event->type() == QEvent::ShortcutOverride; // of what a shortcut takes nothing else is heard
+    if (!down || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this)
         return false;
-    auto* press = static_cast<QKeyEvent*>(event);
-    if (!isTakenByWidgets(press->key()))
+    auto* key = static_cast<QKeyEvent*>(event);
+    noteKeyDown(*key);
+    if (!press || !m_handHasKeys || watched == this || !isTakenByWidgets(key->key()))
         return false;
-    keyPressEvent(press);
+    keyPressEvent(key);
     return true;
+}
+
+/// Of every key, whosever it is: one that comes up under another code must not be taken for one of the hand's, nor the other way round.
+void CockpitWindow::noteKeyDown(const QKeyEvent& event)
+{
+    if (event.isAutoRepeat())
+        return;
+    if (const auto before = m_held.press(event.nativeScanCode(), event.key()))
+        Q_EMIT handKeyReleased(*before);
 }
 
 void CockpitWindow::keyReleaseEvent(QKeyEvent* event)
 {
     if (event->isAutoRepeat())
         return;
-    Q_EMIT handKeyReleased(event->key());
+    for (const int key : m_held.release(event->nativeScanCode(), event->key()))
+        Q_EMIT handKeyReleased(key);
 }
 
 // A click on the picture or beside a control gives the keys back to the hand.

@@ -3,6 +3,7 @@
 
 #include "model/console_models.hpp"
 #include "widgets/cockpit_layout.hpp"
+#include "widgets/held_keys.hpp"
 #include "widgets/view_stack.hpp"
 
 #include <QTimer>
@@ -30,7 +31,7 @@ class TrendsPane;
 /// stop, wherever the focus is, the last three with any modifiers (UrgentKeys). F5 does nothing yet. All other keys belong to the hand
 /// while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
 /// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on, nor is what is pressed with
-/// Ctrl, Alt or Meta.
+/// Ctrl, Alt or Meta. A key that comes up is told with the code that it was pressed with (HeldKeys).
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -134,6 +135,7 @@ private:
     void addViewKeys();
     void toggleView(View view);
     void updateHandKeys();
+    void noteKeyDown(const QKeyEvent& event);
     void tick();
     void refreshStrip(Instant now);
     void refreshSlow(Instant now);
@@ -160,6 +162,7 @@ private:
     int m_ticks = 0;
     bool m_refreshDue = false;
     bool m_handHasKeys = false;
+    HeldKeys m_held;
     Arrangement m_arrangement = Arrangement::Usual;
     QString m_operator;
     std::optional<Instant> m_procedureSince;

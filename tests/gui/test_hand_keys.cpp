@@ -1,12 +1,16 @@
-// Whose keys they are after a click, after a control went, and with Ctrl, Alt or Meta held.
+// Whose keys they are after a click, after a control went, and with Ctrl, Alt or Meta held; and that each is known again when it comes up.
 #include "cockpit_stage.hpp"
+#include "support/keyboard_key.hpp"
 #include "widgets/alarm_band.hpp"
 #include "widgets/link_card.hpp"
 #include "widgets/sheet_button.hpp"
 
 #include <QKeyEvent>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
+
+#include <utility>
 
 using namespace console;
 using namespace console::test;
@@ -22,6 +26,7 @@ struct Stage : CockpitStage {
     QSignalSpy closed{&window, &CockpitWindow::closeRequested};
     QSignalSpy openedAll{&window, &CockpitWindow::openAllRequested};
     QSignalSpy keys{&window, &CockpitWindow::handKeyPressed};
+    QSignalSpy keysUp{&window, &CockpitWindow::handKeyReleased};
 
     Stage()
     {
@@ -214,7 +219,6 @@ private Q_SLOTS:
         QFETCH(bool, counts);
         Stage stage;
         QVERIFY(stage.ready());
-        QSignalSpy released(&stage.window, &CockpitWindow::handKeyReleased);
         for (const Qt::Key key : {Qt::Key_R, Qt::Key_D, Qt::Key_G, Qt::Key_Up}) {
             for (const auto type : {QEvent::KeyPress, QEvent::KeyRelease}) { // QTest::keyPress() would press the modifier, too
                 QKeyEvent event(type, key, Qt::KeyboardModifiers(modifier));
@@ -222,7 +226,100 @@ private Q_SLOTS:
             }
         }
         QCOMPARE(stage.keys.count(), counts ? 4 : 0);
-        QCOMPARE(released.count(), 4); // what stops motion always counts
+        QCOMPARE(stage.keysUp.count(), 4); // what stops motion always counts
+    }
+
+    void comeUpAsTheyWentDown_data()
+    {
+        QTest::addColumn<quint32>("scanCode");
+        QTest::addColumn<int>("down");
+        QTest::addColumn<int>("up");
+        QTest::newRow("dead-man, AltGr held") << scan::d << int(Qt::Key_D) << int(Qt::Key_ETH);
+        QTest::newRow("dead-man, another layout") << scan::d << int(Qt::Key_D) << 0x412;
+        QTest::newRow("pedal, AltGr held") << scan::f << int(Qt::Key_F) << altGr::f;
+        QTest::newRow("ARM, AltGr held") << scan::r << int(Qt::Key_R) << int(Qt::Key_paragraph);
+        QTest::newRow("inject, AltGr held") << scan::g << int(Qt::Key_G) << altGr::g;
+        QTest::newRow("arrow, Num Lock on") << scan::padUp << int(Qt::Key_Up) << int(Qt::Key_8);
+    }
+
+    /// Wherever the focus is; what the keyboard repeats meanwhile has the other code, too.
+    void comeUpAsTheyWentDown()
+    {
+        QFETCH(quint32, scanCode);
+        QFETCH(int, down);
+        QFETCH(int, up);
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.refresh();
+        QWidget* const control = stage.named<QPushButton>(openAllName);
+        QVERIFY(control != nullptr);
+        for (QWidget* focus : {static_cast<QWidget*>(&stage.window), control}) {
+            focus->setFocus(Qt::TabFocusReason);
+            QTRY_VERIFY(stage.window.handHasKeys());
+            stage.keys.clear();
+            stage.keysUp.clear();
+            sendKey(focus, QEvent::KeyPress, scanCode, down);
+            for (int i = 0; i < 3; ++i) {
+                sendKey(focus, QEvent::KeyRelease, scanCode, up, true);
+                sendKey(focus, QEvent::KeyPress, scanCode, up, true);
+            }
+            QCOMPARE(stage.keys.count(), 1);
+            QCOMPARE(stage.keys.front().front().toInt(), down);
+            QCOMPARE(stage.keysUp.count(), 0);
+            sendKey(focus, QEvent::KeyRelease, scanCode, up);
+            QCOMPARE(stage.keysUp.count(), 1);
+            QCOMPARE(stage.keysUp.front().front().toInt(), down);
+        }
+    }
+
+    /// Without scan codes: what nobody saw go down may be any of those that are down.
+    void allComeUpWithOneThatIsUnknown()
+    {
+        Stage stage;
+        QVERIFY(stage.ready());
+        QTRY_VERIFY(stage.window.handHasKeys());
+        sendKey(&stage.window, QEvent::KeyPress, 0, Qt::Key_D);
+        sendKey(&stage.window, QEvent::KeyPress, 0, Qt::Key_F);
+        sendKey(&stage.window, QEvent::KeyRelease, 0, Qt::Key_ETH);
+        QSet<int> up;
+        for (const auto& told : std::as_const(stage.keysUp))
+            up.insert(told.front().toInt());
+        QVERIFY(up.contains(Qt::Key_D) && up.contains(Qt::Key_F));
+    }
+
+    /// Nor with those that a shortcut takes, or that are urgent.
+    void doNotComeUpWithOthers()
+    {
+        Stage stage;
+        QVERIFY(stage.ready());
+        QTRY_VERIFY(stage.window.handHasKeys());
+        QTest::keyPress(&stage.window, Qt::Key_D);
+        for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_F8, Qt::Key_F9, Qt::Key_F10, Qt::Key_F11, Qt::Key_F12, Qt::Key_N})
+            for (const Qt::KeyboardModifier modifier : {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier})
+                QTest::keyClick(&stage.window, key, modifier);
+        QVERIFY(stage.window.handHasKeys());
+        for (const auto& told : std::as_const(stage.keysUp))
+            QVERIFY(told.front().toInt() != Qt::Key_D);
+        QTest::keyRelease(&stage.window, Qt::Key_D);
+        QCOMPARE(stage.keysUp.back().front().toInt(), int(Qt::Key_D));
+    }
+
+    /// A key that stayed down while they were another's is no key of the hand's until it is pressed again.
+    void areForgottenWhileTheyAreAnothers()
+    {
+        Stage stage;
+        QVERIFY(stage.ready());
+        QTRY_VERIFY(stage.window.handHasKeys());
+        sendKey(&stage.window, QEvent::KeyPress, scan::d, Qt::Key_D);
+        QTest::keyClick(&stage.window, Qt::Key_F2);
+        QVERIFY(!stage.window.handHasKeys());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_F1);
+        QTRY_VERIFY(stage.window.handHasKeys());
+        stage.keysUp.clear();
+        sendKey(&stage.window, QEvent::KeyRelease, scan::d, Qt::Key_ETH);
+        QCOMPARE(stage.keysUp.count(), 1);
+        QCOMPARE(stage.keysUp.front().front().toInt(), int(Qt::Key_ETH));
+        QCOMPARE(stage.keys.count(), 1);
     }
 };
 

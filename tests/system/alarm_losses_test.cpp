@@ -76,14 +76,14 @@ private Q_SLOTS:
         const bool robot = device == QStringLiteral("robot");
         const auto priority = armed ? AlarmPriority::High : AlarmPriority::Medium;
         const auto condition = robot ? C::LinkLost : C::ImageLost;
-        if (armed)
+        if (armed) {
             QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
-        else
-            QVERIFY2(theatre.makeReady(), qPrintable(theatre.story()));
-        theatre.release(Qt::Key_Up);
-        theatre.release(Qt::Key_D); // and the pedal stays down
-        if (armed)
+            theatre.release(Qt::Key_Up);
+            theatre.release(Qt::Key_D); // and the pedal stays down
             QCOMPARE(theatre.phase(), PermitPhase::Armed);
+        } else {
+            QVERIFY2(theatre.makeReady(), qPrintable(theatre.story()));
+        }
         (robot ? theatre.robot : theatre.xray)->kill();
         QTRY_VERIFY2_WITH_TIMEOUT(isPresent(theatre, condition, priority), qPrintable(theatre.story()), patience);
         QVERIFY(!isPresent(theatre, robot ? C::ImageLost : C::LinkLost, priority));

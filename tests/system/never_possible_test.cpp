@@ -2,11 +2,11 @@
 // through the console's own window: keys, focus, other views, a screen that is gone or stands still, and a robot and an X-ray system that
 // lie.
 //
-// Of the other rules, what a hand does is tried by system.never_by_hand, a link that heals or is re-opened by system.never_by_link, what is
-// shown by system.never_shown, alarms by system.never_silenced; a screen that is really gone by system.vanished_screen. Some need a device
-// that dies or a file that differs and are tried elsewhere: a killed and a frozen robot, a pad that is pulled out, two consoles
-// (system.cockpit), commands from before a loss (system.stand_by, the simulation; the age of each by itself: system.timing), certificates
-// and topologies that differ (system.certificates, hostile_*).
+// Of the other rules, what a hand does is tried by system.never_by_hand, keys that come up under another name by system.never_stuck, a link
+// that heals or is re-opened by system.never_by_link, what is shown by system.never_shown, alarms by system.never_silenced; a screen that
+// is really gone by system.vanished_screen. Some need a device that dies or a file that differs and are tried elsewhere: a killed and a
+// frozen robot, a pad that is pulled out, two consoles (system.cockpit), commands from before a loss (system.stand_by, the simulation; the
+// age of each by itself: system.timing), certificates and topologies that differ (system.certificates, hostile_*).
 #include "never_possible_stage.hpp"
 
 #include <QApplication>
