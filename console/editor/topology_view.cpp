@@ -27,7 +27,7 @@ TopologyView::TopologyView(const SessionModel& sessions, QWidget* parent)
       m_title(plainLabel({}, TextRole::Title, this)),
       m_identity(plainLabel({}, TextRole::Body, this)),
       m_said(plainLabel({}, TextRole::Body, this)),
-      m_openAll(new SheetButton(tr("Open all"), SheetButton::Enter::Clicks, this)),
+      m_openAll(new SheetButton(tr("Open all"), SheetButton::Enter::Ignored, this)),
       m_canvas(new TopologyCanvas(sessions, TopologyCanvas::Size::Full, this)),
       m_rowColumn(new QVBoxLayout)
 {

@@ -1,10 +1,10 @@
 // Lines in columns; what is missing comes first, so what finds no room is met wherever the room allows it.
 #include "widgets/guard_list.hpp"
 
+#include "widgets/enter_key.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/theme.hpp"
 
-#include <QKeyEvent>
 #include <QPainter>
 #include <QStringList>
 
@@ -69,7 +69,7 @@ void GuardList::setChecklist(const GuardChecklist& checklist, const PermitState&
 
 void GuardList::keyPressEvent(QKeyEvent* event)
 {
-    if (event->key() != Qt::Key_Return && event->key() != Qt::Key_Enter)
+    if (!isEnter(*event))
         return QAbstractButton::keyPressEvent(event);
     event->accept();
     if (!event->isAutoRepeat())

@@ -1,6 +1,7 @@
 // One chip for each master that is there.
 #include "widgets/master_row.hpp"
 
+#include "widgets/enter_key.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/focus_return.hpp"
 #include "widgets/theme.hpp"
@@ -95,6 +96,22 @@ void MasterChip::paintEvent(QPaintEvent*)
     text.setLeft(text.left() + metrics.horizontalAdvance(name()) + theme::px(this, 6));
     painter.setPen(m_status.inUse && m_status.life != MasterLife::Alive ? colour::bright : colour::secondary);
     drawFigures(painter, text, Qt::AlignLeft | Qt::AlignVCenter, m_words);
+}
+
+void MasterChip::keyPressEvent(QKeyEvent* event)
+{
+    if (isEnter(*event))
+        event->accept();
+    else
+        QAbstractButton::keyPressEvent(event);
+}
+
+void MasterChip::keyReleaseEvent(QKeyEvent* event)
+{
+    if (isEnter(*event))
+        event->accept();
+    else
+        QAbstractButton::keyReleaseEvent(event);
 }
 
 MasterRow::MasterRow(QWidget* parent) : QWidget(parent), m_row(new QHBoxLayout(this))

@@ -12,7 +12,7 @@ class QHBoxLayout;
 namespace console {
 
 /// One master. The one in use has a frame; its mark is filled when it is alive, hollow when it is not yet or not heard, crossed when it is
-/// gone or silent.
+/// gone or silent. A click or Space takes it; Enter does not, on whatever desktop.
 class MasterChip : public QAbstractButton {
     Q_OBJECT
 public:
@@ -24,6 +24,8 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
     void paintMark(QPainter& painter, const QRectF& where) const;

@@ -1,6 +1,7 @@
 // Red with a white edge and an octagon: known by its shape as much as by its colour.
 #include "widgets/stop_button.hpp"
 
+#include "widgets/enter_key.hpp"
 #include "widgets/theme.hpp"
 
 #include <QPainter>
@@ -31,6 +32,16 @@ void StopButton::setStopped(bool stopped)
 }
 
 QSize StopButton::sizeHint() const { return {theme::px(this, 190), theme::px(this, 110)}; }
+
+/// Whoever presses it by any key means it: no desktop's habit decides whether Enter stops.
+void StopButton::keyPressEvent(QKeyEvent* event)
+{
+    if (!isEnter(*event))
+        return QAbstractButton::keyPressEvent(event);
+    event->accept();
+    if (!event->isAutoRepeat())
+        click();
+}
 
 void StopButton::paintEvent(QPaintEvent*)
 {

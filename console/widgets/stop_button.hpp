@@ -1,4 +1,4 @@
-// The emergency stop: large, never disabled, obeyed at the press and not at the release.
+// The emergency stop: large, never disabled, obeyed at the press and not at the release; by mouse, Space and Enter alike.
 #pragma once
 
 #include <QAbstractButton>
@@ -18,6 +18,7 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     bool m_stopped = false;
