@@ -164,4 +164,6 @@ void AlarmService::answerSelfTest(bool seenAndHeard, const QString& who)
         (m_models.selfTest.passed() ? tr("alarm self-test confirmed by %1") : tr("alarm self-test not confirmed, by %1")).arg(named(who)));
 }
 
+void AlarmService::noteClosed(const QString& who) { m_models.alarms.note(wallTime(), tr("console closed by %1").arg(named(who))); }
+
 } // namespace console

@@ -39,6 +39,7 @@ public:
     void markIncident(const QString& who);     ///< this moment, and how things stand, in the alarm log and the event log
     void beginSelfTest(); ///< nothing while a high alarm stands: its sound is not to be taken for the test's, nor cut short
     void answerSelfTest(bool seenAndHeard, const QString& who);
+    void noteClosed(const QString& who); ///< the console ends, as somebody wished
 
 private:
     void openJournal(const AlarmSettings& settings);

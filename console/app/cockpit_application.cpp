@@ -170,6 +170,20 @@ void CockpitApplication::connectIntents()
         m_link->emergencyStop(reason);
     });
     connect(window, &CockpitWindow::emergencyStopResetRequested, link, &SystemLink::resetEmergencyStop);
+    connect(window, &CockpitWindow::closingRefused, this, [this](const QString& why, const QString& first) {
+        m_models.log.append(LogKind::Operator, tr("not closed: %1. %2").arg(why, first), QDateTime::currentMSecsSinceEpoch());
+    });
+}
+
+/// The cockpit's close is the end of the program with all its windows; no other window's is, and none keeps it running.
+void CockpitApplication::endWithTheCockpit()
+{
+    QGuiApplication::setQuitOnLastWindowClosed(false);
+    connect(m_window.get(), &CockpitWindow::closed, this, [this] {
+        m_alarms->noteClosed(m_options.user);
+        if (!m_unattended) // which ends by itself
+            QCoreApplication::exit(0);
+    });
 }
 
 void CockpitApplication::connectAlarms()
@@ -254,6 +268,7 @@ void CockpitApplication::show()
     m_control->start();
     m_alarms->start();
     m_sceneClock.start();
+    endWithTheCockpit();
     showWindow();
 }
 

@@ -60,6 +60,7 @@ private:
     void connectAlarms();
     void connectHand();
     void connectPictures();
+    void endWithTheCockpit();
     void refreshScene();
     void showWindow();
 

@@ -221,7 +221,7 @@ void ScreenDesk::connectSide(SideWindow& side)
     connect(&side, &SideWindow::panicHoldRequested, &m_window, &CockpitWindow::panicHoldRequested);
     connect(&side, &SideWindow::audioPauseRequested, &m_window, &CockpitWindow::audioPauseRequested);
     connect(&side, &SideWindow::cockpitRequested, &m_window, [this] {
-        m_window.activateWindow();
+        m_window.comeToTheFront();
         m_window.showView(View::Cockpit);
     });
     connect(

@@ -54,6 +54,10 @@ UnattendedRun::UnattendedRun(CockpitWindow& window, ConsoleModels& models, Syste
         const auto age = m_models.picture.reading(std::chrono::steady_clock::now()).age;
         m_measurements.notePainted(age ? std::optional<double>(milliseconds(*age)) : std::nullopt);
     });
+    connect(&window, &CockpitWindow::closed, this, [this] {
+        if (m_step != Step::Done)
+            finish(QStringLiteral("the cockpit's window was closed"));
+    });
     connect(&models.instrument, &InstrumentState::robotChanged, this, [this] {
         if (m_measuring)
             m_measurements.noteRobot(m_models.instrument.robot().value);

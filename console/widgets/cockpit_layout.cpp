@@ -84,6 +84,8 @@ std::optional<QRect> besideRect(Region region, const QSize& window, Arrangement 
     case Region::Sheet:
     case Region::Overlay:
         return between(l.links, l.b, live, otherFoot);
+    case Region::Note:
+        return between(gauges, foot, width, l.c);
     default:
         return std::nullopt;
     }
@@ -125,6 +127,8 @@ QRect regionRect(Region region, const QSize& window, Arrangement arrangement)
         return between(l.live, l.b, width, l.upper);
     case Region::Overlay:
         return between(l.live, l.b, width, l.robot);
+    case Region::Note:
+        return between(l.live, l.robot, width, l.c);
     }
     return {};
 }

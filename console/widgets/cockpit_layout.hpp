@@ -25,14 +25,15 @@ enum class Region : int {
     Motion,    ///< J
     Sheet,     ///< over E and F
     Overlay,   ///< over E, F and G
+    Note,      ///< over H and I
 };
-inline constexpr int regionCount = 12;
+inline constexpr int regionCount = 13;
 
 /// Where a region lies in a window of that size. The first ten never overlap; D is square, and no picture is larger. Usually it is the
 /// largest by far; beside one that has changed places with it, it is the larger by a little, with G, H and I in a row beneath.
 QRect regionRect(Region region, const QSize& window, Arrangement arrangement = Arrangement::Usual);
 
-/// Puts one widget into each region. Sheet and Overlay take no room from the others.
+/// Puts one widget into each region. Sheet, Overlay and Note take no room from the others.
 class CockpitLayout : public QLayout {
     Q_OBJECT
 public:

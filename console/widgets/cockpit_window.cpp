@@ -4,6 +4,7 @@
 #include "model/present_readings.hpp"
 #include "model/sound_schedule.hpp"
 #include "widgets/alarm_band.hpp"
+#include "widgets/closing_note.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/dose_panel.hpp"
 #include "widgets/interruption_card.hpp"
@@ -65,6 +66,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
       m_trends(new TrendsPane(models.trends, this)),
       m_motion(new MotionBar(models, this)),
       m_away(new InterruptionCard(models.interruption, this)),
+      m_closing(new ClosingNote(models, this)),
       m_deck(new SheetDeck(models.incidents, this))
 {
     setWindowTitle(tr("LiENa cockpit \u2014 research system, not a medical device"));
@@ -104,6 +106,7 @@ void CockpitWindow::placeRegions()
     m_layout->place(Region::Trends, m_trends);
     m_layout->place(Region::Motion, m_motion);
     m_layout->place(Region::Reference, m_away); // the scene beside it shows the tip before and now
+    m_layout->place(Region::Note, m_closing);
     m_layout->place(Region::Sheet, m_deck);
     setTabOrder(this, m_away->readButton()); // one step from the cockpit itself
 }
@@ -236,6 +239,7 @@ void CockpitWindow::refreshSlow(Instant now)
     m_dose->refresh(now);
     m_trends->refresh({m_models.instrument.limits().forceWarn, milliseconds(m_models.picture.limit())}, now);
     m_away->refresh(now);
+    m_closing->refresh(now);
     refreshDeck(now);
 }
 
@@ -280,12 +284,24 @@ void CockpitWindow::keyPressEvent(QKeyEvent* event)
     Q_EMIT handKeyPressed(key);
 }
 
+/// Of whatever part of it: a picture and a button keep the press for themselves, and their click is one into the cockpit, too.
+void CockpitWindow::noteClick()
+{
+    if (!m_models.screenGone)
+        return;
+    m_models.screenGone = false;
+    updateHandKeys();
+}
+
 /// A button or a slider with the focus would take the arrows to move the focus or itself, and what it leaves its list would.
 bool CockpitWindow::eventFilter(QObject* watched, QEvent* event)
 {
+    if (!watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this)
+        return false;
+    if (event->type() == QEvent::MouseButtonPress)
+        noteClick();
     const bool press = event->type() == QEvent::KeyPress;
-    const bool down = press || event->type() == QEvent::ShortcutOverride; // of what a shortcut takes nothing else is heard
-    if (!down || !watched->isWidgetType() || static_cast<QWidget*>(watched)->window() != this)
+    if (!press && event->type() != QEvent::ShortcutOverride) // of what a shortcut takes nothing else is heard
         return false;
     auto* key = static_cast<QKeyEvent*>(event);
     noteKeyDown(*key);
@@ -315,7 +331,6 @@ void CockpitWindow::keyReleaseEvent(QKeyEvent* event)
 // A click on the picture or beside a control gives the keys back to the hand.
 void CockpitWindow::mousePressEvent(QMouseEvent*)
 {
-    m_models.screenGone = false;
     setFocus(Qt::MouseFocusReason);
     updateHandKeys();
 }

@@ -14,6 +14,7 @@
 namespace console {
 
 class AlarmBand;
+class ClosingNote;
 class DosePanel;
 class InterruptionCard;
 class LinksRail;
@@ -32,6 +33,8 @@ class TrendsPane;
 /// while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
 /// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on, nor is what is pressed with
 /// Ctrl, Alt or Meta. A key that comes up is told with the code that it was pressed with (HeldKeys).
+///
+/// It is not closed while somebody relies on it (closingBar()).
 class CockpitWindow : public QWidget {
     Q_OBJECT
 public:
@@ -65,6 +68,9 @@ public:
     /// The screen that the cockpit was on is gone, which the models then say: the hand has no keys until a person clicks into the cockpit
     /// or presses F1.
     void noteScreenGone();
+
+    /// Also one that is minimised or hidden.
+    void comeToTheFront();
 
     /// The incident that was asked for is in the logs.
     void showIncidentMarked();
@@ -107,6 +113,8 @@ Q_SIGNALS:
     void alarmTestRequested();
     void alarmTestAnswered(bool seenAndHeard);
     void panicHoldRequested();
+    void closed(); ///< nobody relies on it: the program ends
+    void closingRefused(const QString& why, const QString& first);
     void viewRequested(console::View view);
     void arrangementChanged(console::Arrangement arrangement);
     void layoutRequested(int place);
@@ -120,6 +128,7 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
@@ -135,6 +144,7 @@ private:
     void addViewKeys();
     void toggleView(View view);
     void updateHandKeys();
+    void noteClick();
     void noteKeyDown(const QKeyEvent& event);
     void tick();
     void refreshStrip(Instant now);
@@ -156,6 +166,7 @@ private:
     TrendsPane* m_trends;
     MotionBar* m_motion;
     InterruptionCard* m_away;
+    ClosingNote* m_closing;
     SheetDeck* m_deck;
     ViewStack m_views;
     QTimer m_clock;

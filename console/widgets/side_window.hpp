@@ -10,7 +10,7 @@ class QVBoxLayout;
 namespace console {
 
 /// Not the cockpit: the hand has no keys while it has the focus. Esc, F12 and F9 work in it as everywhere (UrgentKeys); F1 goes back to the
-/// cockpit.
+/// cockpit, also to one that is minimised or hidden.
 class SideWindow : public QWidget {
     Q_OBJECT
 public:

@@ -621,6 +621,10 @@
         <source>audio not paused again: armed, and the sound is back for less than %1 s</source>
         <translation>未再次暂停报警声：已解锁，且声音恢复不足 %1 s</translation>
     </message>
+    <message>
+        <source>console closed by %1</source>
+        <translation>控制台由 %1 关闭</translation>
+    </message>
 </context>
 <context>
     <name>console::AxisPanel</name>
@@ -821,6 +825,80 @@
     </message>
 </context>
 <context>
+    <name>console::Closing</name>
+    <message>
+        <source>Let go of ARM.</source>
+        <translation>请松开“解锁”。</translation>
+    </message>
+    <message>
+        <source>Let go of the dead-man. Where the robot does not hold then, close its link.</source>
+        <translation>请松开握持开关。若机器人此后仍未保持，请关闭其链路。</translation>
+    </message>
+    <message>
+        <source>Press F12 to hold, and let go of the dead-man.</source>
+        <translation>请按 F12 保持，并松开握持开关。</translation>
+    </message>
+    <message>
+        <source>the permit is %1</source>
+        <translation>许可为 %1</translation>
+    </message>
+    <message>
+        <source>contrast is being injected</source>
+        <translation>正在注射造影剂</translation>
+    </message>
+    <message>
+        <source>Wait until it has ended.</source>
+        <translation>请等待其结束。</translation>
+    </message>
+    <message>
+        <source>the X-ray pedal is down</source>
+        <translation>X 射线踏板被踩下</translation>
+    </message>
+    <message>
+        <source>Let go of it.</source>
+        <translation>请松开它。</translation>
+    </message>
+    <message>
+        <source>X-ray is on</source>
+        <translation>正在出束</translation>
+    </message>
+    <message>
+        <source>Wait until it is off.</source>
+        <translation>请等待出束结束。</translation>
+    </message>
+    <message>
+        <source>an emergency stop is on its way to the robot</source>
+        <translation>急停正在发往机器人</translation>
+    </message>
+    <message>
+        <source>Wait for the robot&apos;s answer.</source>
+        <translation>请等待机器人的应答。</translation>
+    </message>
+    <message>
+        <source>a high alarm is not acknowledged</source>
+        <translation>有高优先级报警未确认</translation>
+    </message>
+    <message>
+        <source>Look at it, and acknowledge it.</source>
+        <translation>请查看并确认该报警。</translation>
+    </message>
+</context>
+<context>
+    <name>console::ClosingNote</name>
+    <message>
+        <source>The cockpit was not closed</source>
+        <translation>驾驶舱未关闭</translation>
+    </message>
+    <message>
+        <source>Not closed: %1.</source>
+        <translation>未关闭：%1。</translation>
+    </message>
+    <message>
+        <source>%1 Then close the cockpit.</source>
+        <translation>%1然后再关闭驾驶舱。</translation>
+    </message>
+</context>
+<context>
     <name>console::CockpitApplication</name>
     <message>
         <source>the recording that comes with LiENa is missing; name one with --recording</source>
@@ -861,6 +939,10 @@
     <message>
         <source>call the patient side: %1</source>
         <translation>呼叫患者端：%1</translation>
+    </message>
+    <message>
+        <source>not closed: %1. %2</source>
+        <translation>未关闭：%1。%2</translation>
     </message>
 </context>
 <context>

@@ -187,6 +187,7 @@ std::vector<GalleryState> galleryStates()
              press(w, "console::DiagnosisSheet", "Give up link\u2026");
          }},
         {"stopped", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), stop(c); }},
+        {"notclosed", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), arm(c), c.engage(), w.close(); }},
         {"injecting", [](InventedCockpit& c, CockpitWindow&) { c.openAll(), arm(c), inject(c, InjectionProgress::Running, 1.2); }},
         {"notinjected",
          [](InventedCockpit& c, CockpitWindow&) {

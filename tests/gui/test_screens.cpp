@@ -1,76 +1,26 @@
 // Several screens: what is on them, what becomes of it when one vanishes, and who has the keys. On invented screens.
 #include "app/language.hpp"
-#include "app/picture_desk.hpp"
-#include "app/screen_desk.hpp"
-#include "cockpit_stage.hpp"
 #include "imaging/live_image_view.hpp"
 #include "imaging/reference_image_view.hpp"
 #include "invented_picture.hpp"
 #include "model/present_readings.hpp"
 #include "pseudo_language.hpp"
+#include "screens_stage.hpp"
 #include "shown_texts.hpp"
 #include "widgets/checklist_view.hpp"
 #include "widgets/log_lines.hpp"
 #include "widgets/plots_view.hpp"
-#include "widgets/screens_view.hpp"
 #include "widgets/side_window.hpp"
 
-#include <QGuiApplication>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScreen>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QWindow>
 
 using namespace console;
 using namespace console::test;
 
-namespace {
-
-QScreen* screenNamed(const char* name)
-{
-    for (QScreen* screen : QGuiApplication::screens())
-        if (screen->name() == QString::fromLatin1(name))
-            return screen;
-    return nullptr;
-}
-
-struct Theatre : CockpitStage {
-    QTemporaryDir folder;
-    Options options;
-    PictureDesk pictures;
-    std::unique_ptr<ScreenDesk> desk;
-    ScreensView* view;
-
-    explicit Theatre(const QSize& size = {1920, 1080}) : CockpitStage(size), options(at(folder)), pictures(options, cockpit.models)
-    {
-        pictures.build(window);
-        theme::applyScale(&window, theme::scaleFor(size)); // as when it is shown with its panes
-        desk = std::make_unique<ScreenDesk>(options, cockpit.models, pictures, window);
-        desk->begin();
-        view = window.findChild<ScreensView*>();
-    }
-
-    static Options at(const QTemporaryDir& folder)
-    {
-        Options options;
-        options.preferences = folder.filePath(QStringLiteral("preferences.ini"));
-        return options;
-    }
-
-    bool readyWithKeys()
-    {
-        if (!ready())
-            return false;
-        window.setFocus();
-        return QTest::qWaitFor([this] { return window.handHasKeys(); });
-    }
-
-    bool saidInTheLog(const QString& words) const { return cockpit.models.log.lines().back().text.contains(words); }
-};
-
-} // namespace
+using Theatre = ScreensStage;
 
 class TestScreens : public QObject {
     Q_OBJECT

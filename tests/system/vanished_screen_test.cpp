@@ -2,6 +2,7 @@
 // own order (the list of screens, the signal, the move of windows that are left over, the end of the screen).
 //
 // What is on which screen is tried by gui.screens; what else ends motion, and does not give it back, by system.never_possible.
+#include "imaging/scene_view.hpp"
 #include "never_possible_stage.hpp"
 #include "widgets/choice_row.hpp"
 #include "widgets/side_window.hpp"
@@ -147,7 +148,9 @@ private Q_SLOTS:
         QVERIFY2(stage.nothingComesBack(), qPrintable(theatre.story()));
         QVERIFY(!window.handHasKeys());
         theatre.releaseAll();
-        QTest::mouseClick(&window, Qt::LeftButton, {}, window.regionGeometry(Region::Status).center());
+        auto* scene = window.findChild<SceneView*>();
+        QVERIFY(scene != nullptr);
+        QTest::mouseClick(scene, Qt::LeftButton);
         QTRY_VERIFY(window.handHasKeys());
     }
 

@@ -228,6 +228,16 @@ private Q_SLOTS:
         QTRY_VERIFY(beats().endsWith('i'));
     }
 
+    /// A console that is closed is told from one that died.
+    void aConsoleThatIsClosedIsInTheAlarmLog()
+    {
+        Room room;
+        AlarmService service(room.cockpit.models, room.watch, room.settings());
+        service.noteClosed(QStringLiteral("Dr Invented"));
+        QCOMPARE(room.cockpit.models.alarms.log().back().text, QStringLiteral("console closed by Dr Invented"));
+        QTRY_VERIFY(room.logged().contains("console closed by Dr Invented"));
+    }
+
     /// Where it survives, and where it is read; with how things stood.
     void aMarkedIncidentIsInBothLogs()
     {
