@@ -1,6 +1,8 @@
 // Labels that take their text as it is.
 #include "widgets/labels.hpp"
 
+#include <QPainter>
+
 namespace console {
 
 QLabel* plainLabel(const QString& text, theme::TextRole role, QWidget* parent)
@@ -9,6 +11,21 @@ QLabel* plainLabel(const QString& text, theme::TextRole role, QWidget* parent)
     label->setTextFormat(Qt::PlainText);
     theme::setTextRole(label, role);
     return label;
+}
+
+ElidedLabel::ElidedLabel(theme::TextRole role, QWidget* parent) : QLabel(parent)
+{
+    setTextFormat(Qt::PlainText);
+    theme::setTextRole(this, role);
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setFont(font());
+    painter.setPen(palette().color(foregroundRole()));
+    const QRect room = contentsRect();
+    painter.drawText(room, int(alignment()) | Qt::TextSingleLine, fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
 }
 
 void setInk(QWidget* widget, const QColor& ink)

@@ -64,8 +64,8 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
       m_acceptForce(new AcceptButton(acceptText(0), tr("Accept this force"),
                                      tr("You have looked at it: the next arming within 30 s is not refused for it"), this)),
       m_stopKeys(plainLabel({}, TextRole::Body, this)),
-      m_handKeys(plainLabel({}, TextRole::Body, this)),
-      m_viewKeys(plainLabel({}, TextRole::Body, this))
+      m_handKeys(new ElidedLabel(TextRole::Body, this)),
+      m_viewKeys(new ElidedLabel(TextRole::Body, this))
 {
     setAccessibleName(tr("Motion"));
     nameButtons();

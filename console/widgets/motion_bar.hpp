@@ -11,6 +11,7 @@ class QStackedLayout;
 
 namespace console {
 
+class ElidedLabel;
 class GuardList;
 class HandBlock;
 class HoldButton;
@@ -78,8 +79,8 @@ private:
     MasterRow* m_masters;
     SmallButton* m_acceptForce;
     QLabel* m_stopKeys;
-    QLabel* m_handKeys;
-    QLabel* m_viewKeys;
+    ElidedLabel* m_handKeys;
+    ElidedLabel* m_viewKeys;
     QStackedLayout* m_armOrReset = nullptr;
     std::optional<Instant> m_resetSince;
     quint64 m_resetToken = 0;            ///< of the stop that stood there when its reset was begun last; 0: none since it was stopped

@@ -321,6 +321,25 @@ private Q_SLOTS:
         QVERIFY2(shownAfter(5s).contains(QStringLiteral("ago5.0\u00A0s")), qPrintable(painted(*card)));
     }
 
+    /// What does not fit is not just missing: an ellipsis says that there is more, and the tool tip has all of it.
+    void keysWithoutRoomEndInAnEllipsis()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        const QString keys = QStringLiteral("invented keys of a hand ").repeated(12).trimmed();
+        stage.window.setKeyLegend(keys);
+        stage.refresh();
+        auto* label = labelWith(stage.window, QStringLiteral("invented keys"));
+        QVERIFY(label != nullptr);
+        QTRY_VERIFY2(painted(*label).startsWith(QStringLiteral("invented")) && painted(*label).endsWith(QChar(0x2026)),
+                     qPrintable(painted(*label)));
+        for (const ShownText& shown : textsPaintedBy(*label))
+            QVERIFY2(shown.ink.right() <= label->width() + 1.5, qPrintable(shown.text));
+        QCOMPARE(label->toolTip(), keys);
+        stage.window.setKeyLegend(QStringLiteral("X key"));
+        QTRY_COMPARE(painted(*label), QStringLiteral("X key"));
+    }
+
     /// As near to its value as can be, and apart from what stands above.
     void aCaptionBelongsToTheValueBeneathIt()
     {
