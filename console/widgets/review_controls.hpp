@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QSlider;
 
 namespace console {
@@ -33,11 +34,14 @@ Q_SIGNALS:
 
 private:
     SmallButton* addButton(const QString& text, const QString& name, const QString& tip);
+    void addStrength(QHBoxLayout* row);
 
     SmallButton* m_hold;
     SmallButton* m_review;
     SmallButton* m_roadmap;
-    QSlider* m_opacity;
+    SmallButton* m_weaker = nullptr;
+    QSlider* m_opacity = nullptr;
+    SmallButton* m_stronger = nullptr;
     SmallButton* m_oldest;
     SmallButton* m_back;
     SmallButton* m_play;

@@ -4666,6 +4666,14 @@
         <source>Strength of the roadmap&apos;s vessels</source>
         <translation>路图血管的浓度</translation>
     </message>
+    <message>
+        <source>Weaker vessels of the roadmap</source>
+        <translation>减弱路图血管</translation>
+    </message>
+    <message>
+        <source>Stronger vessels of the roadmap</source>
+        <translation>增强路图血管</translation>
+    </message>
 </context>
 <context>
     <name>console::RoadmapState</name>

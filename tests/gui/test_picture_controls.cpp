@@ -28,6 +28,17 @@ bool isWhole(const QPushButton& button)
     return button.fontMetrics().horizontalAdvance(button.text()) <= button.width() - 4 && button.fontMetrics().height() <= button.height();
 }
 
+QStringList notWhole(const PicturePane& pane)
+{
+    QStringList wrong;
+    for (const SmallButton* button : pane.findChildren<SmallButton*>()) {
+        const bool inside = pane.rect().contains(QRect(button->mapTo(&pane, QPoint()), button->size()));
+        if (button->isVisible() && (!isWhole(*button) || !inside || button->accessibleName().isEmpty()))
+            wrong << button->text();
+    }
+    return wrong;
+}
+
 } // namespace
 
 class TestPictureControls : public QObject {
@@ -152,12 +163,27 @@ private Q_SLOTS:
             pane->show();
             QVERIFY(QTest::qWaitForWindowExposed(pane));
             QCOMPARE(pane->width(), pane == &live ? edge : edge / 2); // nothing in it asks for more
-            for (const SmallButton* button : pane->findChildren<SmallButton*>()) {
-                QVERIFY2(isWhole(*button), qPrintable(button->text()));
-                QVERIFY(pane->rect().contains(QRect(button->mapTo(pane, QPoint()), button->size())));
-                QVERIFY(!button->accessibleName().isEmpty());
-            }
+            QTRY_COMPARE(notWhole(*pane), QStringList());
         }
+        reference.findChild<ReviewControls*>()->showRoadmap(true);
+        QVERIFY(named(reference, QStringLiteral("Stronger vessels of the roadmap"))->isVisible());
+        QTRY_COMPARE(notWhole(reference), QStringList());
+    }
+
+    void theVesselsStrengthIsSteppedByTheKeyboard()
+    {
+        ReviewControls controls;
+        controls.showRoadmap(true);
+        QSignalSpy opacity(&controls, &ReviewControls::opacityChanged);
+        const auto after = [&](const QString& name, int presses) {
+            for (int i = 0; i < presses; ++i)
+                QTest::keyClick(named(controls, name), Qt::Key_Space);
+            return opacity.isEmpty() ? -1 : opacity.last().first().toDouble();
+        };
+        QCOMPARE(after(QStringLiteral("Stronger vessels of the roadmap"), 1), 0.7);
+        QCOMPARE(after(QStringLiteral("Weaker vessels of the roadmap"), 3), 0.4);
+        QCOMPARE(after(QStringLiteral("Weaker vessels of the roadmap"), 9), 0.0);
+        QCOMPARE(after(QStringLiteral("Stronger vessels of the roadmap"), 11), 1.0);
     }
 
     void reviewIsSteppedOnlyWhileItIsOpen()

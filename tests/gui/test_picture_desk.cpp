@@ -325,7 +325,7 @@ private Q_SLOTS:
         QVERIFY(scene->camera() != camera);
     }
 
-    /// The scale is the hand's also where a slider would take a large step.
+    /// The scale is the hand's also where a slider would take a large step; the buttons beside it are the keyboard's way.
     void pageKeysLeaveTheVesselsStrength()
     {
         Desk desk;
@@ -341,6 +341,10 @@ private Q_SLOTS:
         QCOMPARE(hand.count(), 1);
         QCOMPARE(hand.back().front().toInt(), int(Qt::Key_PageDown));
         QCOMPARE(strength->value(), before);
+        desk.button(QStringLiteral("Stronger vessels of the roadmap"))->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        QCOMPARE(desk.reference->opacity(), 0.7);
+        QCOMPARE(hand.count(), 1);
     }
 
     void boundsFilterByTheAgeLimit()
