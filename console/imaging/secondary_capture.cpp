@@ -28,26 +28,51 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::PictureExport)
 };
 
-// What the picture is stands in its pixels: whoever looks at it without the attributes must see it, too. Only a picture with colour in it
-// keeps its colours: in grey the painted vessels of a roadmap could not be told from the patient's.
-QImage withWords(const Snapshot& snapshot)
+QFont captureFont(const QImage& image)
+{
+    QFont font;
+    font.setPixelSize(std::clamp(image.width() / 40, 10, 40));
+    return font;
+}
+
+/// As on every pane: what it is, which side is which, its scale, its frame, run, window and treatment.
+void paintMarks(QPainter& painter, const Snapshot& snapshot, const QRect& area, const QFont& font)
+{
+    TextPlates plates(font);
+    const QString words = exportWords(snapshot);
+    plates.add(words, fitted(font, {words}, area.width() - 4 * plates.gap()), {plates.gap(), plates.gap()}, Qt::AlignLeft | Qt::AlignTop);
+    placeSides(plates, area, snapshot.picture);
+    const QRect bar = placeScale(plates, area, snapshot.picture, 1);
+    placeFacts(plates, area, bar, snapshot.picture, 1);
+    plates.paint(painter);
+    paintScaleBar(painter, bar);
+}
+
+void paintResult(QPainter& painter, const Measurement& measurement, const QRect& area, const QFont& font)
+{
+    const QString measured = measurement.text();
+    if (measured.isEmpty())
+        return;
+    paintMeasured(painter, measurement.points());
+    TextPlates plates(font);
+    const QPoint place = measuredPlace(area);
+    plates.add(measured, place, Qt::AlignHCenter | Qt::AlignBottom);
+    if (const QString depth = measurement.depthText(); !depth.isEmpty())
+        plates.add(depth, place + QPoint(0, 1), Qt::AlignHCenter | Qt::AlignTop);
+    plates.paint(painter);
+}
+
+// Whoever looks at it without the attributes must see what it is and which side is which, too. Only a picture with colour in it keeps its
+// colours: in grey the painted vessels of a roadmap could not be told from the patient's.
+QImage withMarks(const Snapshot& snapshot)
 {
     const bool isGrey = snapshot.picture.image.allGray();
     QImage image = snapshot.picture.image.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
-    QFont font;
-    font.setPixelSize(std::clamp(image.width() / 40, 10, 40));
-    TextPlates plates(font);
-    const QString words = exportWords(snapshot);
-    plates.add(words, fitted(font, {words}, image.width() - 4 * plates.gap()), {plates.gap(), plates.gap()}, Qt::AlignLeft | Qt::AlignTop);
-    if (const QString measured = snapshot.measurement.text(); !measured.isEmpty()) {
-        paintMeasured(painter, snapshot.measurement.points());
-        const QPoint place = measuredPlace(image.rect());
-        plates.add(measured, place, Qt::AlignHCenter | Qt::AlignBottom);
-        if (const QString depth = snapshot.measurement.depthText(); !depth.isEmpty())
-            plates.add(depth, place + QPoint(0, 1), Qt::AlignHCenter | Qt::AlignTop);
-    }
-    plates.paint(painter);
+    const QFont font = captureFont(image);
+    paintMarks(painter, snapshot, image.rect(), font);
+    paintResult(painter, snapshot.measurement, image.rect(), font);
+    painter.end();
     return image.convertToFormat(isGrey ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
 }
 
@@ -146,7 +171,7 @@ void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
     }
 }
 
-/// `image` as `withWords()` made it.
+/// `image` as `withMarks()` made it.
 void putPixels(DcmDataset& dataset, const QImage& image)
 {
     const bool isGrey = image.format() == QImage::Format_Grayscale8;
@@ -194,7 +219,7 @@ QString saveSecondaryCapture(const Snapshot& snapshot, const QString& path, cons
 {
     if (snapshot.picture.image.isNull())
         return Text::tr("%1 cannot be written: there is no picture. Save again when one is shown.").arg(path);
-    const QImage image = withWords(snapshot);
+    const QImage image = withMarks(snapshot);
     DcmFileFormat file;
     DcmDataset& dataset = *file.getDataset();
     putIdentity(dataset, series);

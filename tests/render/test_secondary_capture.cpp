@@ -1,7 +1,9 @@
 // Tests of what a saved DICOM picture says of its pixels.
 #include "imaging/pane_colours.hpp"
+#include "imaging/picture_marks.hpp"
 #include "saved_picture.hpp"
 
+#include <QPainter>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -15,6 +17,8 @@ private Q_SLOTS:
     void saysWhatWasLostOnTheWay();
     void keepsTheColourOfVessels();
     void saysOfHowManyPicturesItIsTheMean();
+    void carriesSidesScaleAndWindowInItsPixels_data();
+    void carriesSidesScaleAndWindowInItsPixels();
 };
 
 void TestSecondaryCapture::saysWhatWasLostOnTheWay_data()
@@ -91,6 +95,68 @@ void TestSecondaryCapture::saysOfHowManyPicturesItIsTheMean()
         QCOMPARE(comments.contains(QStringLiteral("MEAN")), meanOf == 4);
         QCOMPARE(derivation.startsWith(QStringLiteral("MEAN OF 4  C ")), meanOf == 4);
         QCOMPARE(derivation.contains(QStringLiteral("MEAN")), meanOf == 4);
+    }
+}
+
+void TestSecondaryCapture::carriesSidesScaleAndWindowInItsPixels_data()
+{
+    QTest::addColumn<XrayGeometry>("geometry");
+    QTest::addColumn<QStringList>("sides");
+    QTest::addColumn<QString>("scale");
+    XrayGeometry geometry;
+    QTest::newRow("unknown") << geometry << QStringList{QStringLiteral("sides unknown")} << QStringLiteral("no scale: geometry unknown");
+    geometry.sourceDetectorDistance = 1100;
+    geometry.sourceObjectDistance = 750;
+    const QString scale = QStringLiteral("10 mm @ isocentre plane (geometry)"); // 301 pixels of 0.2045 mm
+    QTest::newRow("from the front") << geometry << QStringList{QStringLiteral("R"), QStringLiteral("L")} << scale;
+    geometry.primaryAngle = 90;
+    QTest::newRow("from the side") << geometry << QStringList{QStringLiteral("A"), QStringLiteral("P")} << scale;
+}
+
+/// As every pane paints them, at their place, and nothing over them.
+void TestSecondaryCapture::carriesSidesScaleAndWindowInItsPixels()
+{
+    QFETCH(XrayGeometry, geometry);
+    QFETCH(QStringList, sides);
+    QFETCH(QString, scale);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    DisplayPicture sent = picture(PictureRole::Hold);
+    sent.about.geometry = geometry;
+    QCOMPARE(saveSecondaryCapture({sent}, path), QString());
+    const QByteArray bytes = pixelsOf(path);
+    QVERIFY(bytes.size() >= size.width() * size.height());
+    const QImage saved(reinterpret_cast<const uchar*>(bytes.constData()), size.width(), size.height(), size.width(),
+                       QImage::Format_Grayscale8);
+
+    QFont font;
+    font.setPixelSize(10);
+    TextPlates marks(font);
+    placeSides(marks, sent.image.rect(), sent);
+    const QRect bar = placeScale(marks, sent.image.rect(), sent, 1);
+    placeFacts(marks, sent.image.rect(), bar, sent, 1);
+    QImage marked = sent.image;
+    QPainter painter(&marked);
+    marks.paint(painter);
+    paintScaleBar(painter, bar);
+    painter.end();
+    marked = marked.convertToFormat(QImage::Format_Grayscale8);
+    const QImage bare = sent.image.convertToFormat(QImage::Format_Grayscale8);
+
+    QStringList said;
+    for (const OverlayPlate& plate : marks.plates()) {
+        said << plate.text;
+        QVERIFY2(saved.copy(plate.rect) == marked.copy(plate.rect), qPrintable(plate.text));
+        QVERIFY2(saved.copy(plate.rect) != bare.copy(plate.rect), qPrintable(plate.text));
+    }
+    for (const QString& word : sides + QStringList{scale})
+        QVERIFY2(said.contains(word), qPrintable(said.join(QLatin1Char('|'))));
+    QVERIFY2(said.filter(QStringLiteral("C 128  W 256")).size() == 1, qPrintable(said.join(QLatin1Char('|'))));
+    QCOMPARE(bar.isEmpty(), geometry.sourceDetectorDistance <= 0);
+    if (!bar.isEmpty()) {
+        QVERIFY(saved.rect().contains(bar));
+        QCOMPARE(saved.copy(bar), marked.copy(bar));
+        QVERIFY(saved.copy(bar) != bare.copy(bar));
     }
 }
 
