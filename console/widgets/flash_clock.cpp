@@ -49,8 +49,9 @@ void FlashClock::proceed()
 {
     m_phase = std::chrono::steady_clock::now() - m_begun;
     Q_EMIT ticked();
-    const auto next = std::min(highHalf - m_phase % highHalf, mediumHalf - m_phase % mediumHalf);
-    m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(next));
+    const auto edge = m_begun + m_phase + std::min(highHalf - m_phase % highHalf, mediumHalf - m_phase % mediumHalf);
+    const auto left = edge - std::chrono::steady_clock::now(); // whoever was told may have taken some of it
+    m_timer.start(std::max(0ms, std::chrono::ceil<std::chrono::milliseconds>(left)));
 }
 
 } // namespace console
