@@ -102,6 +102,7 @@ int safetyGap(const QWidget* widget) { return px(widget, 22); }
 
 void apply(QApplication& application)
 {
+    QApplication::setLayoutDirection(Qt::LeftToRight); // set, it is not asked of the language
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     QApplication::setFont(font(TextRole::Body, 0.75));
     setBrightness(application, brightness());

@@ -100,7 +100,8 @@ int safetySide(const QWidget* widget);
 /// Between two of those: 5 mm, so that a finger in a glove does not meet the next.
 int safetyGap(const QWidget* widget);
 
-/// Fusion, Inter, the dark palette and the style sheet.
+/// Fusion, Inter, the dark palette and the style sheet; and every place stays where it is, also in a language that is written from right to
+/// left: what is painted tells left from right, of the patient and of the hand.
 void apply(QApplication& application);
 
 /// The surroundings in that brightness: the greys, the palette, the style sheet, and every widget that has an ink of its own. The picture

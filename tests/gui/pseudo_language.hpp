@@ -1,4 +1,4 @@
-// English, each text longer by 40 %: what a language that takes more room would ask of the layouts.
+// English, each text longer by 40 %, and said to be written from right to left: what another language would ask of the layouts.
 #pragma once
 
 #include <QRegularExpression>
@@ -17,6 +17,8 @@ public:
     QString translate(const char*, const char* source, const char*, int) const override
     {
         const QString text = QString::fromUtf8(source);
+        if (text == QLatin1String("QT_LAYOUT_DIRECTION")) // by which Qt asks a language
+            return QStringLiteral("RTL");
         // Numbers, units and names of keys are the same in every language.
         static const QRegularExpression same(QStringLiteral(
             "%\\d|\\d|\\b(mm/s|mm|ms|s|N|mL|mGy|Gy|min|kHz|MiB|KiB|MB|fps|px|PNG|DICOM|LiENa|F\\d+|Esc|cd|Hz)\\b|[^\\p{L}]"));

@@ -172,6 +172,19 @@ private Q_SLOTS:
         QCOMPARE(unreadableTexts(window), QStringList());
     }
 
+    /// Painted texts would fall on their values, and the buttons of the alarm band on its text.
+    void noPlaceIsMirrored()
+    {
+        PseudoLanguage pseudo;
+        QVERIFY(QApplication::installTranslator(&pseudo));
+        QCOMPARE(QGuiApplication::tr("QT_LAYOUT_DIRECTION"), QStringLiteral("RTL"));
+        QCOMPARE(QGuiApplication::layoutDirection(), Qt::LeftToRight);
+        GalleryScene scene(QSize(1920, 1080));
+        QVERIFY(scene.bring(galleryStates().front(), 0));
+        for (const QWidget* widget : scene.window().findChildren<QWidget*>())
+            QCOMPARE(widget->layoutDirection(), Qt::LeftToRight);
+    }
+
     void longerTextsFit_data() { states(); }
 
     void longerTextsFit()
