@@ -25,6 +25,8 @@ constexpr double noiseShown = 3;    ///< of its spread; below that a pixel is no
 constexpr double noiseSeen = 8;     ///< of its spread; below that the darkest pixels are none
 constexpr double darkestShare = 0.002;
 constexpr double leastSignal = 0.05;   ///< of the usual one
+constexpr double rangeEnd = 0.01;      ///< of the range of values, at either end of it
+constexpr int levelStep = 4;           ///< every so many columns and rows tell how bright a picture is
 constexpr double leastUsual = 1e-4;    ///< of a logarithm; pictures without noise have none
 constexpr double leastSpread = 0.01;   ///< of the noise around a pixel
 constexpr double shadingSigma = 6;     ///< pixels
@@ -40,11 +42,13 @@ cv::Size coarser(cv::Size size, int edge)
 
 bool darkerIsLess(const XrayFrame& frame) { return frame.photometric == Photometric::Monochrome2; }
 
+bool isLinear(const XrayFrame& frame) { return frame.intensity == IntensityRelationship::Linear && darkerIsLess(frame); }
+
 /// What grows with what the beam has passed: the logarithm of its intensity, unless the values are one already.
 cv::Mat attenuation(const cv::Mat& values, const XrayFrame& frame)
 {
     cv::Mat result;
-    if (frame.intensity != IntensityRelationship::Linear || !darkerIsLess(frame)) {
+    if (!isLinear(frame)) {
         const double sign = darkerIsLess(frame) ? -1 : 1;
         values.convertTo(result, CV_32F, sign * std::ldexp(1.0, -frame.bitsStored));
         return result;
@@ -61,10 +65,48 @@ float quantile(std::vector<float>& values, double share)
     return values[static_cast<std::size_t>(place)];
 }
 
+/// What a picture has to be multiplied by, or what has to be added where its values are no intensities, to be as bright as `reference`: the
+/// median, since contrast darkens only a part.
+double levelOf(const cv::Mat& picture, const cv::Mat& reference, const XrayFrame& frame)
+{
+    const double full = std::ldexp(1.0, frame.bitsStored);
+    std::vector<float> values;
+    for (int row = 0; row < picture.rows; row += levelStep)
+        for (int column = 0; column < picture.cols; column += levelStep) {
+            const float now = picture.at<float>(row, column);
+            const float before = reference.at<float>(row, column);
+            if (std::min(now, before) > rangeEnd * full && std::max(now, before) < (1 - rangeEnd) * full)
+                values.push_back(isLinear(frame) ? before / now : before - now);
+        }
+    if (values.empty())
+        return isLinear(frame) ? 1 : 0;
+    return quantile(values, 0.5);
+}
+
+/// As bright on the whole as `reference`: an exposure control that settles darkens all of a run's pictures, and that is no contrast. Where
+/// a value stands at the bright end of its range, or stays at the dark one, it cannot follow, and tells nothing.
+cv::Mat levelled(const cv::Mat& picture, const cv::Mat& reference, const XrayFrame& frame)
+{
+    const double full = std::ldexp(1.0, frame.bitsStored) - 1;
+    const auto low = [full](const cv::Mat& values) { return cv::Mat(values <= rangeEnd * full); };
+    const auto high = [full](const cv::Mat& values) { return cv::Mat(values >= (1 - rangeEnd) * full); };
+    const double level = levelOf(picture, reference, frame);
+    cv::Mat result;
+    if (isLinear(frame))
+        result = picture * level;
+    else
+        result = picture + level;
+    result = cv::max(cv::min(result, full), 0);
+    const cv::Mat silent =
+        darkerIsLess(frame) ? high(picture) | (low(picture) & low(reference)) : low(picture) | (high(picture) & high(reference));
+    reference.copyTo(result, silent);
+    return result;
+}
+
 /// Where hardly any beam comes through, behind a blade or beside the field, the logarithm is all noise.
 cv::Mat shadows(const cv::Mat& mask, const XrayFrame& frame)
 {
-    if (frame.intensity != IntensityRelationship::Linear || !darkerIsLess(frame))
+    if (!isLinear(frame))
         return cv::Mat::zeros(mask.size(), CV_8U);
     std::vector<float> values(mask.begin<float>(), mask.end<float>());
     return mask < leastSignal * quantile(values, 0.5);
@@ -163,16 +205,17 @@ void Opacification::take(const cv::Mat& stored, const XrayFrame& frame)
     m_lastNs = frame.captureNs;
     m_lastFrame = frame.frame;
     ++m_count;
+    const cv::Mat picture = m_count > 1 ? levelled(m_coarse, m_mask / std::min(m_count - 1, maskPictures), m_first) : m_coarse;
     if (m_count <= maskPictures) {
         if (m_count == 1)
-            m_mask = cv::Mat::zeros(m_coarse.size(), CV_32F);
-        m_mask += m_coarse;
+            m_mask = cv::Mat::zeros(picture.size(), CV_32F);
+        m_mask += picture;
         m_smooth = m_mask / m_count;
         m_smooth.copyTo(m_darkest);
         m_smooth.copyTo(m_brightest);
         return;
     }
-    cv::addWeighted(m_coarse, newest, m_smooth, 1 - newest, 0, m_smooth);
+    cv::addWeighted(picture, newest, m_smooth, 1 - newest, 0, m_smooth);
     cv::Mat& least = darkerIsLess(m_first) ? m_darkest : m_brightest;
     cv::Mat& most = darkerIsLess(m_first) ? m_brightest : m_darkest;
     cv::min(least, m_smooth, least);

@@ -27,7 +27,8 @@ QImage vesselLayer(const Roadmap& roadmap);
 /// Peak opacification: the most that each pixel was darkened in a run, R = max D over its time, with D = ln M - ln C, M the mean of the
 /// first pictures and C those after them (Harrington, AJR 1982;139:781; DICOM PS3.3 C.8.19.7 has the logarithmic space). Noise darkens as
 /// well, and the more the longer a run is; but it brightens as much, which contrast does not, so that the most by which a pixel was
-/// brightened is taken off. A wire that moves in the run is in it as well. One thread at a time.
+/// brightened is taken off; and each picture is made as bright on the whole as the first ones. A wire that moves in the run is in it as
+/// well. One thread at a time.
 class Opacification {
 public:
     static constexpr int maskPictures = 4;

@@ -20,6 +20,7 @@ struct Scene {
     cv::Point2d patient; ///< pixels
     Photometric photometric = Photometric::Monochrome2;
     IntensityRelationship intensity = IntensityRelationship::Linear;
+    double level = 1;   ///< of the whole picture
     bool dense = false; ///< air beside the head saturates the detector, and a quarter of it is all bone
 };
 
@@ -33,7 +34,7 @@ cv::Mat picture(unsigned seed, const Scene& scene)
         const double py = y - scene.patient.y;
         const double bones = 0.2 * std::sin(px * 0.31 + 2 * std::sin(py * 0.11)) * std::cos(py * 0.23 + std::sin(px * 0.07));
         const double beam = !scene.dense ? (px < edge / 2.0 ? 1200 : 2400) : x < edge / 4 ? 9000 : x < edge / 2 ? 200 : 1200;
-        const double back = beam * (1 + bones);
+        const double back = beam * scene.level * (1 + bones);
         return inVessel(y) ? back * std::exp(-absorbed * scene.contrast) : back;
     };
     cv::Mat stored;
@@ -82,6 +83,8 @@ private Q_SLOTS:
     void findsWhatContrastFilled();
     void findsContrastHoweverLateInARunItComes();
     void noiseIsNoVessel();
+    void anExposureThatSettlesIsNoContrast_data();
+    void anExposureThatSettlesIsNoContrast();
     void nothingIsSeenBehindABlade();
     void aRunThatIsTooShortIsNone();
     void anotherProjectionBeginsAnew();
@@ -152,6 +155,45 @@ void TestRoadmap::noiseIsNoVessel()
         Opacification run;
         takeRun(run, scene, 0, 1, 100);
         QVERIFY(!run.roadmap());
+    }
+}
+
+void TestRoadmap::anExposureThatSettlesIsNoContrast_data()
+{
+    QTest::addColumn<bool>("dense");
+    QTest::addColumn<double>("level"); // at the end
+    QTest::addColumn<bool>("logarithmic");
+    for (const bool dense : {false, true})
+        for (const double level : {0.9, 0.95, 1.05, 1.1})
+            for (const bool logarithmic : {false, true})
+                QTest::addRow("%s, %s, to %g", dense ? "dense" : "plain", logarithmic ? "logarithmic" : "linear", level)
+                    << dense << level << logarithmic;
+}
+
+/// Neither while there is none, nor so that what there is would not be found.
+void TestRoadmap::anExposureThatSettlesIsNoContrast()
+{
+    QFETCH(bool, dense);
+    QFETCH(double, level);
+    QFETCH(bool, logarithmic);
+    for (const double contrast : {0.0, 1.0}) {
+        Opacification run;
+        for (quint32 number = 1; number <= 40; ++number) {
+            Scene scene;
+            scene.dense = dense;
+            scene.intensity = logarithmic ? IntensityRelationship::Logarithmic : IntensityRelationship::Linear;
+            scene.level = 1 + (level - 1) * std::clamp((number - 3.0) / 9.0, 0.0, 1.0);
+            scene.contrast = number > 16 && number < 30 ? contrast : 0;
+            run.take(picture(number, scene), frame(number, scene));
+        }
+        const auto roadmap = run.roadmap();
+        QCOMPARE(roadmap.has_value(), contrast > 0);
+        if (!roadmap)
+            continue;
+        const double vessel = meanOf(roadmap->vessels, {edge / 2 + 8, 122, edge / 2 - 16, 4});
+        QVERIFY2(vessel > 150, qPrintable(QString::number(vessel)));
+        const cv::Mat outside = roadmap->vessels.rowRange(0, 110);
+        QVERIFY(cv::countNonZero(outside > 60) < outside.rows * outside.cols / 200);
     }
 }
 

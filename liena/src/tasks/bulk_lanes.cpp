@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto connectLimit = 1s;
 constexpr auto retryDelay = 50ms;
-constexpr std::size_t segment = 16384 - protocol::headerSize; // and its header: one TLS record
+constexpr std::size_t fullSegment = 16384 - protocol::headerSize; // and its header: one TLS record
 constexpr std::size_t batch = 65536;
 
 } // namespace
@@ -22,7 +22,7 @@ BulkLanes::BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shar
     : m_io(io),
       m_peer(std::move(peer)),
       m_identity(std::move(identity)),
-      m_settings{segment, batch, transport::TcpChannel::Traffic::Bulk, dscp, &commons.workers, &commons.interfaces},
+      m_settings{fullSegment, batch, transport::TcpChannel::Traffic::Bulk, dscp, &commons.workers, &commons.interfaces},
       m_handlers(std::move(handlers)),
       m_retry(io)
 {}

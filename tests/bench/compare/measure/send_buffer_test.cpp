@@ -17,10 +17,10 @@ private Q_SLOTS:
 
     void asksForNothingWhereItWouldGetLess()
     {
-        QCOMPARE(sendBufferWorthAsking(212'992, 4'194'304), std::optional<int>());
-        QCOMPARE(sendBufferWorthAsking(2'097'152, 4'194'304), std::optional<int>());
-        QCOMPARE(sendBufferWorthAsking(4'194'304, 0), std::optional<int>()); // not known
-        QCOMPARE(sendBufferWorthAsking(0, 4'194'304), std::optional<int>());
+        QVERIFY(!sendBufferWorthAsking(212'992, 4'194'304));
+        QVERIFY(!sendBufferWorthAsking(2'097'152, 4'194'304));
+        QVERIFY(!sendBufferWorthAsking(4'194'304, 0)); // not known
+        QVERIFY(!sendBufferWorthAsking(0, 4'194'304));
     }
 };
 
