@@ -3,7 +3,7 @@
 // The console is the whole one with its window, on Qt's offscreen platform, and armed; robot and X-ray system are liena-devices in
 // processes of their own on loopback, over TLS. In every second round the robot's process is killed, so that its sockets close; in the
 // others it is stopped, so that nothing closes and nothing comes. The sound output is a stand-in that notes when it is told to play: what a
-// sound server and a loudspeaker add is not in it. A round takes some ten seconds, most of them for the way back to armed.
+// sound server and a loudspeaker add is not in it. A round takes some six seconds, most of them for the way back to armed.
 //
 // It ends with 1 where the 99th percentile of the burst, the red band or the whole prompt is above 200 ms, or there were fewer than 100
 // rounds of either kind, which tell none; with 3 where a round did not end as it should.
