@@ -52,16 +52,8 @@ std::vector<std::string> linksOf(const Theatre::Wishes& wishes)
 
 Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
 {
-    const auto settings = files.settingsOf("cockpit");
     const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
-    Options options;
-    options.topology = text(settings.topology);
-    options.device = QStringLiteral("cockpit");
-    options.registry = {text(settings.registry.front())};
-    options.store = text(settings.store);
-    options.certificate = text(settings.certificate);
-    options.key = text(settings.key);
-    options.authority = text(settings.authority);
+    auto options = cockpitOptions(files);
     options.alarmLog = text(files.folder() / "alarms");
     options.preferences = text(files.folder() / "preferences.ini");
     options.watchdog = wishes.watchdog;
@@ -73,6 +65,21 @@ Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
 }
 
 } // namespace
+
+Options cockpitOptions(liena::test::TestSystem& files)
+{
+    const auto settings = files.settingsOf("cockpit");
+    const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
+    Options options;
+    options.topology = text(settings.topology);
+    options.device = QStringLiteral("cockpit");
+    options.registry = {text(settings.registry.front())};
+    options.store = text(settings.store);
+    options.certificate = text(settings.certificate);
+    options.key = text(settings.key);
+    options.authority = text(settings.authority);
+    return options;
+}
 
 Theatre::Theatre(const Wishes& wishes) : files(devicesOf(wishes), linksOf(wishes), wishes.system), m_wishes(wishes)
 {

@@ -18,6 +18,9 @@
 
 namespace console::test {
 
+/// What a console is started with as the cockpit of that system: its files, and nothing else.
+Options cockpitOptions(liena::test::TestSystem& files);
+
 /// Robot, arm and X-ray system over TLS on loopback, and the console's window with its links to them. What waits gives up after
 /// `patience`, and says so by false.
 class Theatre {

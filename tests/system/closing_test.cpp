@@ -39,16 +39,7 @@ QAbstractButton* buttonNamed(const QWidget& window, const QString& accessibleNam
 /// Of a console that meets nobody, and operates itself.
 Options unattendedOptions(liena::test::TestSystem& files, const QString& report)
 {
-    const auto settings = files.settingsOf("cockpit");
-    const auto text = [](const std::filesystem::path& path) { return QString::fromStdString(path.string()); };
-    Options options;
-    options.topology = text(settings.topology);
-    options.device = QStringLiteral("cockpit");
-    options.registry = {text(settings.registry.front())};
-    options.store = text(settings.store);
-    options.certificate = text(settings.certificate);
-    options.key = text(settings.key);
-    options.authority = text(settings.authority);
+    auto options = console::test::cockpitOptions(files);
     options.size = QSize(1366, 768);
     options.master = MasterKind::Recorded;
     options.unattended = UnattendedSettings{1, report, {}};
