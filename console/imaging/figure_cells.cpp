@@ -12,11 +12,25 @@ namespace console {
 
 namespace {
 
-/// The ten figures of a face: measuring them takes longer than drawing them.
+/// Widths in a face, since measuring takes longer than drawing: of its ten figures, and of what else was written.
 struct Cells {
     std::array<double, 10> advance{};
     double width = 0;
+    QHash<QString, double> others;
+
+    double widthOf(const QFontMetricsF& metrics, const QString& run);
 };
+
+double Cells::widthOf(const QFontMetricsF& metrics, const QString& run)
+{
+    constexpr qsizetype most = 512;
+    const auto known = others.constFind(run);
+    if (known != others.constEnd())
+        return *known;
+    if (others.size() >= most)
+        others.clear();
+    return *others.insert(run, metrics.horizontalAdvance(run));
+}
 
 Cells measure(const QFont& font)
 {
@@ -29,7 +43,7 @@ Cells measure(const QFont& font)
     return cells;
 }
 
-const Cells& cellsOf(const QFont& font)
+Cells& cellsOf(const QFont& font)
 {
     thread_local QHash<QFont, Cells> known;
     constexpr qsizetype most = 64;
@@ -66,16 +80,16 @@ void forEachRun(const QString& text, Visit visit)
 double figuresWidth(const QFont& font, const QString& text)
 {
     const QFontMetricsF metrics(font);
-    const double cell = cellsOf(font).width;
+    Cells& cells = cellsOf(font);
     double width = 0;
-    forEachRun(text, [&](const QString& run, bool isFigure) { width += isFigure ? cell : metrics.horizontalAdvance(run); });
+    forEachRun(text, [&](const QString& run, bool isFigure) { width += isFigure ? cells.width : cells.widthOf(metrics, run); });
     return width;
 }
 
 void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text)
 {
     const QFontMetricsF metrics(painter.font());
-    const Cells cells = cellsOf(painter.font());
+    Cells& cells = cellsOf(painter.font());
     const double width = figuresWidth(painter.font(), text);
     double x = where.left();
     if (alignment.testFlag(Qt::AlignRight))
@@ -88,7 +102,7 @@ void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment
     else if (alignment.testFlag(Qt::AlignBottom))
         y = where.bottom() - metrics.descent();
     forEachRun(text, [&](const QString& run, bool isFigure) {
-        const double advance = isFigure ? cells.advance[std::size_t(run.front().digitValue())] : metrics.horizontalAdvance(run);
+        const double advance = isFigure ? cells.advance[std::size_t(run.front().digitValue())] : cells.widthOf(metrics, run);
         painter.drawText(QPointF(isFigure ? x + (cells.width - advance) / 2 : x, y), run);
         x += isFigure ? cells.width : advance;
     });

@@ -72,6 +72,7 @@ CockpitWindow::CockpitWindow(ConsoleModels& models, QWidget* parent)
     setWindowTitle(tr("LiENa cockpit \u2014 research system, not a medical device"));
     setAccessibleName(tr("Cockpit"));
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     placeRegions();
     connectIntents();
     connectModels();
@@ -212,35 +213,42 @@ void CockpitWindow::refreshStrip(Instant now)
 void CockpitWindow::tick()
 {
     const Instant now = std::chrono::steady_clock::now();
+    if (++m_ticks % slowTicks == 0)
+        return refresh(now);
     m_robot->refresh(now);
     m_motion->refresh(now);
-    if (++m_ticks % slowTicks == 0)
-        refreshSlow(now);
 }
 
 void CockpitWindow::refresh(Instant now)
 {
+    refreshStates(now);
+    refreshCourses(now);
+}
+
+/// What may be another one from one moment to the next.
+void CockpitWindow::refreshStates(Instant now)
+{
     m_robot->refresh(now);
     m_motion->refresh(now);
-    refreshSlow(now);
+    refreshSound(now);
+    refreshStrip(now);
+    m_rail->refresh(now);
+    m_away->refresh(now);
+    m_closing->refresh(now);
+    refreshDeck(now);
+}
+
+/// What grows with time only, and takes long to draw.
+void CockpitWindow::refreshCourses(Instant now)
+{
+    m_dose->refresh(now);
+    m_trends->refresh({m_models.instrument.limits().forceWarn, milliseconds(m_models.picture.limit())}, now);
 }
 
 void CockpitWindow::refreshSound(Instant now)
 {
     m_band->setSound(SoundSchedule::demandsSound(m_models.alarms.alarms()), m_models.alarms.audioPauseLeft(now),
                      soundStaysFor(m_models, now));
-}
-
-void CockpitWindow::refreshSlow(Instant now)
-{
-    refreshSound(now);
-    refreshStrip(now);
-    m_rail->refresh(now);
-    m_dose->refresh(now);
-    m_trends->refresh({m_models.instrument.limits().forceWarn, milliseconds(m_models.picture.limit())}, now);
-    m_away->refresh(now);
-    m_closing->refresh(now);
-    refreshDeck(now);
 }
 
 void CockpitWindow::refreshDeck(Instant now) { m_deck->refresh(m_models.sessions, promptSurroundings(m_models, now), now); }
@@ -254,7 +262,7 @@ void CockpitWindow::refreshSoon()
         this,
         [this] {
             m_refreshDue = false;
-            refresh(std::chrono::steady_clock::now());
+            refreshStates(std::chrono::steady_clock::now());
         },
         Qt::QueuedConnection);
 }
@@ -348,6 +356,10 @@ void CockpitWindow::paintEvent(QPaintEvent*)
     const QRect j = regionGeometry(Region::Motion);
     painter.drawLine(j.topLeft(), j.topRight());
 }
+
+// QWidget's own draw the whole window, though nothing in it shows that it has the focus itself.
+void CockpitWindow::focusInEvent(QFocusEvent*) {}
+void CockpitWindow::focusOutEvent(QFocusEvent*) {}
 
 void CockpitWindow::resizeEvent(QResizeEvent* event)
 {

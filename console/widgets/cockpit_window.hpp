@@ -124,6 +124,8 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
@@ -148,7 +150,8 @@ private:
     void noteKeyDown(const QKeyEvent& event);
     void tick();
     void refreshStrip(Instant now);
-    void refreshSlow(Instant now);
+    void refreshStates(Instant now);
+    void refreshCourses(Instant now);
     void refreshDeck(Instant now);
     void refreshSoon();
     void refreshSound(Instant now);

@@ -1,6 +1,7 @@
 // The arc runs from 0 to a quarter beyond the stop mark.
 #include "widgets/force_gauge.hpp"
 
+#include "widgets/course_line.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/stale_mark.hpp"
 #include "widgets/theme.hpp"
@@ -110,9 +111,7 @@ void ForceGauge::paintTrail(QPainter& painter, const QRectF& where) const
         painter.setPen(QPen(colour::line, 1, Qt::DashLine));
         painter.drawLine(QPointF(where.left(), y), QPointF(where.right(), y));
     }
-    painter.setPen(QPen(colour::plot, 1.6));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPath(trailPath(where));
+    drawCourse(painter, trailPath(where));
 }
 
 QRectF ForceGauge::faceCircle() const

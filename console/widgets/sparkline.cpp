@@ -2,6 +2,7 @@
 #include "widgets/sparkline.hpp"
 
 #include "model/session_model.hpp"
+#include "widgets/course_line.hpp"
 #include "widgets/theme.hpp"
 
 #include <QPainter>
@@ -53,9 +54,7 @@ void drawSparkline(QPainter& painter, const QRectF& where, const std::deque<Link
         drawing ? line.lineTo(point) : line.moveTo(point);
         drawing = true;
     }
-    painter.setPen(QPen(colour::plot, 1.4));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPath(line);
+    drawCourse(painter, line);
     painter.restore();
 }
 

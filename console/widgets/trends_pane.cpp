@@ -1,6 +1,7 @@
 // Courses, limits, and stretches of which nothing is known.
 #include "widgets/trends_pane.hpp"
 
+#include "widgets/course_line.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/theme.hpp"
 #include "widgets/touch_button.hpp"
@@ -187,9 +188,7 @@ void TrendsPane::paintCourse(QPainter& painter, const QRectF& where, TrendFigure
         drawing ? line.lineTo(point) : line.moveTo(point);
         drawing = true;
     }
-    painter.setPen(QPen(colour::plot, 1.4));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPath(line);
+    drawCourse(painter, line);
     painter.restore();
 }
 

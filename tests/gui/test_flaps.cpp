@@ -7,6 +7,8 @@
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/interruption_card.hpp"
 #include "widgets/link_card.hpp"
+#include "widgets/stop_button.hpp"
+#include "widgets/trends_pane.hpp"
 
 #include <QLabel>
 
@@ -77,6 +79,24 @@ private:
     int m_turns = 0;
 };
 
+class PaintCount : public QObject {
+public:
+    explicit PaintCount(QWidget* painted) { painted->installEventFilter(this); }
+
+    int paints() const { return m_paints; }
+    double seconds() const { return console::seconds(std::chrono::steady_clock::now() - m_since); }
+
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        m_paints += event->type() == QEvent::Paint ? 1 : 0;
+        return false;
+    }
+
+private:
+    int m_paints = 0;
+    Instant m_since = std::chrono::steady_clock::now();
+};
+
 } // namespace
 
 class TestFlaps : public QObject {
@@ -142,6 +162,26 @@ private Q_SLOTS:
         QCOMPARE(models.interruption.lost().size(), 1);
         QVERIFY(models.incidents.empty() && !models.sessions.inStandBy());
         QCOMPARE(link->incident, quint64(0));
+    }
+
+    /// The sheet takes the focus as it comes, and gives it back as it goes: that is no reason to draw the whole window.
+    void aFlapDrawsNothingThatItDoesNotConcern()
+    {
+        Flapping stage;
+        QVERIFY(stage.ready());
+        stage.paint();
+        PaintCount stop(stage.window.findChild<StopButton*>());
+        PaintCount trends(stage.window.findChild<TrendsPane*>());
+        PaintCount band(stage.window.findChild<AlarmBand*>());
+        stage.lose();
+        QTRY_VERIFY(stage.visible<DiagnosisSheet>() == 1);
+        QTRY_VERIFY(QApplication::focusWidget() && stage.window.findChild<DiagnosisSheet*>()->isAncestorOf(QApplication::focusWidget()));
+        stage.reopen();
+        QTRY_VERIFY(stage.visible<DiagnosisSheet>() == 0);
+        QTRY_COMPARE(QApplication::focusWidget(), &stage.window);
+        QTRY_VERIFY(band.paints() > 0);
+        QCOMPARE(stop.paints(), 0);
+        QVERIFY2(trends.paints() <= 5 * stop.seconds() + 2, qPrintable(QString::number(trends.paints()))); // its own clock's
     }
 
     void theCountIsOfTheLastTwoMinutes()
