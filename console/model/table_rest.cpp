@@ -47,6 +47,14 @@ std::optional<TableWay> TableRest::wayOf(Instant taken, Instant arrival) const
     return TableWay{wayAt(taken).from, wayAt(arrival).to};
 }
 
+bool TableRest::spans(Instant taken, Instant arrival, Duration slack) const
+{
+    if (!m_reported || *m_reported + slack < arrival)
+        return false;
+    const Movement& oldest = m_movements.front();
+    return oldest.after != Instant::min() || oldest.until <= taken + slack;
+}
+
 TableWay TableRest::wayAt(Instant moment) const
 {
     const auto last = std::find_if(m_movements.rbegin(), m_movements.rend(), [moment](const Movement& m) { return m.after < moment; });

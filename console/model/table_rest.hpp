@@ -35,6 +35,9 @@ public:
     /// where that found the table. No numbers for what is older than the movements that are kept; nothing without a report.
     std::optional<TableWay> wayOf(Instant taken, Instant arrival) const;
 
+    /// Whether reports reach from `taken` to `arrival`, but for `slack` at either end: then wayOf() is no guess there.
+    bool spans(Instant taken, Instant arrival, Duration slack) const;
+
 private:
     struct Movement {
         Instant after; ///< the last report of before it

@@ -24,7 +24,10 @@ struct XrayGeometry {
     double secondaryAngle = 0;         ///< deg, CRA positive
     double sourceDetectorDistance = 0; ///< mm; 0 = unknown
     double sourceObjectDistance = 0;   ///< mm; 0 = unknown
-    std::array<double, 3> table{};     ///< mm: lateral, longitudinal, height
+
+    /// mm: lateral to the patient's right, longitudinal to the head, height up. Counted from where the table brings the origin of the
+    /// patient's frame into the isocentre; how far its top is below the isocentre then, no message says.
+    std::array<double, 3> table{};
 };
 
 /// What a C-arm at rest may tremble in the angles and distances that it reports, and a picture does not show.

@@ -117,6 +117,17 @@ private Q_SLOTS:
         QCOMPARE(rest.wayOf(start, start + 400ms)->to, at(5));
         QCOMPARE(rest.wayOf(start, start + 100ms)->to, at(0));
     }
+
+    void tellsReportsFromGuesses()
+    {
+        TableRest rest;
+        QVERIFY(!rest.spans(start, start, 500ms));
+        rest.note(at(0), start);
+        rest.note(at(0), start + 100ms);
+        QVERIFY(rest.spans(start - 500ms, start + 600ms, 500ms));
+        QVERIFY(!rest.spans(start - 501ms, start, 500ms));
+        QVERIFY(!rest.spans(start, start + 601ms, 500ms));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestTableRest)
