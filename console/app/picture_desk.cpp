@@ -163,6 +163,9 @@ void PictureDesk::connectRoadmap()
         m_models.roadmap.noteTable(status.value.geometry.table, *status.received);
         m_table.note(status.value.geometry.table, *status.received);
         m_hold.tableReported();
+        m_live->followTable();
+        for (auto* view : references())
+            view->followTable();
     });
     connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
     connect(&roadmap, &RoadmapState::changed, this, [this] {

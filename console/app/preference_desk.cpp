@@ -77,6 +77,7 @@ void PreferenceDesk::apply()
     if (p.edgeMethod != m_inForce.edgeMethod)
         shown.edgeMethod = p.edgeMethod;
     m_pictures.display().set(shown);
+    m_pictures.display().setTable(p.tableTop, p.objectHeight);
     m_inForce = p;
     m_view->setPreferences(p);
 }

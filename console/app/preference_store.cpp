@@ -30,6 +30,8 @@ constexpr std::array<const char*, 2> methodWords{"unsharp-mask", "multi-scale"};
 constexpr std::array<const char*, pulseRates.size()> rateWords{"7.5", "15", "30"};  // as in pulseRates
 constexpr std::array<const char*, holdCounts.size()> holdWords{"1", "2", "4", "8"}; // as in holdCounts
 
+constexpr std::array<const char*, objectHeights.size()> objectWords{"50", "75", "100", "125", "150"}; // as in objectHeights
+
 /// Reads entries one by one, and says of each that makes no sense which it is.
 class Entries {
 public:
@@ -62,6 +64,14 @@ public:
             return found;
         refuse(key, value, Text::tr("%1 to %2").arg(least).arg(most));
         return otherwise;
+    }
+
+    /// Nothing where nothing is written, or no such number.
+    std::optional<int> numberOrNone(const char* key, int least, int most)
+    {
+        const int none = least - 1;
+        const int found = valueOf(key).toString().isEmpty() ? none : number(key, least, most, none);
+        return found == none ? std::nullopt : std::optional(found);
     }
 
     QString text(const char* key) const { return whole(valueOf(key)); }
@@ -106,6 +116,8 @@ constexpr const char* edgeKey = "edge";
 constexpr const char* methodKey = "edge-method";
 constexpr const char* rateKey = "pulse-rate";
 constexpr const char* holdKey = "hold-pictures";
+constexpr const char* objectKey = "object-above-table-mm";
+constexpr const char* tableTopKey = "table-top-below-isocentre-mm";
 constexpr const char* patientSideKey = "patient-side";
 
 template <typename Number, std::size_t n>
@@ -132,6 +144,8 @@ Preferences readEntries(QSettings& settings, QStringList& troubles)
     p.edgeMethod = EdgeMethod(entries.choice(methodKey, methodWords, int(p.edgeMethod)));
     p.pulseRate = pulseRates.at(std::size_t(entries.choice(rateKey, rateWords, placeOf(pulseRates, p.pulseRate))));
     p.holdPictures = holdCounts.at(std::size_t(entries.choice(holdKey, holdWords, placeOf(holdCounts, p.holdPictures))));
+    p.objectHeight = objectHeights.at(std::size_t(entries.choice(objectKey, objectWords, placeOf(objectHeights, p.objectHeight))));
+    p.tableTop = entries.numberOrNone(tableTopKey, -Preferences::farthestTableTop, Preferences::farthestTableTop);
     p.patientSide = entries.text(patientSideKey);
     const Preferences bounded = withinBounds(p);
     if (bounded.pictureFolder != p.pictureFolder.trimmed())
@@ -155,6 +169,8 @@ void writeEntries(QSettings& settings, const Preferences& p)
     set(methodKey, QString::fromLatin1(methodWords.at(std::size_t(p.edgeMethod))));
     set(rateKey, QString::fromLatin1(rateWords.at(std::size_t(placeOf(pulseRates, p.pulseRate)))));
     set(holdKey, QString::fromLatin1(holdWords.at(std::size_t(placeOf(holdCounts, p.holdPictures)))));
+    set(objectKey, QString::fromLatin1(objectWords.at(std::size_t(placeOf(objectHeights, p.objectHeight)))));
+    set(tableTopKey, p.tableTop ? QString::number(*p.tableTop) : QString());
     set(patientSideKey, p.patientSide);
 }
 

@@ -1,7 +1,6 @@
 // Distances and angles on a picture.
 #include "imaging/measurement.hpp"
 
-#include "imaging/display_picture.hpp"
 #include "model/roadmap_state.hpp"
 
 #include <QCoreApplication>
@@ -54,6 +53,42 @@ std::optional<TableWay> wayIn(const XrayFrame& frame, const TableRest& table)
     return table.wayOf(frame.earliestCapture(), frame.arrival);
 }
 
+/// Of the table in the picture, as reports tell it that are not too old for it; nothing where it was on its way. A recorded picture was
+/// taken at another time, whatever is reported now.
+std::optional<double> heightIn(const XrayFrame& frame, const TableRest& table)
+{
+    constexpr std::size_t height = 2;
+    const std::optional<TableWay> way = wayIn(frame, table);
+    if (frame.source == PictureSource::Recorded || !way ||
+        !table.spans(frame.earliestCapture(), frame.arrival, XraySystemState::statusLimit) ||
+        isBeyond(way->to.at(height) - way->from.at(height)))
+        return std::nullopt;
+    return way->to.at(height);
+}
+
+QString centimetres(double millimetres) { return QString::number(millimetres / 10, 'f', 1); }
+
+QString faultText(TablePlaneFault fault)
+{
+    switch (fault) {
+    case TablePlaneFault::None:
+        break;
+    case TablePlaneFault::TableTopNotSetUp:
+        return Text::tr("the table's top is not set up in the preferences");
+    case TablePlaneFault::HeightUnknown:
+        return Text::tr("the table's height in this picture is unknown");
+    case TablePlaneFault::GeometryUnknown:
+        return Text::tr("the picture's geometry is unknown");
+    case TablePlaneFault::TooOblique:
+        return Text::tr("the beam is more than 60\u00B0 from upright");
+    case TablePlaneFault::SourceAbove:
+        return Text::tr("the X-ray source is above the table");
+    case TablePlaneFault::OutsideBeam:
+        return Text::tr("the plane is not between source and detector");
+    }
+    return {};
+}
+
 /// Where the table was on its way it may have been at either end.
 template <typename Test>
 bool mayHave(const TableWay& before, const TableWay& now, Test test)
@@ -70,6 +105,19 @@ PixelCalibration calibrationOf(const XrayFrame& frame)
     return size ? PixelCalibration{CalibrationKind::Geometry, *size, 0, frame.geometry.sourceObjectDistance} : PixelCalibration{};
 }
 
+PixelCalibration calibrationAboveTable(const XrayFrame& frame, const MeasurePlane& plane, std::optional<double> tableHeight)
+{
+    PixelCalibration calibration;
+    calibration.fault = !plane.tableTop ? TablePlaneFault::TableTopNotSetUp : TablePlaneFault::HeightUnknown;
+    if (!plane.object || !plane.tableTop || !tableHeight)
+        return calibration;
+    const TablePlane found = tablePlaneOf(frame, *plane.tableTop - *tableHeight, *plane.object);
+    calibration.fault = found.fault;
+    if (found.fault == TablePlaneFault::None)
+        calibration = {CalibrationKind::Table, found.pixelSize, 0, found.distance, double(*plane.object), found.fault};
+    return calibration;
+}
+
 PixelCalibration calibrationBy(double french, double widthPixels)
 {
     if (!(french >= thinnestCatheter) || french > thickestCatheter || !(widthPixels > 0) || !std::isfinite(widthPixels))
@@ -83,12 +131,16 @@ QString lengthText(double pixels, const PixelCalibration& calibration)
     switch (calibration.kind) {
     case CalibrationKind::Geometry:
         return Text::tr("%1 mm @ isocentre plane (geometry)").arg(millimetres);
+    case CalibrationKind::Table:
+        return Text::tr("%1 mm @ table plane + %2 cm (geometry)").arg(millimetres, centimetres(calibration.object));
     case CalibrationKind::Catheter:
         return Text::tr("%1 mm (%2 F catheter)").arg(millimetres, QString::number(calibration.french));
     case CalibrationKind::None:
         break;
     }
-    return Text::tr("%1 px (uncalibrated)").arg(std::lround(pixels));
+    const QString pattern =
+        calibration.fault == TablePlaneFault::None ? Text::tr("%1 px (uncalibrated)") : Text::tr("%1 px (uncalibrated: no table plane)");
+    return pattern.arg(std::lround(pixels));
 }
 
 // A shadow's length at the object goes with the object's distance from the source: both ways the share is the same.
@@ -96,9 +148,15 @@ QString depthText(const PixelCalibration& calibration)
 {
     if (calibration.kind == CalibrationKind::Catheter)
         return Text::tr("true in the catheter's plane only");
-    if (calibration.kind != CalibrationKind::Geometry || !(calibration.distance > 0))
-        return {};
+    if (calibration.kind == CalibrationKind::None || !(calibration.distance > 0))
+        return faultText(calibration.fault);
     return Text::tr("object 5 cm nearer or farther: \u2248 %1 % off").arg(100 * offPlane / calibration.distance, 0, 'f', 0);
+}
+
+QString planeText(const MeasurePlane& plane)
+{
+    return plane.object ? Text::tr("lengths by geometry: table plane + %1 cm").arg(centimetres(*plane.object))
+                        : Text::tr("lengths by geometry: isocentre plane");
 }
 
 std::optional<double> angleAt(QPointF corner, QPointF one, QPointF other)
@@ -169,7 +227,9 @@ PixelCalibration Measurement::calibration() const
 {
     if (m_catheterWidth > 0)
         return calibrationBy(m_french, m_catheterWidth);
-    return m_frame ? calibrationOf(*m_frame) : PixelCalibration{};
+    if (!m_frame)
+        return {};
+    return m_plane.object ? calibrationAboveTable(*m_frame, m_plane, m_tableHeight) : calibrationOf(*m_frame);
 }
 
 void Measurement::follow(const XrayFrame& frame, const TableRest& table)
@@ -185,6 +245,7 @@ void Measurement::follow(const XrayFrame& frame, const TableRest& table)
         m_table = m_catheterTable = wayIn(*m_frame, table);
     if (const auto stood = wayIn(frame, table); another && stood)
         moveTable(*stood, frame.geometry);
+    m_tableHeight = heightIn(frame, table);
     const bool holds = m_frame && (!m_points.empty() || m_catheterWidth > 0);
     const XrayGeometry geometry = holds ? m_frame->geometry : frame.geometry; // a C-arm that creeps is to be noticed
     m_frame = frame;

@@ -43,9 +43,14 @@ void PictureCanvas::setDisplay(DisplayState* display)
 {
     m_display = display;
     m_measurement.setMode(display->measureMode());
+    m_measurement.setPlane(display->plane());
     connect(display, &DisplayState::measureModeChanged, this, [this](MeasureMode mode) {
         m_measurement.setMode(mode);
         m_cursor.reset();
+        update();
+    });
+    connect(display, &DisplayState::planeChanged, this, [this](const MeasurePlane& plane) {
+        m_measurement.setPlane(plane);
         update();
     });
 }
@@ -82,6 +87,17 @@ void PictureCanvas::followPicture(const DisplayPicture& picture)
         Q_EMIT viewChanged();
 }
 
+void PictureCanvas::followTable()
+{
+    const DisplayPicture* picture = shown();
+    if (m_table == nullptr || picture == nullptr)
+        return;
+    const PixelCalibration before = m_measurement.calibration();
+    m_measurement.follow(picture->about, *m_table);
+    if (m_measurement.calibration() != before)
+        update();
+}
+
 void PictureCanvas::zoomBy(double factor)
 {
     m_viewport = viewport();
@@ -108,6 +124,14 @@ void PictureCanvas::nextCatheter()
 {
     m_measurement.nextCatheter();
     update();
+}
+
+void PictureCanvas::nextPlane()
+{
+    if (!m_display)
+        return;
+    m_display->nextPlane();
+    tell(planeText(m_display->plane()));
 }
 
 void PictureCanvas::tell(const QString& what)
@@ -147,7 +171,9 @@ void PictureCanvas::mousePressEvent(QMouseEvent* event)
     if (event->button() == Qt::MiddleButton || (left && event->modifiers().testFlag(Qt::ShiftModifier))) {
         m_drag = Drag::Pan;
     } else if (event->button() == Qt::RightButton) {
-        if (m_measurement.mode() == MeasureMode::Distance)
+        if (m_measurement.mode() == MeasureMode::Distance && event->modifiers().testFlag(Qt::ShiftModifier))
+            nextPlane();
+        else if (m_measurement.mode() == MeasureMode::Distance)
             nextCatheter();
     } else if (left && m_measurement.mode() != MeasureMode::Off) {
         if (viewport().target().contains(event->position().toPoint()))
@@ -238,6 +264,8 @@ bool PictureCanvas::takeMeasureKey(int key)
         clearMeasurement();
     } else if (key == Qt::Key_B) {
         nextCatheter();
+    } else if (key == Qt::Key_O) {
+        nextPlane();
     } else {
         return false;
     }

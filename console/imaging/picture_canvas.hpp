@@ -17,10 +17,10 @@
 namespace console {
 
 /// Left button: window (sideways its width, up and down its centre), or a point while measuring; middle button, or Shift with the left:
-/// pan; right button while measuring: the distance is a catheter's width; wheel: zoom. Keys while the pane has the focus, none of them one
-/// of the hand's: + − zoom, 8 2 4 6 pan, Home whole picture, A automatic window, P next window, V next function, Q W narrower and wider, S
-/// X lower and higher centre, N invert, T Shift+T noise reduction, E Shift+E edges, H shutter, M measure, 5 point, B catheter, Delete
-/// clear. All other keys are left to the window.
+/// pan; right button while measuring: the distance is a catheter's width, with Shift: the next plane of lengths; wheel: zoom. Keys while
+/// the pane has the focus, none of them one of the hand's: + − zoom, 8 2 4 6 pan, Home whole picture, A automatic window, P next window, V
+/// next function, Q W narrower and wider, S X lower and higher centre, N invert, T Shift+T noise reduction, E Shift+E edges, H shutter, M
+/// measure, 5 point, B catheter, O plane, Delete clear. All other keys are left to the window.
 class PictureCanvas : public QWidget {
     Q_OBJECT
 public:
@@ -41,9 +41,13 @@ public:
     void resetView();
     void clearMeasurement();
     void nextCatheter();
+    void nextPlane();
 
     /// Where the table stood in which picture; outlives the pane. Without one the table never moves.
     void setTable(const TableRest* table) { m_table = table; }
+
+    /// It was reported anew: where it stood in the picture that is shown may be known better, or no more.
+    void followTable();
 
     /// What became of a button that was pressed: at the foot of the pane for some seconds.
     void tell(const QString& what);

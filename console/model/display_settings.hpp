@@ -4,8 +4,10 @@
 #include <QString>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace console {
 
@@ -71,6 +73,17 @@ struct DisplaySettings {
     ShutterShape shutter = ShutterShape::None; ///< the largest that fits into the picture
 
     bool operator==(const DisplaySettings&) const = default;
+};
+
+/// What can be chosen for how far what is measured is above the table's top, mm: half of what a patient is thick.
+inline constexpr std::array<int, 5> objectHeights{50, 75, 100, 125, 150};
+
+/// The plane in which lengths are known from the C-arm's geometry.
+struct MeasurePlane {
+    std::optional<int> object;   ///< mm above the table's top; nothing: the isocentre's plane
+    std::optional<int> tableTop; ///< mm that the table's top is below the isocentre at the reported height 0; nothing: not set up
+
+    bool operator==(const MeasurePlane&) const = default;
 };
 
 /// Every number brought into its bounds; a fixed window that means nothing becomes the frame's own.

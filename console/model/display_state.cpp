@@ -1,6 +1,8 @@
 // The display settings in force.
 #include "model/display_state.hpp"
 
+#include <algorithm>
+
 namespace console {
 
 namespace {
@@ -112,6 +114,39 @@ void DisplayState::nextMeasureMode()
 {
     m_measure = static_cast<MeasureMode>((static_cast<int>(m_measure) + 1) % 3);
     Q_EMIT measureModeChanged(m_measure);
+}
+
+void DisplayState::nextPlane()
+{
+    MeasurePlane next = m_plane;
+    if (!next.object) {
+        next.object = m_usualObject;
+    } else {
+        const auto* const at = std::find(objectHeights.begin(), objectHeights.end(), *next.object);
+        const bool wraps = at == objectHeights.end() || at + 1 == objectHeights.end();
+        next.object = wraps ? objectHeights.front() : *(at + 1);
+        if (at == objectHeights.end() || next.object == m_usualObject)
+            next.object.reset();
+    }
+    setPlane(next);
+}
+
+void DisplayState::setTable(std::optional<int> tableTop, int usualObject)
+{
+    MeasurePlane next = m_plane;
+    next.tableTop = tableTop;
+    if (next.object && usualObject != m_usualObject)
+        next.object = usualObject;
+    m_usualObject = usualObject;
+    setPlane(next);
+}
+
+void DisplayState::setPlane(const MeasurePlane& plane)
+{
+    if (plane == m_plane)
+        return;
+    m_plane = plane;
+    Q_EMIT planeChanged(m_plane);
 }
 
 } // namespace console

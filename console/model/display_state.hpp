@@ -36,13 +36,26 @@ public:
     MeasureMode measureMode() const { return m_measure; }
     void nextMeasureMode();
 
+    const MeasurePlane& plane() const { return m_plane; }
+
+    /// From the isocentre's to that above the table at the usual height, then to each other of objectHeights, and back.
+    void nextPlane();
+
+    /// `usualObject`: one of objectHeights; where it is another than before, a plane above the table that is chosen goes there.
+    void setTable(std::optional<int> tableTop, int usualObject);
+
 Q_SIGNALS:
     void changed(const console::DisplaySettings& settings);
     void measureModeChanged(console::MeasureMode mode);
+    void planeChanged(const console::MeasurePlane& plane);
 
 private:
+    void setPlane(const MeasurePlane& plane);
+
     DisplaySettings m_settings;
     MeasureMode m_measure = MeasureMode::Off;
+    MeasurePlane m_plane;
+    int m_usualObject = 100; ///< mm
 };
 
 } // namespace console

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace console {
 
@@ -51,6 +52,10 @@ Preferences withinBounds(Preferences preferences)
         preferences.pulseRate = Preferences().pulseRate;
     if (std::find(holdCounts.begin(), holdCounts.end(), preferences.holdPictures) == holdCounts.end())
         preferences.holdPictures = Preferences().holdPictures;
+    if (std::find(objectHeights.begin(), objectHeights.end(), preferences.objectHeight) == objectHeights.end())
+        preferences.objectHeight = Preferences().objectHeight;
+    if (preferences.tableTop && std::abs(*preferences.tableTop) > Preferences::farthestTableTop) // a bound would be another plane
+        preferences.tableTop.reset();
     if (preferences.window == WindowChoice::Fixed) // a window by hand belongs to one picture
         preferences.window = WindowChoice::AsSent;
     preferences.pictureFolder = oneLine(preferences.pictureFolder, Preferences::mostFolder);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <chrono>
+#include <optional>
 
 namespace console {
 
@@ -29,6 +30,7 @@ inline constexpr std::array<int, 4> holdCounts{1, 2, 4, 8};
 struct Preferences {
     static constexpr int mostFolder = 1024; ///< characters
     static constexpr int mostContact = 80;
+    static constexpr int farthestTableTop = 1000; ///< mm
 
     QString language; ///< `en`, `zh_CN`; empty: as the computer says
     Brightness brightness = Brightness::Usual;
@@ -39,9 +41,11 @@ struct Preferences {
     int noiseReduction = 0;                     ///< %
     int edge = 0;                               ///< %
     EdgeMethod edgeMethod = EdgeMethod::UnsharpMask;
-    double pulseRate = 15; ///< one of pulseRates
-    int holdPictures = 1;  ///< one of holdCounts
-    QString patientSide;   ///< how a person there is called, as the prompt shows it; empty: not set up
+    double pulseRate = 15;       ///< one of pulseRates
+    int holdPictures = 1;        ///< one of holdCounts
+    int objectHeight = 100;      ///< one of objectHeights, mm above the table's top: the plane of lengths above the table begins with it
+    std::optional<int> tableTop; ///< mm below the isocentre at the reported height 0, as somebody measured it here; nothing: not set up
+    QString patientSide;         ///< how a person there is called, as the prompt shows it; empty: not set up
 
     bool operator==(const Preferences&) const = default;
 };

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 
 namespace console {
 
@@ -51,6 +52,8 @@ QString holdName(int pictures)
 {
     return pictures > 1 ? PreferencesView::tr("mean of %1").arg(pictures) : PreferencesView::tr("the last picture");
 }
+
+QString heightName(int millimetres) { return PreferencesView::tr("%1 cm").arg(millimetres / 10.0, 0, 'f', 1); }
 
 } // namespace
 
@@ -98,6 +101,7 @@ QWidget* PreferencesView::makeEntries()
     addGeneral(column);
     addPictures(column);
     addHold(column);
+    addLengths(column);
     column->addStretch(1);
     area->setWidget(body);
     return area;
@@ -191,6 +195,36 @@ void PreferencesView::addHold(QVBoxLayout* column)
             [this](int i) { ask([i](Preferences& p) { p.holdPictures = holdCounts.at(std::size_t(i)); }); });
 }
 
+void PreferencesView::addLengths(QVBoxLayout* column)
+{
+    QStringList heights;
+    for (const int height : objectHeights)
+        heights << heightName(height);
+    m_object = addChoice(column, tr("Object's height"),
+                         tr("How far above the table what is measured lies, about half of what the patient is thick. Lengths in a plane "
+                            "above the table, O while measuring, begin with it."),
+                         heights);
+    m_tableTop = addText(column, tr("Table top"),
+                         tr("In mm below the isocentre at the reported table height 0. Without it: no such plane."), tr("not set up"), 5);
+    connect(m_object, &ChoiceRow::chosen, this,
+            [this](int i) { ask([i](Preferences& p) { p.objectHeight = objectHeights.at(std::size_t(i)); }); });
+    connect(m_tableTop, &QLineEdit::editingFinished, this, &PreferencesView::takeTableTop);
+}
+
+/// What is no such number is not taken for another one: what was in force comes back.
+void PreferencesView::takeTableTop()
+{
+    const QString text = m_tableTop->text().trimmed();
+    bool good = false;
+    const int millimetres = text.toInt(&good);
+    if (!text.isEmpty() && !(good && std::abs(millimetres) <= Preferences::farthestTableTop)) {
+        setPreferences(m_preferences);
+        return showTrouble(
+            tr("Table top: '%1' is no whole number of millimetres up to %2.").arg(text, QString::number(Preferences::farthestTableTop)));
+    }
+    ask([&](Preferences& p) { p.tableTop = text.isEmpty() ? std::nullopt : std::optional(millimetres); });
+}
+
 QLineEdit* PreferencesView::addText(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QString& whenEmpty,
                                     int mostLetters)
 {
@@ -227,7 +261,8 @@ void PreferencesView::makeFoot(QVBoxLayout* column)
     connect(m_defaults, &QPushButton::clicked, this, [this] {
         ask([](Preferences& p) {
             Preferences fresh;
-            fresh.patientSide = p.patientSide; // it belongs to the site: there is no default that could stand for it
+            fresh.patientSide = p.patientSide; // these belong to the site: there is no default that could stand for them
+            fresh.tableTop = p.tableTop;
             p = fresh;
         });
     });
@@ -250,6 +285,8 @@ void PreferencesView::setPreferences(const Preferences& preferences)
     m_edge->setValue(placeOf(strengths, preferences.edge), tr("%1 %").arg(preferences.edge));
     m_edgeMethod->setValue(int(preferences.edgeMethod), word(preferences.edgeMethod));
     m_hold->setValue(placeOf(holdCounts, preferences.holdPictures), holdName(preferences.holdPictures));
+    m_object->setValue(placeOf(objectHeights, preferences.objectHeight), heightName(preferences.objectHeight));
+    m_tableTop->setText(preferences.tableTop ? QString::number(*preferences.tableTop) : QString());
 }
 
 void PreferencesView::setReadOnly(const QString& why)
@@ -257,10 +294,11 @@ void PreferencesView::setReadOnly(const QString& why)
     m_readOnly = !why.isEmpty();
     m_state->setText(m_readOnly ? why : tr("Kept for you on this computer. Nothing here changes how the robot moves."));
     setInk(m_state, m_readOnly ? colour::bright : colour::secondary);
-    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge, m_edgeMethod, m_hold})
+    for (ChoiceRow* row : {m_language, m_brightness, m_pause, m_span, m_rate, m_window, m_noise, m_edge, m_edgeMethod, m_hold, m_object})
         row->setReadOnly(m_readOnly);
     m_folder->setReadOnly(m_readOnly);
     m_patientSide->setReadOnly(m_readOnly);
+    m_tableTop->setReadOnly(m_readOnly);
     m_defaults->setEnabled(!m_readOnly);
 }
 

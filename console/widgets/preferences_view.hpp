@@ -44,6 +44,8 @@ private:
     void addGeneral(QVBoxLayout* column);
     void addPictures(QVBoxLayout* column);
     void addHold(QVBoxLayout* column);
+    void addLengths(QVBoxLayout* column);
+    void takeTableTop();
     QLineEdit* addText(QVBoxLayout* column, const QString& name, const QString& whatItDoes, const QString& whenEmpty, int mostLetters);
     template <typename Change>
     void ask(Change change);
@@ -64,8 +66,10 @@ private:
     ChoiceRow* m_edgeMethod = nullptr;
     ChoiceRow* m_rate = nullptr;
     ChoiceRow* m_hold = nullptr;
+    ChoiceRow* m_object = nullptr;
     QLineEdit* m_folder = nullptr;
     QLineEdit* m_patientSide = nullptr;
+    QLineEdit* m_tableTop = nullptr;
     bool m_readOnly = false;
 };
 

@@ -3041,6 +3041,46 @@
         <source>no angle: two points are one</source>
         <translation>无角度：两点重合</translation>
     </message>
+    <message>
+        <source>%1 mm @ table plane + %2 cm (geometry)</source>
+        <translation>%1 mm @ 床面平面 + %2 cm（几何）</translation>
+    </message>
+    <message>
+        <source>%1 px (uncalibrated: no table plane)</source>
+        <translation>%1 px（未校准：无床面平面）</translation>
+    </message>
+    <message>
+        <source>lengths by geometry: table plane + %1 cm</source>
+        <translation>几何长度：床面平面 + %1 cm</translation>
+    </message>
+    <message>
+        <source>lengths by geometry: isocentre plane</source>
+        <translation>几何长度：等中心平面</translation>
+    </message>
+    <message>
+        <source>the table&apos;s top is not set up in the preferences</source>
+        <translation>首选项中未设置床面高度</translation>
+    </message>
+    <message>
+        <source>the table&apos;s height in this picture is unknown</source>
+        <translation>此图像的床高未知</translation>
+    </message>
+    <message>
+        <source>the picture&apos;s geometry is unknown</source>
+        <translation>图像的几何参数未知</translation>
+    </message>
+    <message>
+        <source>the beam is more than 60° from upright</source>
+        <translation>射线束偏离竖直方向超过 60°</translation>
+    </message>
+    <message>
+        <source>the X-ray source is above the table</source>
+        <translation>X 射线源在床的上方</translation>
+    </message>
+    <message>
+        <source>the plane is not between source and detector</source>
+        <translation>该平面不在射线源与探测器之间</translation>
+    </message>
 </context>
 <context>
     <name>console::ModeMark</name>
@@ -3327,6 +3367,10 @@
     <message>
         <source>Right button or B: it is the width of a catheter of 4 F to 8 F</source>
         <translation>右键或 B：此为 4 F 至 8 F 导管的宽度</translation>
+    </message>
+    <message>
+        <source>O, or Shift and the right button: isocentre or table plane</source>
+        <translation>O 或 Shift 加右键：等中心平面或床面平面</translation>
     </message>
 </context>
 <context>
@@ -3998,6 +4042,34 @@
     <message>
         <source>What is held when a run ends. A mean of its last pictures has less noise, and what moved is blurred in it. It says how many went in; those of another exposure or place do not.</source>
         <translation>曝光结束时保持的图像。最后几帧的平均噪声较低，但运动部分会模糊。图像上注明实际参与平均的帧数；曝光条件或位置不同的帧不参与。</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Object&apos;s height</source>
+        <translation>物体高度</translation>
+    </message>
+    <message>
+        <source>How far above the table what is measured lies, about half of what the patient is thick. Lengths in a plane above the table, O while measuring, begin with it.</source>
+        <translation>被测物体在床面以上的高度，约为患者厚度的一半。床面上方平面内的长度（测量时按 O）以此开始。</translation>
+    </message>
+    <message>
+        <source>Table top</source>
+        <translation>床面</translation>
+    </message>
+    <message>
+        <source>In mm below the isocentre at the reported table height 0. Without it: no such plane.</source>
+        <translation>报告的床高为 0 时床面在等中心以下的 mm 数。未设置则无此平面。</translation>
+    </message>
+    <message>
+        <source>not set up</source>
+        <translation>未设置</translation>
+    </message>
+    <message>
+        <source>Table top: &apos;%1&apos; is no whole number of millimetres up to %2.</source>
+        <translation>床面：“%1”不是不超过 %2 的整数毫米值。</translation>
     </message>
 </context>
 <context>

@@ -354,7 +354,7 @@ private Q_SLOTS:
         Prepared stage;
         QVERIFY(stage.open());
         QSet<QWidget*> reached;
-        for (int i = 0; i < 150; ++i) {
+        for (int i = 0; i < 180; ++i) {
             QWidget* focus = QApplication::focusWidget();
             QVERIFY(focus);
             reached.insert(focus);

@@ -46,6 +46,8 @@ Preferences unusual()
     p.edgeMethod = EdgeMethod::MultiScale;
     p.pulseRate = 7.5;
     p.holdPictures = 8;
+    p.objectHeight = 125;
+    p.tableTop = -35;
     return p;
 }
 
@@ -90,6 +92,11 @@ private Q_SLOTS:
         QTest::newRow("hold of three") << QByteArray("hold-pictures=3") << QStringLiteral("hold-pictures");
         QTest::newRow("hold of none") << QByteArray("hold-pictures=0") << QStringLiteral("hold-pictures");
         QTest::newRow("hold is a word") << QByteArray("hold-pictures=many") << QStringLiteral("hold-pictures");
+        QTest::newRow("object's height") << QByteArray("object-above-table-mm=90") << QStringLiteral("object-above-table-mm");
+        QTest::newRow("table top too far") << QByteArray("table-top-below-isocentre-mm=1001")
+                                           << QStringLiteral("table-top-below-isocentre-mm");
+        QTest::newRow("table top is a word") << QByteArray("table-top-below-isocentre-mm=low")
+                                             << QStringLiteral("table-top-below-isocentre-mm");
         QTest::newRow("language") << QByteArray("language=tlh") << QStringLiteral("language");
         QTest::newRow("patient side") << QByteArray("patient-side=\"a\\x1b[2Jb\"") << QStringLiteral("patient-side");
         QTest::newRow("folder with a comma, no quotes") << QByteArray("picture-folder=/tmp/a,b") << QStringLiteral("picture-folder");
@@ -187,6 +194,8 @@ private Q_SLOTS:
         p.noiseReduction = 900;
         p.pulseRate = 3;
         p.holdPictures = 3;
+        p.objectHeight = 99;
+        p.tableTop = 1001;
         p.window = WindowChoice::Fixed;
         p.language = QStringLiteral("xx");
         const Preferences bounded = withinBounds(p);
@@ -194,6 +203,8 @@ private Q_SLOTS:
         QCOMPARE(bounded.noiseReduction, 100);
         QCOMPARE(bounded.pulseRate, 15.0);
         QCOMPARE(bounded.holdPictures, 1);
+        QCOMPARE(bounded.objectHeight, 100);
+        QVERIFY(!bounded.tableTop);
         QVERIFY(bounded.window == WindowChoice::AsSent);
         QVERIFY(bounded.language.isEmpty());
     }
