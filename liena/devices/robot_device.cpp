@@ -23,8 +23,10 @@ std::uint32_t randomPermit()
 
 } // namespace
 
-RobotDevice::RobotDevice(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options, LogSink log)
+RobotDevice::RobotDevice(DistributedSystem& system, RobotBindings bindings, const VesselTree& tree, const RobotOptions& options,
+                         LogSink log)
     : m_system(system),
+      m_bindings(std::move(bindings)),
       m_log(log),
       m_gate(DriveLimits::forWay(VesselWay(tree).length())),
       m_machine(randomPermit(), options.arming),
@@ -39,7 +41,10 @@ Result<std::unique_ptr<RobotDevice>> RobotDevice::create(DistributedSystem& syst
     if (!system.report("RobotStatus"))
         return fail(Errc::InvalidArgument, "device '" + system.self().name + "' is no vascular robot (message set '" +
                                                system.self().messageSet + "'); name one with --device");
-    std::unique_ptr<RobotDevice> device(new RobotDevice(system, tree, options, std::move(log)));
+    auto bindings = RobotBindings::to(system.messageSet(system.self().id));
+    if (!bindings)
+        return bindings.as_failure();
+    std::unique_ptr<RobotDevice> device(new RobotDevice(system, std::move(bindings).value(), tree, options, std::move(log)));
     BOOST_OUTCOME_TRYV(device->subscribe());
     return device;
 }
@@ -117,12 +122,18 @@ bool RobotDevice::handle(const RobotEvent& event, const MotionCommanded* motion)
         m_log(LogLevel::Info, change);
         m_system.audit("robot-state", {}, change);
     }
-    // A stream of refused commands is one cause, and one line.
-    if (!actions.accepted && std::exchange(m_lastRefusal, actions.reason) != actions.reason) {
-        m_log(LogLevel::Warning, "command refused: " + std::string(actions.reason));
-        m_system.audit("command-refused", {}, actions.reason);
-    }
+    if (!actions.accepted)
+        sayRefusal(actions.reason);
     return actions.accepted;
+}
+
+/// A stream of refused commands is one cause, and one line.
+void RobotDevice::sayRefusal(std::string_view reason)
+{
+    if (std::exchange(m_lastRefusal, reason) == reason)
+        return;
+    m_log(LogLevel::Warning, "command refused: " + std::string(reason));
+    m_system.audit("command-refused", {}, reason);
 }
 
 void RobotDevice::actOnDrives(RobotActions::Drives drives, const MotionCommanded* motion, SteadyTime now)
@@ -176,12 +187,16 @@ void RobotDevice::onPermitRequest(const Message& message)
 
 void RobotDevice::onMotion(const Message& message)
 {
+    MotionFields fields;
+    if (!m_bindings.motion.read(message, fields)) {
+        m_machine.countRefusal();
+        return sayRefusal("a MotionCommand of another message set: it is a report of the device that sent it");
+    }
     const MotionCommanded motion{message.origin(),
-                                 message.get<std::uint32_t>("permit"),
-                                 message.get<std::uint32_t>("sequence"),
-                                 message.get<bool>("engaged"),
-                                 {message.get<double>("guidewire_velocity"), message.get<double>("guidewire_rotation"),
-                                  message.get<double>("catheter_velocity"), message.get<double>("catheter_rotation")}};
+                                 fields.permit,
+                                 fields.sequence,
+                                 fields.engaged,
+                                 {fields.guidewireVelocity, fields.guidewireRotation, fields.catheterVelocity, fields.catheterRotation}};
     m_commanded = message.arrival();
     handle(motion, &motion);
 }

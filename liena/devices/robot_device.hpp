@@ -4,6 +4,7 @@
 #include "contrast_injector.hpp"
 #include "patient_side.hpp"
 #include "robot_machine.hpp"
+#include "robot_messages.hpp"
 #include "robot_simulation.hpp"
 
 #include "liena/distributed_system.hpp"
@@ -21,7 +22,7 @@ struct RobotOptions {
 /// Made before the system starts, outlives its run; everything but obey() runs on the network thread.
 class RobotDevice {
 public:
-    /// An error when the device of the topology is no vascular robot.
+    /// An error when the device of the topology is no vascular robot, or its message set does not fit (RobotBindings).
     static Result<std::unique_ptr<RobotDevice>> create(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options,
                                                        LogSink log);
 
@@ -29,7 +30,7 @@ public:
     void obey(std::string_view line) { m_patientSide.obey(line); }
 
 private:
-    RobotDevice(DistributedSystem& system, const VesselTree& tree, const RobotOptions& options, LogSink log);
+    RobotDevice(DistributedSystem& system, RobotBindings bindings, const VesselTree& tree, const RobotOptions& options, LogSink log);
 
     Result<void> subscribe();
     void onEvent(const SessionEvent& event);
@@ -42,6 +43,7 @@ private:
 
     /// Gives the event to the machine and does what it says; `motion` is what a Drive action applies.
     bool handle(const RobotEvent& event, const MotionCommanded* motion = nullptr);
+    void sayRefusal(std::string_view reason);
     void actOnDrives(RobotActions::Drives drives, const MotionCommanded* motion, SteadyTime now);
     void control();
     void stopLocally(std::string_view reason);
@@ -55,6 +57,7 @@ private:
     std::uint16_t limitSwitches() const;
 
     DistributedSystem& m_system;
+    RobotBindings m_bindings;
     LogSink m_log;
     DriveGate m_gate;
     RobotMachine m_machine;

@@ -9,6 +9,7 @@ namespace {
 
 // A measured value at the edge of its field's bounds must not silence the whole report.
 double within(double value, double low, double high) { return std::clamp(value, low, high); }
+float floatWithin(double value, double low, double high) { return static_cast<float>(within(value, low, high)); }
 
 } // namespace
 
@@ -31,25 +32,39 @@ std::uint16_t RobotDevice::limitSwitches() const
 
 void RobotDevice::publishStatus()
 {
-    Message status = m_system.report("RobotStatus").value();
     const DriveFeedback body = m_body.feedback();
     const AxisValues& speed = m_body.velocities();
-    status.set("state", m_machine.state()).set("permit", m_machine.permit()).set("engaged", m_machine.engaged());
-    status.set("owner", m_machine.owner().value_or(DeviceId()).value());
-    status.set("hold_confirmed", m_machine.holdConfirmed()).set("hold_since_ns", m_holdSince);
-    status.set("last_sequence", m_machine.lastSequence()).set("applied_commands", m_machine.appliedCommands());
-    status.set("refused_commands", m_machine.refusedCommands());
-    status.set("guidewire_position", within(body.positions[0], -10, 1600)).set("guidewire_angle", within(body.positions[1], -1e6, 1e6));
-    status.set("catheter_position", within(body.positions[2], -10, 1600)).set("catheter_angle", within(body.positions[3], -1e6, 1e6));
-    status.set("guidewire_velocity", within(speed[0], -60, 60)).set("guidewire_rotation", within(speed[1], -1000, 1000));
-    status.set("catheter_velocity", within(speed[2], -60, 60)).set("catheter_rotation", within(speed[3], -1000, 1000));
-    status.set("guidewire_force", within(m_body.force(), -5, 5)).set("guidewire_torque", within(m_body.torque(), -50, 50));
-    status.set("guidewire_gripper_closed", m_body.gripperClosed(Gripper::Guidewire));
-    status.set("catheter_gripper_closed", m_body.gripperClosed(Gripper::Catheter));
-    status.set("limit_switches", limitSwitches()).set("contrast_remaining", within(m_injector.remaining(), 0, 500));
-    status.set("emergency_stop_token", m_machine.emergencyStopToken()).set("fault_code", m_machine.fault());
-    status.set("clear_to_arm", m_machine.clearance());
-    m_system.publish(status);
+    const StatusFields fields{
+        .state = m_machine.state(),
+        .permit = m_machine.permit(),
+        .owner = m_machine.owner().value_or(DeviceId()).value(),
+        .engaged = m_machine.engaged(),
+        .holdConfirmed = m_machine.holdConfirmed(),
+        .holdSince = m_holdSince,
+        .lastSequence = m_machine.lastSequence(),
+        .appliedCommands = m_machine.appliedCommands(),
+        .refusedCommands = m_machine.refusedCommands(),
+        .guidewirePosition = floatWithin(body.positions[0], -10, 1600),
+        .guidewireAngle = within(body.positions[1], -1e6, 1e6),
+        .catheterPosition = floatWithin(body.positions[2], -10, 1600),
+        .catheterAngle = within(body.positions[3], -1e6, 1e6),
+        .guidewireVelocity = floatWithin(speed[0], -60, 60),
+        .guidewireRotation = floatWithin(speed[1], -1000, 1000),
+        .catheterVelocity = floatWithin(speed[2], -60, 60),
+        .catheterRotation = floatWithin(speed[3], -1000, 1000),
+        .guidewireForce = floatWithin(m_body.force(), -5, 5),
+        .guidewireTorque = floatWithin(m_body.torque(), -50, 50),
+        .guidewireGripperClosed = m_body.gripperClosed(Gripper::Guidewire),
+        .catheterGripperClosed = m_body.gripperClosed(Gripper::Catheter),
+        .limitSwitches = limitSwitches(),
+        .contrastRemaining = floatWithin(m_injector.remaining(), 0, 500),
+        .emergencyStopToken = m_machine.emergencyStopToken(),
+        .fault = m_machine.fault(),
+        .clearance = m_machine.clearance(),
+    };
+    Message status = m_system.report("RobotStatus").value();
+    m_bindings.status.write(fields, status); // one with a value that is refused is not published
+    m_system.publish(std::move(status));
 }
 
 void RobotDevice::publishDrives()
