@@ -1,6 +1,8 @@
 // Motion commands, five hundred a second while armed.
 #include "link/motion_streamer.hpp"
 
+#include <utility>
+
 namespace console {
 
 void MotionStreamer::run()
@@ -10,24 +12,28 @@ void MotionStreamer::run()
     m_blocked.store(blocked ? quint64{1} << 32 | *blocked : 0, std::memory_order_relaxed);
     if (!order)
         return;
-    if (!m_blank) {
-        auto blank = m_system.command(m_robot, "MotionCommand");
-        if (!blank) {
-            m_refused.fetch_add(1, std::memory_order_relaxed);
-            return;
-        }
-        m_blank.emplace(std::move(blank).value());
-    }
-    auto message = *m_blank;
-    message.set("permit", order->permit)
-        .set("sequence", order->sequence)
-        .set("engaged", order->engaged)
-        .set("guidewire_velocity", order->motion.guidewireVelocity)
-        .set("guidewire_rotation", order->motion.guidewireRotation)
-        .set("catheter_velocity", order->motion.catheterVelocity)
-        .set("catheter_rotation", order->motion.catheterRotation);
-    const bool accepted = m_system.send(m_robot, std::move(message)).has_value();
+    const bool accepted = bind() && send(*order);
     (accepted ? m_sent : m_refused).fetch_add(1, std::memory_order_relaxed);
+}
+
+/// To the set that the robot has now: it may be learnt, and learnt anew, with each opening. Why it does not fit, SystemLink says.
+bool MotionStreamer::bind()
+{
+    auto set = m_system.messageSet(m_robot);
+    if (m_binding && m_binding->messageSet() == set)
+        return true;
+    m_binding.reset();
+    if (auto bound = MotionBinding::to(std::move(set), "MotionCommand"))
+        m_binding.emplace(std::move(bound).value());
+    return m_binding.has_value();
+}
+
+/// A value that the robot's set does not allow is refused by the send, with the whole message.
+bool MotionStreamer::send(const MotionOrder& order)
+{
+    liena::Message message(m_binding->messageSet(), m_binding->definition());
+    m_binding->write(motionFields(order), message);
+    return m_system.send(m_robot, std::move(message)).has_value();
 }
 
 } // namespace console

@@ -1,6 +1,7 @@
 // The motion commands on their way out: composed on the network thread, so that a stutter of the screen does not stutter the robot.
 #pragma once
 
+#include "link/motion_command.hpp"
 #include "model/latest_value.hpp"
 #include "model/motion_order.hpp"
 
@@ -35,11 +36,14 @@ public:
     }
 
 private:
+    bool bind();
+    bool send(const MotionOrder& order);
+
     liena::DistributedSystem& m_system;
     liena::DeviceId m_robot;
     LatestValue<MotionSnapshot> m_snapshot;
     MotionGate m_gate;
-    std::optional<liena::Message> m_blank; ///< network thread; the robot's set may become known only when it opens
+    std::optional<MotionBinding> m_binding; ///< network thread; nothing while the robot's set is unknown, or does not fit
     std::atomic<quint64> m_sent{0};
     std::atomic<quint64> m_refused{0};
     std::atomic<quint64> m_blocked{0}; ///< the permit, and a bit above it; 0: none

@@ -16,6 +16,7 @@
 #include <QRandomGenerator>
 
 #include <stdexcept>
+#include <utility>
 
 namespace console {
 
@@ -186,18 +187,23 @@ void SystemLink::readFigures()
     for (const auto& status : links)
         if (m_xray && status.peer.value() == *m_xray)
             m_xrayUncertainty.store((status.clockOffset ? status.clockUncertainty : Duration::max()).count(), std::memory_order_relaxed);
-    readCarried();
+    readRobotSet();
     if (m_motion)
         m_models.hand.setCommandsSent(m_motion->sent());
     repeatEmergencyStop();
 }
 
 /// The robot's set may be learnt, and learnt anew, with each opening.
-void SystemLink::readCarried()
+void SystemLink::readRobotSet()
 {
     const auto set = m_robot ? m_system->messageSet(liena::DeviceId(*m_robot)) : nullptr;
     if (!set)
         return;
+    // Said when the set is known, so that nobody finds out by a robot that does not move.
+    if (std::exchange(m_robotSet, set) != set)
+        if (const auto bound = MotionBinding::to(set, "MotionCommand"); !bound)
+            note(LogKind::Trouble, tr("%1 cannot be moved from here (%2); compare the message sets")
+                                       .arg(m_models.sessions.titleOf(*m_robot), words(bound.error())));
     const auto* command = set->find("MotionCommand");
     const auto* link = m_system->topology().link(m_system->self().id, liena::DeviceId(*m_robot));
     m_models.sessions.setCarried(*m_robot, command && link ? std::optional(roundTripCarried(*command, link->timing)) : std::nullopt);

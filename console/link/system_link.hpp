@@ -21,6 +21,7 @@
 namespace liena {
 class DistributedSystem;
 class Message;
+class MessageSet;
 } // namespace liena
 
 namespace console {
@@ -112,7 +113,7 @@ private:
     void takeFrame(std::shared_ptr<const liena::Message> message);
     void drain();
     void readFigures();
-    void readCarried();
+    void readRobotSet();
     void repeatEmergencyStop();
     void sendPermit(quint32 permit, const char* request);
     void note(LogKind kind, const QString& text);
@@ -123,6 +124,7 @@ private:
     SessionIntake m_sessionIntake;
     std::optional<quint32> m_robot;
     std::optional<quint32> m_xray;
+    std::shared_ptr<const liena::MessageSet> m_robotSet; ///< the one that was looked at last
     QTimer m_figures;
     quint64 m_stopToken = 0; ///< of the newest stop, while the robot has not named it; 0: none
     QString m_stopReason;

@@ -5516,6 +5516,10 @@ NOT A MEDICAL DEVICE</source>
 <context>
     <name>console::SystemLink</name>
     <message>
+        <source>%1 cannot be moved from here (%2); compare the message sets</source>
+        <translation>无法从本控制台移动%1（%2）；请核对报文集</translation>
+    </message>
+    <message>
         <source>pictures do not have the fields that this console knows: %1</source>
         <translation>图像缺少本控制台所知的字段：%1</translation>
     </message>
