@@ -1,5 +1,6 @@
 // A simulated syringe pump: it infuses only while fresh commands arrive under the permit that it gave last.
 #include <liena/distributed_system.hpp>
+#include <liena/message_binding.hpp>
 
 #include <csignal>
 #include <iostream>
@@ -7,21 +8,39 @@
 using namespace std::chrono_literals;
 using liena::SessionEvent;
 
+struct Infuse {
+    std::uint32_t permit = 0;
+    float rate = 0; // mL/h
+};
+using InfuseBinding = liena::MessageBinding<Infuse, liena::Bind<"permit", &Infuse::permit>, liena::Bind<"rate", &Infuse::rate>>;
+
+struct PumpStatus {
+    std::uint32_t permit = 0;
+    float rate = 0;    // mL/h
+    double volume = 0; // mL
+};
+using StatusBinding = liena::MessageBinding<PumpStatus, liena::Bind<"permit", &PumpStatus::permit>, liena::Bind<"rate", &PumpStatus::rate>,
+                                            liena::Bind<"volume", &PumpStatus::volume>>;
+
 /// Every function runs on the network thread.
 class Pump {
 public:
-    explicit Pump(liena::DistributedSystem& system) : m_system(system) { m_system.confirmHold(true); }
+    Pump(liena::DistributedSystem& system, const InfuseBinding& command, const StatusBinding& report)
+        : m_system(system), m_command(command), m_report(report)
+    {
+        m_system.confirmHold(true);
+    }
 
     void infuse(const liena::Message& command)
     {
-        if (command.get<std::uint32_t>("permit") != m_permit)
-            return; // meant for a time before the last stop
-        const auto rate = command.get<double>("rate");
-        if (rate == 0)
+        Infuse wanted;
+        if (!m_command.read(command, wanted) || wanted.permit != m_now.permit)
+            return; // of another message set, or meant for a time before the last stop
+        if (wanted.rate == 0)
             return hold("the cockpit stopped it");
-        if (rate != m_rate)
-            std::cout << "infusing " << rate << " mL/h under permit " << m_permit << std::endl;
-        m_rate = rate;
+        if (wanted.rate != m_now.rate)
+            std::cout << "infusing " << wanted.rate << " mL/h under permit " << wanted.permit << std::endl;
+        m_now.rate = wanted.rate;
         m_leaseEnd = std::chrono::steady_clock::now() + 300ms;
         m_system.confirmHold(false);
     }
@@ -38,29 +57,32 @@ public:
 
     void work() // each 20 ms
     {
-        if (m_rate > 0 && std::chrono::steady_clock::now() > m_leaseEnd)
+        if (m_now.rate > 0 && std::chrono::steady_clock::now() > m_leaseEnd)
             hold("no fresh command");
-        m_volume += m_rate * 0.020 / 3600;
-        if (++m_turns % 5 == 0)
-            m_system.publish(m_system.report("PumpStatus").value().set("permit", m_permit).set("rate", m_rate).set("volume", m_volume));
+        m_now.volume += m_now.rate * 0.020 / 3600;
+        if (++m_turns % 5 != 0)
+            return;
+        auto status = m_system.report("PumpStatus").value();
+        m_report.write(m_now, status);
+        m_system.publish(std::move(status));
     }
 
 private:
     void hold(const char* why)
     {
-        if (m_rate > 0) {
+        if (m_now.rate > 0) {
             std::cout << "holds: " << why << std::endl;
-            ++m_permit; // what was commanded until now is over, whatever still arrives
+            ++m_now.permit; // what was commanded until now is over, whatever still arrives
         }
-        m_rate = 0;
+        m_now.rate = 0;
         m_system.confirmHold(true);
     }
 
     liena::DistributedSystem& m_system;
-    /// Begins with the time, so that no permit of before a restart comes again.
-    std::uint32_t m_permit = static_cast<std::uint32_t>(liena::Timestamp::now().ns / 1'000'000'000);
-    double m_rate = 0;   // mL/h
-    double m_volume = 0; // mL
+    InfuseBinding m_command;
+    StatusBinding m_report;
+    /// The permits begin with the time, so that none of before a restart comes again.
+    PumpStatus m_now{.permit = static_cast<std::uint32_t>(liena::Timestamp::now().ns / 1'000'000'000)};
     std::chrono::steady_clock::time_point m_leaseEnd;
     int m_turns = 0;
 };
@@ -86,7 +108,14 @@ int main()
         return 1;
     }
     auto& liena = *system.value();
-    Pump pump(liena);
+    const auto set = liena.messageSet(liena.self().id);
+    const auto infuse = InfuseBinding::to(set, "Infuse");
+    const auto status = StatusBinding::to(set, "PumpStatus");
+    if (!infuse || !status) {
+        std::cerr << "pump: " << (infuse ? status.error() : infuse.error()).what << '\n';
+        return 1;
+    }
+    Pump pump(liena, infuse.value(), status.value());
     liena.subscribe("Infuse", [&](const liena::Message& command) { pump.infuse(command); }).value();
     liena.subscribe([&](const SessionEvent& event) { pump.hear(event); });
     liena.every(20ms, [&] { pump.work(); });
