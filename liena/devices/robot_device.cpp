@@ -190,7 +190,7 @@ void RobotDevice::onMotion(const Message& message)
     MotionFields fields;
     if (!m_bindings.motion.read(message, fields)) {
         m_machine.countRefusal();
-        return sayRefusal("a MotionCommand of another message set: it is a report of the device that sent it");
+        return sayRefusal("a MotionCommand of another message set");
     }
     const MotionCommanded motion{message.origin(),
                                  fields.permit,

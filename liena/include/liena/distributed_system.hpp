@@ -44,7 +44,8 @@ public:
 
     // Before start():
 
-    /// `handler` gets every message of that name, from any peer, on the network thread; it does not go to the cache then.
+    /// `handler` gets every message of that name, from any peer, on the network thread; it does not go to the cache then. Of a name that
+    /// is a command of our own set it gets that command only: what a peer reports by the same name goes to the cache.
     /// UnknownMessage if neither our set (commands) nor a linked peer's set (reports) in the register has that name.
     Result<void> subscribe(std::string_view message, MessageHandler handler);
 

@@ -126,11 +126,19 @@ Result<void> DistributedSystem::State::checkKnown(std::string_view message) cons
     return ok();
 }
 
+DistributedSystem::State::Subscription& DistributedSystem::State::newSubscription(std::string_view message)
+{
+    Subscription& subscription = subscriptions[std::string(message)];
+    const auto* own = ownMessageSet->find(message);
+    subscription.isOwnCommand = own != nullptr && own->role == Role::Command;
+    return subscription;
+}
+
 Result<void> DistributedSystem::subscribe(std::string_view message, MessageHandler handler)
 {
     auto known = m_state->checkKnown(message);
     if (known)
-        m_state->subscriptions[std::string(message)].handlers.push_back(std::move(handler));
+        m_state->newSubscription(message).handlers.push_back(std::move(handler));
     return known;
 }
 
@@ -138,7 +146,7 @@ Result<void> DistributedSystem::subscribeToKeep(std::string_view message, Keepin
 {
     if (auto known = m_state->checkKnown(message); !known)
         return known;
-    auto& keeper = m_state->subscriptions[std::string(message)].keeper;
+    auto& keeper = m_state->newSubscription(message).keeper;
     if (keeper)
         return fail(Errc::InvalidArgument, fmt::format("{} is kept by another subscription already: there can be one", message));
     keeper = std::move(handler);

@@ -15,7 +15,7 @@ void DistributedSystem::State::deliver(Message&& message)
 {
     if (message.definition().priority != Priority::Bulk)
         attention.heard();
-    const auto* subscription = subscriptionTo(message.name());
+    const auto* subscription = subscriptionTo(message);
     if (subscription == nullptr)
         return MessageCacheAccess::put(messageCache, std::move(message));
     for (const auto& handler : subscription->handlers)
@@ -25,12 +25,16 @@ void DistributedSystem::State::deliver(Message&& message)
     partialBudget.recycle(MessageAccess::takeFields(message));
 }
 
-/// The one that was asked for last is most often asked for next. Null when there is none.
-const DistributedSystem::State::Subscription* DistributedSystem::State::subscriptionTo(const std::string& message)
+/// Null when there is none. A command has been judged by token, order and age, and a report has not: who waits for a command of ours does
+/// not get what a peer reports by the same name.
+const DistributedSystem::State::Subscription* DistributedSystem::State::subscriptionTo(const Message& message)
 {
-    if (lastSubscription == subscriptions.end() || lastSubscription->first != message)
-        lastSubscription = subscriptions.find(message);
-    return lastSubscription != subscriptions.end() ? &lastSubscription->second : nullptr;
+    // The one that was asked for last is most often asked for next.
+    if (lastSubscription == subscriptions.end() || lastSubscription->first != message.name())
+        lastSubscription = subscriptions.find(message.name());
+    if (lastSubscription == subscriptions.end() || (lastSubscription->second.isOwnCommand && !message.id().isCommand()))
+        return nullptr;
+    return &lastSubscription->second;
 }
 
 /// Its buffer comes back from whichever thread lets go of it last.

@@ -173,12 +173,14 @@ struct DistributedSystem::State final : public system::ModuleHost {
     std::chrono::nanoseconds shortestSuspect = std::chrono::nanoseconds::max(); ///< of our links: a shorter gap concerns no session
     struct Subscription {
         std::vector<MessageHandler> handlers;
-        KeepingHandler keeper; ///< comes last; there may be none
+        KeepingHandler keeper;     ///< comes last; there may be none
+        bool isOwnCommand = false; ///< a peer's report of that name is another message, and is not meant
     };
+    Subscription& newSubscription(std::string_view message);
     using Subscriptions = std::map<std::string, Subscription, std::less<>>;
     Subscriptions subscriptions; ///< by the name of the message; none is taken out
     Subscriptions::const_iterator lastSubscription = subscriptions.end();
-    const Subscription* subscriptionTo(const std::string& message);
+    const Subscription* subscriptionTo(const Message& message);
     std::vector<EventHandler> eventHandlers;
     struct Periodic {
         std::chrono::nanoseconds period;
