@@ -60,9 +60,7 @@ QString speak(const QString& language)
     if (chosen == sourceLanguage())
         return {};
     if (!canBeDrawn(chosen))
-        return QStringLiteral("no typeface on this computer has the characters of %1, so the screen speaks English; "
-                              "install one, for example the package fonts-wqy-microhei")
-            .arg(chosen);
+        return QStringLiteral("no typeface has the characters of %1, so the screen speaks English; install LiENa anew").arg(chosen);
     if (!install(chosen))
         return QStringLiteral("the catalogue of %1 cannot be read, so the screen speaks English; install LiENa anew").arg(chosen);
     return {};

@@ -15,8 +15,9 @@ QStringList languages();
 /// Of `wanted`, a system's languages by preference such as "zh-Hans-CN" or "de", the first that the console speaks; else English.
 QString spokenOf(const QStringList& wanted);
 
-/// From now on texts are in `language`, one of languages(); empty: the system's. Once, after QGuiApplication and before the first widget.
-/// Where no typeface has the language's characters English stays: what would be empty boxes warns nobody. Returns why, or nothing.
+/// From now on texts are in `language`, one of languages(); empty: the system's. Once, after theme::apply(), which brings the typefaces,
+/// and before the first widget. Where no typeface has the language's characters English stays: what would be empty boxes warns nobody.
+/// Returns why, or nothing.
 QString speak(const QString& language);
 
 } // namespace console

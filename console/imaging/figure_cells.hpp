@@ -9,7 +9,7 @@ class QPainter;
 
 namespace console {
 
-/// Inter's figures are proportional and Qt 6.4 cannot ask a face for its tabular ones; the cell is the widest figure's.
+/// The cell is the widest figure's. The console's own typeface has figures of one width; what stands in for it may not.
 void drawFigures(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text);
 double figuresWidth(const QFont& font, const QString& text);
 

@@ -88,7 +88,8 @@ std::vector<Fact> licenceFacts()
             part("DCMTK", "OFFIS, Apache-2.0 and BSD-3-clause"),
             part("libjpeg-turbo", "BSD-BY-LC-NE, BSD-3-clause and Zlib"),
             part("fmt", "Expat with embedded exception"),
-            part("Inter", "OFL-1.1")};
+            part("Inter", "OFL-1.1 (here changed, as LiENa Sans)"),
+            part("WenQuanYi Micro Hei", "Apache-2.0 or GPL-3+ with Font exception (here changed, as LiENa Hei)")};
 }
 
 } // namespace console

@@ -1,7 +1,10 @@
-// The dark palette, Inter and a face for Chinese in fixed roles, and how both reach every widget.
+// The dark palette, the typefaces in the program in fixed roles, and how both reach every widget.
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QDir>
+#include <QFontDatabase>
+#include <QPointer>
 #include <QStyleFactory>
 #include <QVariant>
 #include <QWidget>
@@ -33,6 +36,19 @@ constexpr std::array<Face, 7> faces{{
     {44, 23, QFont::Bold},
 }};
 
+/// Once for each application, with which Qt forgets them.
+void loadFaces()
+{
+    static QPointer<QCoreApplication> loadedFor;
+    if (loadedFor == QCoreApplication::instance())
+        return;
+    loadedFor = QCoreApplication::instance();
+    const QDir folder(QStringLiteral(":/liena/fonts"));
+    for (const QString& file : folder.entryList(QDir::Files))
+        if (QFontDatabase::addApplicationFont(folder.filePath(file)) < 0)
+            qWarning("the typeface %s in this program cannot be read; install LiENa anew", qUtf8Printable(file));
+}
+
 double luminance(const QColor& colour)
 {
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
@@ -48,10 +64,11 @@ double scaleFor(const QSize& window)
 
 QFont font(TextRole role, double scale)
 {
+    loadFaces();
     const Face& face = faces.at(std::size_t(role));
     QFont f;
-    f.setFamilies({QStringLiteral("Inter"), QStringLiteral("WenQuanYi Micro Hei"), QStringLiteral("Noto Sans CJK SC")});
-    f.setStyleHint(QFont::SansSerif);
+    f.setFamilies({QStringLiteral("LiENa Sans"), QStringLiteral("LiENa Hei")});
+    f.setStyleHint(QFont::SansSerif); // the system's, for what neither has
     f.setPixelSize(std::max(face.least, int(std::lround(face.reference * scale))));
     f.setWeight(face.weight);
     return f;

@@ -75,6 +75,8 @@ inline constexpr int referenceHeight = 1440;
 /// 1 at the reference of 2560 x 1440; the smaller of the two fractions otherwise.
 double scaleFor(const QSize& window);
 
+/// In the faces that are in the program: LiENa Sans, which is Inter with figures of one width and a slashed zero, and LiENa Hei for
+/// Chinese.
 QFont font(TextRole role, double scale);
 
 /// The scale under which `widget` is shown, as its window was told; 1 before.
@@ -100,8 +102,8 @@ int safetySide(const QWidget* widget);
 /// Between two of those: 5 mm, so that a finger in a glove does not meet the next.
 int safetyGap(const QWidget* widget);
 
-/// Fusion, Inter, the dark palette and the style sheet; and every place stays where it is, also in a language that is written from right to
-/// left: what is painted tells left from right, of the patient and of the hand.
+/// Fusion, the typefaces, the dark palette and the style sheet; and every place stays where it is, also in a language that is written from
+/// right to left: what is painted tells left from right, of the patient and of the hand.
 void apply(QApplication& application);
 
 /// The surroundings in that brightness: the greys, the palette, the style sheet, and every widget that has an ink of its own. The picture
