@@ -241,7 +241,7 @@ private Q_SLOTS:
     void speaksChinese()
     {
         QVERIFY2(!QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty(),
-                 "no typeface with Chinese: packaging/install-dependencies installs one");
+                 "no typeface with Chinese: the console's own is not in the program");
         QCOMPARE(languages(), QStringList({QStringLiteral("en"), QStringLiteral("zh_CN")}));
         QCOMPARE(speak(QStringLiteral("zh_CN")), QString());
         QCOMPARE(word(LinkState::StandBy), QStringLiteral("\u5F85\u673A"));
