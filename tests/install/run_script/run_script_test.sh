@@ -100,6 +100,29 @@ DEAF=robot run_it 0
 expect "$scratch/output" 'is killed' "deaf device"
 nothing_left "deaf device"
 
+# A device that was killed is started again by the command that was said for it, and is what it was, from whatever folder.
+: > "$STARTED"
+: > "$STARTED.runtime"
+STAY=yes "$source_dir/packaging/run" --programs "$programs" --dicom "$0" > "$scratch/output" 2>&1 &
+runner=$!
+until grep -q ' console ' "$STARTED"; do sleep 0.05; done
+read -r killed first < <(grep ' xray ' "$STARTED")
+kill -KILL "$killed"
+again=$(sed -n 's/^run: xray: .*start it again with: bash //p' "$scratch/output")
+[ -f "$again" ] || fail "it was not said how the X-ray system is started again"
+(cd / && exec env -u XDG_RUNTIME_DIR bash "$again") > /dev/null 2>&1 &
+restarted=$!
+until [ "$(wc -l < "$STARTED.runtime")" -eq 5 ] || ! kill -0 "$restarted" 2> /dev/null; do sleep 0.05; done
+read -r pid second < <(grep ' xray ' "$STARTED" | tail -n 1)
+[ "$pid" != "$killed" ] && [ "$second" = "$first" ] || fail "the X-ray system was not started again as it was: $second"
+[ "$(sort -u "$STARTED.runtime" | wc -l)" -eq 1 ] || fail "it has another run-time folder"
+kill -KILL "$restarted" 2> /dev/null || true
+wait "$restarted" 2> /dev/null || true
+kill -TERM "$runner"
+wait "$runner" || true
+[ ! -e "$again" ] || fail "the command that starts the X-ray system again was left behind"
+nothing_left "killed device"
+
 for signal in INT TERM; do
     : > "$STARTED"
     # A background job of a script ignores INT; env gives it back.
