@@ -25,10 +25,11 @@ A first try, with the reference devices running on this computer:
   liena-console --topology topologies/cerebrovascular.xml
       --certificate pki/cockpit.crt --key pki/cockpit.key --authority pki/ca.crt
 
-On the screen: "Alarm self-test" (F8) at the top, before each arming: three colours and three sounds, then say whether
-they were there. F2, then "Open all". Hold F for pictures, hold R for 1.5 s to arm; then motion lasts while D is held: up/down and
-right/left for the guidewire, I/K and J/L for the catheter. Letting go of D stops. F9 pauses the alarm sound for a
-minute, F12 holds, Esc is the emergency stop. After any interruption motion needs a new ARM.
+On the screen: F2, then "Open all". Hold F for pictures. "Alarm self-test" (F8) at the top, before each arming: three
+colours and three sounds, then say whether they were there. With F down, hold R for 1.5 s to arm; then motion lasts while
+F and D are held: up/down and right/left for the guidewire, I/K and J/L for the catheter. Letting go of D stops, and so does
+letting go of F. F9 pauses the alarm sound for a minute, F12 holds, Esc is the emergency stop; U, held for 1.5 s, resets it.
+After any interruption motion needs a new ARM.
 
 Without a screen: QT_QPA_PLATFORM=offscreen liena-console --unattended 10 --report run.json ...)";
 
@@ -62,9 +63,11 @@ struct Declared {
                             QStringLiteral("operator (default), or observer: sees everything, opens links and stops the robot, but arms "
                                            "nothing, gives no beam and resets no stop."),
                             QStringLiteral("NAME"), QStringLiteral("operator")};
-    QCommandLineOption patient{QStringLiteral("patient"), QStringLiteral("The patient's name, for the screen; needs --patient-id."),
+    QCommandLineOption patient{QStringLiteral("patient"),
+                               QStringLiteral("The patient's name, for the screen and saved DICOM pictures; needs --patient-id."),
                                QStringLiteral("NAME")};
-    QCommandLineOption patientId{QStringLiteral("patient-id"), QStringLiteral("The patient's number, for the screen; needs --patient."),
+    QCommandLineOption patientId{QStringLiteral("patient-id"),
+                                 QStringLiteral("The patient's number, for the screen and saved DICOM pictures; needs --patient."),
                                  QStringLiteral("ID")};
     QCommandLineOption master{
         QStringLiteral("master"),

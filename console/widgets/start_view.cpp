@@ -71,9 +71,9 @@ QWidget* StartView::makeSteps()
     grid->setVerticalSpacing(9);
     grid->setColumnStretch(1, 1);
     const std::pair<QString, QString> steps[] = {
-        {tr("F8"), tr("Alarm self-test: three colours and three sounds; say whether they were there. Before each arming.")},
         {tr("F2"), tr("Topology, then \u201COpen all\u201D: opens the sessions with the devices. Nothing moves by it.")},
         {tr("F"), tr("Held: X-ray pictures. Then look at the list of conditions in the bar below.")},
+        {tr("F8"), tr("Alarm self-test: three colours and three sounds; say whether they were there. Before each arming.")},
         {tr("R"), tr("Held for 1.5 s: arms, when every condition is met. Motion lasts only while the dead-man is held.")},
         {tr("F12"), tr("Hold. Esc: emergency stop, always, from everywhere on this screen.")},
     };

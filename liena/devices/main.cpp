@@ -39,11 +39,12 @@ struct Options {
 };
 
 constexpr const char* footer = R"(
-While it runs, the person beside the device may type a line:
+While it runs, the person beside the device may type a line, as long as its standard input is open:
   open NAME          open the channel to a device of the topology
   reopen NAME        re-open a lost channel; never gives permission to move
   close NAME         close a channel in order
-  dismiss [NAME [REASON]]  give an incident up, because a device will not return
+  dismiss [NAME [REASON]]  give every incident up of which that device is an end, because it will not return;
+                     without a name the only one there is
   stop [REASON]      EMERGENCY STOP: of the robot itself, or sent to the linked robot
   clear              clear to arm: the surgeon may arm the robot (robot with --two-person)
   wait               take that back; a robot that is armed holds
