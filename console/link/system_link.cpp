@@ -200,10 +200,13 @@ void SystemLink::readRobotSet()
     if (!set)
         return;
     // Said when the set is known, so that nobody finds out by a robot that does not move.
-    if (std::exchange(m_robotSet, set) != set)
-        if (const auto bound = MotionBinding::to(set, "MotionCommand"); !bound)
+    if (std::exchange(m_robotSet, set) != set) {
+        const auto bound = MotionBinding::to(set, "MotionCommand");
+        m_models.sessions.setCommandsDiffer(*m_robot, !bound);
+        if (!bound)
             note(LogKind::Trouble, tr("%1 cannot be moved from here (%2); compare the message sets")
                                        .arg(m_models.sessions.titleOf(*m_robot), words(bound.error())));
+    }
     const auto* command = set->find("MotionCommand");
     const auto* link = m_system->topology().link(m_system->self().id, liena::DeviceId(*m_robot));
     m_models.sessions.setCarried(*m_robot, command && link ? std::optional(roundTripCarried(*command, link->timing)) : std::nullopt);

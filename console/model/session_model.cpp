@@ -182,6 +182,12 @@ void SessionModel::setCarried(quint32 peer, std::optional<Duration> roundTrip)
         link->carried = roundTrip;
 }
 
+void SessionModel::setCommandsDiffer(quint32 peer, bool differ)
+{
+    if (auto* link = ownLink(peer))
+        link->commandsDiffer = differ;
+}
+
 void SessionModel::noteOpened(quint32 peer, Duration took)
 {
     auto* link = ownLink(peer);

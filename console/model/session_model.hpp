@@ -29,6 +29,7 @@ struct LinkNode {
     std::deque<quint32> queued;          ///< own links: messages that waited at the last three looks, oldest first
     Duration heartbeat = usualHeartbeat; ///< the topology's
     std::optional<Duration> carried;     ///< own links: commands that take longer there and back come too old; nothing: not known
+    bool commandsDiffer = false;         ///< own links: its set has not the commands that this console gives
     std::optional<double> openingMs;     ///< how long the last opening or re-opening took
     QString failure;                     ///< why the last opening failed, for a person; empty after a success
     bool systemDiffers = false;          ///< the last opening failed since topology or message sets are not the same on both sides
@@ -104,6 +105,7 @@ public:
     void setLinkState(quint32 peer, LinkState state, Instant now);
     void setLinkFigures(quint32 peer, const LinkFigures& figures, Instant now);
     void setCarried(quint32 peer, std::optional<Duration> roundTrip);
+    void setCommandsDiffer(quint32 peer, bool differ);
     void noteOpened(quint32 peer, Duration took);
     void noteOpenFailed(quint32 peer, const QString& reason, bool systemDiffers = false);
     void setLinkIncident(quint32 a, quint32 b, quint64 incident); ///< 0: no longer

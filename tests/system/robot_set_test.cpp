@@ -161,6 +161,7 @@ private Q_SLOTS:
         link->start();
         QTRY_VERIFY(says(models, QStringLiteral("cannot be moved from here")));
         QVERIFY(says(models, QStringLiteral("has no field sequence")));
+        QVERIFY(models.sessions.linkTo(system.idOf("robot").value())->commandsDiffer); // it cannot be armed either
     }
 
     void aConsoleSaysNothingOfARobotThatItKnows()
@@ -177,6 +178,7 @@ private Q_SLOTS:
         QTRY_VERIFY(models.sessions.linkTo(robot) != nullptr &&
                     models.sessions.linkTo(robot)->carried.has_value()); // its set was looked at
         QVERIFY(!says(models, QStringLiteral("cannot be moved from here")));
+        QVERIFY(!models.sessions.linkTo(robot)->commandsDiffer);
     }
 
     void motionForARobotThatDoesNotFitIsRefused()

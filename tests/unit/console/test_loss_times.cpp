@@ -167,6 +167,21 @@ private Q_SLOTS:
         QCOMPARE(guardReadings(models, robotId, true, cockpit.now).heartbeat, Duration(20ms));
     }
 
+    void aRobotWhoseSetHasOtherCommandsIsNoneOfTheSameSystem()
+    {
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        auto& models = cockpit.models;
+        const auto same = [&] { return guardReadings(models, robotId, true, cockpit.now).identityEqual; };
+        QVERIFY(same());
+        models.sessions.setCommandsDiffer(robotId, true);
+        QVERIFY(!same());
+        models.sessions.setCommandsDiffer(robotId, false);
+        QVERIFY(same());
+        models.sessions.setLinkState(robotId, LinkState::Closed, cockpit.now);
+        QVERIFY(!same());
+    }
+
     void guardsReadTheFaultOfAnArmThatIsInSession()
     {
         InventedCockpit cockpit;
