@@ -19,15 +19,65 @@ bool waitAlike(const PathRate& one, const PathRate& other)
            std::chrono::duration<double>(other.waiting()) > alike * one.waiting();
 }
 
+bool sharesPath(const PathRate& one, const PathRate& other) { return &one != &other && one.session() == other.session(); }
+
 } // namespace
 
 void FairShare::enter(PathRate& rate)
 {
+    std::erase(m_leaving, &rate);
     if (std::ranges::find(m_busy, &rate) == m_busy.end())
         m_busy.push_back(&rate);
 }
 
-void FairShare::leave(PathRate& rate) { std::erase(m_busy, &rate); }
+const PathRate* FairShare::makeRoom(const PathRate& rate, Instant now)
+{
+    std::erase_if(m_leaving, [now](const auto* leaving) { return leaving->leaves() <= now; });
+    tellOthers(rate, now);
+    const PathRate* newest = nullptr;
+    for (const auto* other : m_busy)
+        if (sharesPath(*other, rate) && other->isBurst() && (newest == nullptr || other->judged() > newest->judged()))
+            newest = other;
+    return newest;
+}
+
+bool FairShare::isAlone(const PathRate& rate) const
+{
+    return std::ranges::all_of(m_busy, [&rate](const auto* other) { return other->session() == rate.session(); });
+}
+
+void FairShare::pause(PathRate& rate, Instant now)
+{
+    leave(rate);
+    if (!rate.isBurst())
+        return;
+    if (rate.leaves() > now)
+        m_leaving.push_back(&rate);
+    else
+        tellOthers(rate, now);
+}
+
+void FairShare::leave(PathRate& rate)
+{
+    std::erase(m_busy, &rate);
+    std::erase(m_leaving, &rate);
+}
+
+std::size_t FairShare::lanesOf(const PathRate& rate, Instant now) const
+{
+    const auto isBurst = [&](const auto* other) { return sharesPath(*other, rate) && other->isBurst(); };
+    const auto sends = [&](const auto* other) { return sharesPath(*other, rate) && other->leaves() > now; };
+    return static_cast<std::size_t>(1 + std::ranges::count_if(m_busy, isBurst) + std::ranges::count_if(m_leaving, sends));
+}
+
+/// How many they are now.
+void FairShare::tellOthers(const PathRate& rate, Instant now) const
+{
+    for (const auto* lanes : {&m_busy, &m_leaving})
+        for (auto* other : *lanes)
+            if (sharesPath(*other, rate))
+                other->shareAmong(lanesOf(*other, now), now);
+}
 
 /// What one lane is of its session.
 double FairShare::partOf(const PathRate& rate) const
@@ -39,32 +89,31 @@ double FairShare::partOf(const PathRate& rate) const
 void FairShare::even(const PathRate& met)
 {
     const auto concerned = [&met](const PathRate* rate) { return waitAlike(met, *rate); };
-    const auto ofSession = [this](const PathRate* rate) { return rate->steady() / partOf(*rate); };
     PathRate* fastest = nullptr;
     double sum = 0;
     double sessions = 0;
     for (auto* rate : m_busy) {
         if (!concerned(rate))
             continue;
-        sum += rate->steady();
+        sum += rate->steady() * partOf(*rate);
         sessions += partOf(*rate);
-        if (fastest == nullptr || ofSession(rate) > ofSession(fastest))
+        if (fastest == nullptr || rate->steady() > fastest->steady())
             fastest = rate;
     }
     if (fastest == nullptr)
         return;
     const double mean = sum / sessions;
-    const auto isBelow = [&](const PathRate* rate) { return concerned(rate) && ofSession(rate) < mean; };
+    const auto isBelow = [&](const PathRate* rate) { return concerned(rate) && rate->steady() < mean; };
     double below = 0;
     for (const auto* rate : m_busy)
         below += isBelow(rate) ? partOf(*rate) : 0;
     if (below <= 0)
         return;
-    const double given = part * (fastest->steady() - mean * partOf(*fastest));
+    const double given = part * (fastest->steady() - mean);
     fastest->shift(-given);
     for (auto* rate : m_busy)
         if (isBelow(rate))
-            rate->shift(std::min(given * partOf(*rate) / below, rate->steady() * mostRaise));
+            rate->shift(std::min(given * partOf(*fastest) / below, rate->steady() * mostRaise));
 }
 
 } // namespace liena::tasks

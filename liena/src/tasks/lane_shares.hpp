@@ -13,7 +13,7 @@ namespace liena::tasks {
 
 /// What one lane knows; in bytes per second.
 struct LaneRate {
-    double steady = 0;              ///< at which it would send; 0: it is not paced or has no connection
+    double steady = 0;              ///< at which it would send alone; 0: it is not paced or has no connection
     std::optional<KnownRate> known; ///< that the path carried of its bytes
     bool inUse = true;              ///< by a stream
 };

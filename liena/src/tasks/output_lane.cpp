@@ -89,6 +89,7 @@ void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
     const auto settings = channel->isLocal() ? onThisComputer(m_settings, channel->isSecured()) : m_settings;
     m_task = std::make_unique<TransmissionTask>(std::move(channel), *m_queue, settings, m_paced ? &m_rate : nullptr,
                                                 [this](const std::string& detail, bool identity) { lost(detail, identity); });
+    m_rate.serve(*m_task);
     m_task->sendFirst(m_attach);
     m_handlers.up();
 }

@@ -38,6 +38,26 @@ std::optional<std::uint64_t> PathDepartures::until(Instant then) const
     return std::nullopt;
 }
 
+SharedBytes::Bytes SharedBytes::note(Bytes own, std::size_t lanes)
+{
+    const auto sent = wholeOf(own.sent);
+    m_acknowledged = std::max(m_acknowledged, wholeOf(own.acknowledged));
+    if (lanes != back(1).lanes)
+        m_changes[m_count++ % m_changes.size()] = {own.sent, sent, lanes};
+    return {sent, m_acknowledged};
+}
+
+/// TCP counts its SYN among what is acknowledged: that may be more than was sent.
+std::uint64_t SharedBytes::wholeOf(std::uint64_t own) const
+{
+    const auto known = std::min(m_count, m_changes.size());
+    for (std::size_t steps = 1; steps <= known; ++steps)
+        if (const auto& change = back(steps); own >= change.sent)
+            return change.whole + (own - change.sent) * change.lanes;
+    const auto& oldest = back(known);
+    return oldest.whole - std::min(oldest.whole, oldest.sent - own);
+}
+
 std::optional<RoundTripOfLate::Nanoseconds> RoundTripOfLate::note(Nanoseconds roundTrip, Instant now)
 {
     if (now - m_begun > 2 * lately) { // nothing was sent: nothing is known

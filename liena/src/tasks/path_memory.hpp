@@ -63,6 +63,33 @@ private:
     PathPoints<128> m_noted;
 };
 
+/// Pure. A lane's bytes as those of its whole session, whose lanes share the path: what left while so many were in a burst counts as often.
+/// Of a lane alone it is what it is.
+class SharedBytes {
+public:
+    struct Bytes {
+        std::uint64_t sent = 0;
+        std::uint64_t acknowledged = 0;
+    };
+
+    /// Until now, of this connection. What leaves from now on does so while `lanes` are in a burst.
+    Bytes note(Bytes own, std::size_t lanes);
+
+private:
+    struct Change {
+        std::uint64_t sent = 0;  ///< of the lane, until then
+        std::uint64_t whole = 0; ///< of the session, until then
+        std::uint64_t lanes = 1; ///< from then on
+    };
+
+    std::uint64_t wholeOf(std::uint64_t own) const;
+    const Change& back(std::size_t steps) const { return m_changes[(m_count - steps) % m_changes.size()]; }
+
+    std::array<Change, 32> m_changes{};
+    std::size_t m_count = 1;          ///< so many were noted; the first is the beginning
+    std::uint64_t m_acknowledged = 0; ///< of the session
+};
+
 /// Pure. The shortest round trip of late, for a path that has become longer: the kernel remembers its shortest for minutes.
 class RoundTripOfLate {
 public:

@@ -50,16 +50,6 @@ double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<d
 
 } // namespace
 
-PathRate::~PathRate() { shareWith(nullptr); }
-
-void PathRate::shareWith(std::shared_ptr<FairShare> share, DeviceId session)
-{
-    if (m_share)
-        m_share->leave(*this);
-    m_share = std::move(share);
-    m_session = session;
-}
-
 void PathRate::restart()
 {
     m_window.reset();
@@ -69,22 +59,17 @@ void PathRate::restart()
     m_ofLate = {};
     m_draining = false;
     m_effective = 0;
+    m_bytes = {};
+    m_sent = 0;
 }
 
-void PathRate::pause(Instant now)
+void PathRate::observe(const transport::PathFacts& facts, Instant now, bool goesOn)
 {
-    if (m_share)
-        m_share->leave(*this);
-    m_window.reset();
-    m_draining = false; // it drains by itself
-    if (m_burst && !m_burst->end)
-        m_burst->end = now;
-}
-
-void PathRate::observe(const transport::PathFacts& facts, Instant now)
-{
-    if (facts.bytesAcknowledged >= provenBytes)
-        decide(asOfLate(facts, now), now);
+    const auto ofSession = asOfSession(facts, now);
+    if (facts.bytesAcknowledged < provenBytes)
+        return;
+    enter(goesOn, now);
+    decide(asOfLate(ofSession, now), now);
 }
 
 /// What takes longer than the shortest for as long as this is no queue of ours: it would have drained.
@@ -108,8 +93,6 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         m_provenFaded = now;
     }
     m_departures.note({now, facts.bytesSent}, facts.leastRoundTrip);
-    if (m_share)
-        m_share->enter(*this);
     if (!m_window) {
         if (m_burst)
             judgeBurst(facts, now);
@@ -131,12 +114,14 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
     m_burst.reset();
     m_delivered = m_course.rate(ended.begin, {now, facts.bytesAcknowledged}, timeToNotice());
-    if (m_delivered > rate() * used) // also at a limit, below what it would grow from
+    const double sending = rate() * static_cast<double>(m_lanes);
+    m_judged = now;
+    if (m_delivered > sending * used) // also at a limit, below what it would grow from
         m_shown = now;
     if (hasQueue(facts, now)) {
         const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
-        if (isEffective(facts) || (heard && m_delivered * margin < rate() * used))
+        if (isEffective(facts) || (heard && m_delivered * margin < sending * used))
             meetQueue(facts, allCame ? std::max(m_delivered, m_rate * mostThatIsSent) : m_delivered, allCame, now);
     } else if (!receiverLimits && m_delivered > m_rate * used) {
         grow(facts, m_delivered, now);
@@ -152,6 +137,8 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     if (bytes < leastBytes || !isEffective(facts))
         return;
     const bool proves = bytes > m_rate * leastProof;
+    if (proves)
+        m_judged = now;
     const double carried = bytes / (seconds + secondsOf(m_waiting));
     const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
     if (hasWaited(facts))
@@ -175,7 +162,7 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
     if (!hasWaited(facts))
         return false;
     const double underWay = static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged); // that counts the SYN
-    return underWay > mayBeUnderWay(facts, now) + 1.25 * static_cast<double>(segment());
+    return underWay > mayBeUnderWay(facts, now) + 1.25 * static_cast<double>(segment() * m_lanes);
 }
 
 /// Without a queue: what a round trip carries. On a long path that was delivered a round trip ago, and a connection that has just begun
@@ -190,8 +177,8 @@ double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) c
 /// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
-    const double segments = 2 * static_cast<double>(segment()) / m_rate;
-    const std::chrono::duration<double> own(std::min(segments, inOnePiece / m_rate + 0.0005));
+    const double segments = 2 * static_cast<double>(segment()) / part();
+    const std::chrono::duration<double> own(std::min(segments, inOnePiece / part() + 0.0005));
     return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
            std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()) + m_unrest;
 }
@@ -200,7 +187,7 @@ bool PathRate::isCalm(const transport::PathFacts& facts) const { return facts.le
 
 bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
 {
-    const bool alone = !m_share || m_share->isAlone();
+    const bool alone = !m_share || m_share->isAlone(*this);
     return alone && facts.leastRoundTrip >= longWay && m_waiting <= std::min<Nanoseconds>(facts.leastRoundTrip / 3, mostUnrest);
 }
 
@@ -345,7 +332,7 @@ void PathRate::growInDoubt(Instant now)
 
 PathRate::Nanoseconds PathRate::timeOf(double bytes) const
 {
-    return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(bytes / m_rate));
+    return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(bytes / part()));
 }
 
 PathRate::Nanoseconds PathRate::timeToNotice() const { return timeOf(noticing * inOnePiece); }
@@ -355,14 +342,15 @@ PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nano
 
 std::optional<double> PathRate::known() const
 {
-    if (m_limit && *m_limit < m_rate)
+    const double usual = m_rate * m_usualPart;
+    if (m_limit && *m_limit < usual)
         return m_limit;
-    return m_ceiling ? std::optional(m_rate) : std::nullopt;
+    return m_ceiling ? std::optional(usual) : std::nullopt;
 }
 
 std::size_t PathRate::segment() const
 {
-    const auto quarter = static_cast<std::size_t>(std::min(m_rate, m_limit.value_or(most)) * 0.00025);
+    const auto quarter = static_cast<std::size_t>(std::min(part(), m_limit.value_or(most)) * 0.00025);
     return std::clamp(quarter / smallestSegment * smallestSegment, smallestSegment, largestSegment);
 }
 

@@ -30,6 +30,10 @@ struct KnownRate {
 /// what goes on far below a rate that passed is held for the path's own. Where a long path turns out to be calm (PathCalm), commands are to
 /// wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only there, too.
 ///
+/// The lanes of one session share its path, and the rate is that of all of them together: each sends at an even part of it, by how many are
+/// in a burst at the moment, and judges what it delivers as many times over. A burst that ends gives its part back at once, and one that
+/// begins takes what another lane has learnt meanwhile.
+///
 /// In the spirit of delay-based congestion control (LEDBAT, RFC 6817; TIMELY, SIGCOMM 2015), with the kernel's own congestion control
 /// below it: that one decides what the network bears at all.
 class PathRate {
@@ -53,31 +57,55 @@ public:
     /// Before anything is known of the path: with this rate instead of `first`.
     void beginAt(double bytesPerSecond) { m_rate = std::clamp(bytesPerSecond, least, most); }
 
-    /// While something is being sent: at each write that begins or ends, and now and then during one.
-    void observe(const transport::PathFacts& facts, Instant now);
+    /// While something is being sent: at each write that begins or ends, and now and then during one. `goesOn`: with what is being written
+    /// that is not all.
+    void observe(const transport::PathFacts& facts, Instant now, bool goesOn = true);
 
     /// From now on the facts are those of another connection.
     void restart();
 
-    /// There is nothing more to send for now.
-    void pause(Instant now);
+    /// There is nothing more to send for now, but `unsent` bytes that the kernel has.
+    void pause(Instant now, std::uint32_t unsent = 0);
+
+    /// Who sends at the rate: is told when the others of the session made it another one between two looks. Until the next shareWith().
+    class Sender {
+    public:
+        virtual void rateChanged() = 0;
+
+    protected:
+        ~Sender() = default;
+    };
+    void serve(Sender& sender) { m_sender = &sender; }
+
+    /// So many lanes of its session are in a burst from now on.
+    void shareAmong(std::size_t lanes, Instant now);
+
+    /// It has more than one write to send: the others of its session make room.
+    bool isBurst() const { return m_isBurst; }
+
+    /// When the kernel will have sent what it had when the pause began.
+    Instant leaves() const { return m_leaves; }
 
     /// Bytes per second at which to send.
-    double rate() const { return std::min(m_draining ? m_rate * drain : m_rate, m_limit.value_or(most)); }
+    double rate() const { return std::min(m_draining ? part() * drain : part(), m_limit.value_or(most)); }
 
     /// Not more than this, whatever the path seems to carry; nothing: no limit.
     void limit(std::optional<double> bytesPerSecond) { m_limit = bytesPerSecond; }
 
-    /// The rate without the moments in which a queue drains.
+    /// The rate of all lanes of the session together, without the moments in which a queue drains.
     double steady() const { return m_rate; }
 
-    /// Moves the rate, and what it remembers as the path's, by so many bytes per second.
+    /// Moves it, and what it remembers as the path's, by so many bytes per second.
     void shift(double bytesPerSecond);
+
+    /// When so much was sent last that others may learn from what it told.
+    Instant judged() const { return m_judged; }
 
     /// In queues before the narrowest place, as last seen.
     Nanoseconds waiting() const { return m_waiting; }
 
-    /// Bytes per second that the path is known to carry; nothing until it was filled once.
+    /// Bytes per second that the path is known to carry of this lane, with the part of it that was left to the lane of late; nothing until
+    /// the path was filled once.
     std::optional<double> known() const;
 
     /// When what was sent last showed what the path carries.
@@ -103,7 +131,9 @@ private:
 
     static constexpr double drain = 0.25; ///< of the rate, while a queue drains
 
+    transport::PathFacts asOfSession(const transport::PathFacts& facts, Instant now);
     transport::PathFacts asOfLate(transport::PathFacts facts, Instant now);
+    void enter(bool goesOn, Instant now);
     void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool isCalm(const transport::PathFacts& facts) const;
@@ -113,6 +143,8 @@ private:
     double mayBeUnderWay(const transport::PathFacts& facts, Instant now) const;
     bool mayBeUnrest(const transport::PathFacts& facts) const;
     bool carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const;
+    void learnFrom(const PathRate& other);
+    double part() const { return m_rate / static_cast<double>(m_lanes); }
     Nanoseconds timeOf(double bytes) const;
     Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
@@ -126,6 +158,14 @@ private:
 
     std::shared_ptr<FairShare> m_share;
     DeviceId m_session;
+    Sender* m_sender = nullptr;
+    std::size_t m_lanes = 1; ///< of the session, in a burst: so many parts has the rate
+    SharedBytes m_bytes;
+    std::uint64_t m_sent = 0; ///< as the session's, when seen last
+    double m_usualPart = 1;   ///< of the rate, of late
+    bool m_isBurst = false;
+    Instant m_leaves{};
+    Instant m_judged{};
     Nanoseconds m_waiting{};
     double m_rate = first;
     std::optional<double> m_limit;

@@ -49,7 +49,7 @@ void TransmissionTask::wake()
     if (m_buffers->batch.empty()) {
         m_waits = false;
         if (m_rate != nullptr)
-            m_rate->pause(now);
+            m_rate->pause(now, unsent());
         return;
     }
     if (m_rate != nullptr) {
@@ -79,7 +79,7 @@ void TransmissionTask::keepPace(std::chrono::steady_clock::time_point now)
 {
     constexpr double worthTelling = 0.005;
     if (const auto facts = m_channel->facts())
-        m_rate->observe(*facts, now);
+        m_rate->observe(*facts, now, !m_queue->empty());
     if (std::abs(m_rate->rate() - m_paced) <= m_paced * worthTelling)
         return;
     m_paced = m_rate->rate();
@@ -104,6 +104,20 @@ void TransmissionTask::watchPace(std::chrono::steady_clock::time_point now)
         }
         watchPace(later);
     });
+}
+
+/// What the kernel has leaves at the new one, too.
+void TransmissionTask::rateChanged()
+{
+    m_channel->slow(m_rate->rate());
+    m_paced = 0; // the next write tells the kernel all of it
+}
+
+/// In the kernel, not yet on its way.
+std::uint32_t TransmissionTask::unsent() const
+{
+    const auto facts = m_channel->facts();
+    return facts ? facts->bytesUnsent : 0;
 }
 
 void TransmissionTask::bytesWritten()

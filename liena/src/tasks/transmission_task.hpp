@@ -17,7 +17,7 @@ namespace liena::tasks {
 
 /// Network thread. The queue outlives the task, so that a lane can be connected again. An output lane never brings bytes; reading it
 /// shows when it ends.
-class TransmissionTask : public transport::TcpChannel::Listener {
+class TransmissionTask : public transport::TcpChannel::Listener, public PathRate::Sender {
 public:
     struct Settings {
         std::size_t segment = 8192; ///< largest body
@@ -56,10 +56,12 @@ private:
     void bytesRead(std::size_t count) override;
     void bytesWritten() override;
     void channelLost(const std::string& detail, bool identity) override;
+    void rateChanged() override;
 
     void fill(std::chrono::steady_clock::time_point now);
     void keepPace(std::chrono::steady_clock::time_point now);
     void watchPace(std::chrono::steady_clock::time_point now);
+    std::uint32_t unsent() const;
 
     /// A worker may still use them when the task is gone.
     struct Buffers {

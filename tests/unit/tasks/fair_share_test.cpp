@@ -39,16 +39,17 @@ struct Flow {
     std::deque<News> onItsWay{};
 };
 
-/// A first-in-first-out queue that several flows share.
+/// A first-in-first-out queue that several flows share, each of another session.
 class Bottleneck {
 public:
-    Bottleneck(double bytesPerSecond, Nanoseconds idleRoundTrip, std::size_t count, const std::shared_ptr<FairShare>& share)
+    Bottleneck(double bytesPerSecond, Nanoseconds idleRoundTrip, std::size_t count, const std::shared_ptr<FairShare>& share,
+               std::uint32_t firstSession = 1)
         : m_capacity(bytesPerSecond), m_idle(idleRoundTrip)
     {
         for (std::size_t i = 0; i < count; ++i) {
             flows.push_back(std::make_unique<Flow>());
             flows.back()->smoothed = idleRoundTrip;
-            flows.back()->rate.shareWith(share);
+            flows.back()->rate.shareWith(share, liena::DeviceId(firstSession + static_cast<std::uint32_t>(i)));
         }
     }
 
@@ -219,7 +220,7 @@ private slots:
     {
         const auto share = std::make_shared<FairShare>();
         Bottleneck wide(gigabit, 200us, 1, share);
-        Bottleneck narrow(gigabit / 100, 5ms, 1, share);
+        Bottleneck narrow(gigabit / 100, 5ms, 1, share, 2);
         wide.flows.front()->sending = narrow.flows.front()->sending = true;
         PathRate::Instant now{1h};
         const auto run = [&](Nanoseconds time) {
