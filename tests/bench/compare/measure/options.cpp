@@ -28,6 +28,9 @@ Options readOptions(int argc, char** argv, const std::string& transport)
     app.add_option("--warm-up", options.warmUp, "seconds before them")->capture_default_str();
     app.add_option("--command-rate", options.commandRate, "per second, of load and paced")->capture_default_str();
     app.add_option("--frame-rate", options.frameRate, "per second, of load; 0: commands alone")->capture_default_str();
+    app.add_option("--second-rate", options.secondRate,
+                   "per second, of a second stream of frames, of load; LiENa and raw TCP give it a way of its own")
+        ->capture_default_str();
     app.add_option("--frame-bytes", options.frameBytes)->capture_default_str();
     app.add_flag("--timeline", options.timeline, "of load: tell every single latency");
     app.add_flag("--spin", options.spins, "never sleep while waiting; LiENa and raw TCP only");

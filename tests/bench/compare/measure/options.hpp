@@ -23,6 +23,7 @@ struct Options {
     double warmUp = 1;        ///< before them
     double commandRate = 500; ///< per second: load and paced
     double frameRate = 0;     ///< per second: load
+    double secondRate = 0;    ///< per second, of a second stream of frames beside that: load
     bool timeline = false;    ///< of load: every single latency is told
     std::size_t frameBytes = std::size_t{2} << 20U;
     bool spins = false;          ///< looks for work without ever sleeping, where the transport can
@@ -31,6 +32,7 @@ struct Options {
     std::filesystem::path files; ///< topology.xml and pki/, for the peers that need certificates
 
     bool sendsFrames() const { return workload == WorkloadKind::Frames || frameRate > 0; }
+    std::size_t streams() const { return secondRate > 0 ? 2 : 1; } ///< of frames
 };
 
 /// Ends the program when it cannot be understood.

@@ -22,6 +22,14 @@ struct Stamp {
 /// The number of the last command of a run: the receiver tells what it counted.
 inline constexpr std::uint64_t lastNumber = ~std::uint64_t{0};
 
+/// Frames may come in two streams. Their numbers alone say in which, so that each transport carries it; each stream counts by itself.
+inline constexpr std::size_t mostStreams = 2;
+inline constexpr unsigned streamBit = 63;
+
+constexpr std::uint64_t frameNumber(std::size_t stream, std::uint64_t count) { return std::uint64_t{stream} << streamBit | count; }
+constexpr std::size_t streamOf(const Stamp& frame) { return frame.number >> streamBit; }
+constexpr std::uint64_t countOf(const Stamp& frame) { return frame.number & ~(std::uint64_t{1} << streamBit); } ///< 0: as of Stamp
+
 /// 64 bytes.
 struct Command {
     Stamp stamp;

@@ -8,6 +8,7 @@
 #include <future>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 namespace liena::compare {
@@ -82,13 +83,15 @@ public:
 
     void sendFrame(const Stamp& stamp) override
     {
-        auto message = valueOf(m_system->report(m_frame));
+        auto message = valueOf(m_system->report(streamOf(stamp) > 0 ? secondFrame : m_frame));
         message.set(numberField, stamp.number).set(sentField, stamp.sentNs).lend(bodyField, m_pixels, *m_pixels);
         tellRefusal(m_system->send(m_peer, std::move(message)));
     }
 
 private:
-    // Places in the definitions of `Move`, `Nudge`, their echoes, `Frame` and `Block`.
+    static constexpr std::string_view secondFrame = "SecondFrame"; ///< a number of its own, and so a lane
+
+    // Places in the definitions of `Move`, `Nudge`, their echoes, `Frame`, `SecondFrame` and `Block`.
     static constexpr std::size_t numberField = 0;
     static constexpr std::size_t sentField = 1;
     static constexpr std::size_t bodyField = 2;
@@ -116,7 +119,7 @@ private:
         };
         for (const auto& name : {m_command, m_echo})
             valueOf(m_system->subscribe(name, command));
-        for (const auto* name : {"Frame", "Block"})
+        for (const auto name : {std::string_view("Frame"), secondFrame, std::string_view("Block")})
             valueOf(m_system->subscribe(name, frame));
         m_system->subscribe([](const SessionEvent& event) { tell(event); });
     }
@@ -149,7 +152,7 @@ private:
     LinkEvents* m_events = nullptr;
     std::string m_command;
     std::string m_echo;
-    std::string m_frame;
+    std::string_view m_frame;
     std::shared_ptr<const std::vector<std::byte>> m_pixels;
     std::unique_ptr<DistributedSystem> m_system;
     DeviceId m_peer;

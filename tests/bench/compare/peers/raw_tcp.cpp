@@ -1,5 +1,5 @@
 // peer_raw_tcp: one TCP socket and poll(), or nothing but the socket's own reading again and again, without any library: what the kernel
-// alone takes.
+// alone takes. Two streams of frames have a socket each, beside that of the commands.
 #include "measure/frame_post.hpp"
 #include "measure/periodic_tasks.hpp"
 #include "measure/send_buffer.hpp"
@@ -20,6 +20,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace liena::compare {
 
@@ -42,17 +43,19 @@ sockaddr_in addressOf(const Options& options)
     return address;
 }
 
-int acceptOne(const Options& options)
+std::vector<int> acceptEach(const Options& options, std::size_t count)
 {
     const int listener = checked(::socket(AF_INET, SOCK_STREAM, 0), "socket");
     const int on = 1;
     ::setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     const auto address = addressOf(options);
     checked(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), "bind");
-    checked(::listen(listener, 1), "listen");
-    const int socket = checked(::accept(listener, nullptr, nullptr), "accept");
+    checked(::listen(listener, static_cast<int>(count)), "listen");
+    std::vector<int> sockets(count);
+    for (auto& socket : sockets)
+        socket = checked(::accept(listener, nullptr, nullptr), "accept");
     ::close(listener);
-    return socket;
+    return sockets;
 }
 
 /// The echo may start later.
@@ -71,6 +74,14 @@ int connectTo(const Options& options)
     }
 }
 
+std::vector<int> connectEach(const Options& options, std::size_t count)
+{
+    std::vector<int> sockets(count);
+    for (auto& socket : sockets)
+        socket = connectTo(options);
+    return sockets;
+}
+
 /// As LiENa's bulk lanes, which leave to the kernel what the other end may take: the age of their frames is held against this one's, which
 /// is to be the line's and not that of a buffer too short for it. Nothing is asked for on one computer.
 void askForLongLine(int socket)
@@ -86,65 +97,27 @@ void askForLongLine(int socket)
         ::setsockopt(socket, SOL_SOCKET, SO_SNDBUF, &*bytes, sizeof *bytes);
 }
 
-class RawTcp final : public Transport {
+/// A connection: what waits for it, and what came of a message.
+class RawSocket {
 public:
-    explicit RawTcp(const Options& options)
-        : m_options(options), m_pixels(std::make_shared<const std::vector<std::byte>>(options.frameBytes))
-    {}
-
-    void every(Nanoseconds period, std::function<void()> task) override { m_tasks.add(period, std::move(task)); }
-
-    void run(LinkEvents& events) override
+    explicit RawSocket(int socket) : m_socket(socket)
     {
-        m_socket = m_options.role == Role::Client ? connectTo(m_options) : acceptOne(m_options);
         const int on = 1;
         ::setsockopt(m_socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
         askForLongLine(m_socket);
-        m_tasks.start();
-        events.ready();
-        flush();
-        while (!m_post.isStopped() && m_connected) {
-            if (m_options.spins)
-                spin(events);
-            turn(events, m_options.spins ? 0 : -1);
-        }
     }
 
-    void stop() override { m_post.stop(); }
+    bool isConnected() const { return m_connected; }
+    StreamOutput& output() { return m_output; }
 
-    /// Leaves at the end of the turn, with all others of it.
-    void sendCommand(const Command& command) override { m_output.append(command); }
+    pollfd watched() const { return {m_socket, static_cast<short>(m_underWay.empty() ? POLLIN : POLLIN | POLLOUT), 0}; }
 
-    void sendFrame(const Stamp& stamp) override { m_post.put(stamp); }
-
-private:
-    /// Timers and the end may wait for as many looks at the socket.
-    void spin(LinkEvents& events)
+    /// What poll() found of that.
+    void serve(short happened, LinkEvents& events)
     {
-        constexpr int looks = 64;
-        for (int i = 0; i < looks && m_connected; ++i) {
+        if ((happened & ~POLLOUT) != 0)
             receive(events);
-            flush();
-        }
-    }
-
-    /// Sleeps for at most `limit` ms; -1: as long as nothing happens.
-    void turn(LinkEvents& events, int limit)
-    {
-        const auto wanted = static_cast<short>(m_underWay.empty() ? POLLIN : POLLIN | POLLOUT);
-        m_watched.assign({{m_socket, wanted, 0}, {m_post.descriptor(), POLLIN, 0}});
-        for (std::size_t i = 0; i < m_tasks.count(); ++i)
-            m_watched.push_back({m_tasks.descriptor(i), POLLIN, 0});
-        ::poll(m_watched.data(), m_watched.size(), limit);
-        for (std::size_t i = 0; i < m_tasks.count(); ++i)
-            if (m_watched[i + 2].revents != 0)
-                m_tasks.expire(i);
-        if (m_watched[1].revents != 0)
-            for (const auto& stamp : m_post.take())
-                m_output.append(stamp, m_pixels);
-        if ((m_watched[0].revents & ~POLLOUT) != 0)
-            receive(events);
-        if (m_underWay.empty() || (m_watched[0].revents & POLLOUT) != 0)
+        if (m_underWay.empty() || (happened & POLLOUT) != 0)
             flush();
     }
 
@@ -160,6 +133,17 @@ private:
         }
     }
 
+    void receive(LinkEvents& events)
+    {
+        const auto space = m_input.space();
+        const auto count = ::recv(m_socket, space.data(), space.size(), MSG_DONTWAIT);
+        if (count > 0)
+            m_input.read(static_cast<std::size_t>(count), events);
+        else if (count == 0 || errno != EAGAIN)
+            m_connected = false;
+    }
+
+private:
     /// False when something is left.
     bool writeSome()
     {
@@ -198,28 +182,98 @@ private:
         return left;
     }
 
-    void receive(LinkEvents& events)
+    int m_socket;
+    bool m_connected = true;
+    StreamOutput m_output;
+    std::vector<StreamOutput::Chunk> m_underWay;
+    std::size_t m_written = 0; ///< of what is under way
+    std::vector<iovec> m_parts;
+    StreamInput m_input;
+};
+
+class RawTcp final : public Transport {
+public:
+    explicit RawTcp(const Options& options)
+        : m_options(options), m_pixels(std::make_shared<const std::vector<std::byte>>(options.frameBytes))
+    {}
+
+    void every(Nanoseconds period, std::function<void()> task) override { m_tasks.add(period, std::move(task)); }
+
+    void run(LinkEvents& events) override
     {
-        const auto space = m_input.space();
-        const auto count = ::recv(m_socket, space.data(), space.size(), MSG_DONTWAIT);
-        if (count > 0)
-            m_input.read(static_cast<std::size_t>(count), events);
-        else if (count == 0 || errno != EAGAIN)
-            m_connected = false;
+        connect();
+        m_tasks.start();
+        events.ready();
+        for (auto& socket : m_sockets)
+            socket.flush();
+        while (!m_post.isStopped() && isConnected()) {
+            if (m_options.spins)
+                spin(events);
+            turn(events, m_options.spins ? 0 : -1);
+        }
+    }
+
+    void stop() override { m_post.stop(); }
+
+    /// Leaves at the end of the turn, with all others of it.
+    void sendCommand(const Command& command) override { m_sockets.front().output().append(command); }
+
+    void sendFrame(const Stamp& stamp) override { m_post.put(stamp); }
+
+private:
+    void connect()
+    {
+        const auto count = m_options.streams() > 1 ? 1 + m_options.streams() : 1;
+        for (const int socket : m_options.role == Role::Client ? connectEach(m_options, count) : acceptEach(m_options, count))
+            m_sockets.emplace_back(socket);
+    }
+
+    bool isConnected() const
+    {
+        return std::all_of(m_sockets.begin(), m_sockets.end(), [](const auto& socket) { return socket.isConnected(); });
+    }
+
+    /// A single stream's frames leave with the commands.
+    RawSocket& socketOf(const Stamp& frame) { return m_sockets[m_sockets.size() > 1 ? 1 + streamOf(frame) : 0]; }
+
+    /// Timers and the end may wait for as many looks at the socket.
+    void spin(LinkEvents& events)
+    {
+        constexpr int looks = 64;
+        for (int i = 0; i < looks && isConnected(); ++i)
+            for (auto& socket : m_sockets) {
+                socket.receive(events);
+                socket.flush();
+            }
+    }
+
+    /// Sleeps for at most `limit` ms; -1: as long as nothing happens.
+    void turn(LinkEvents& events, int limit)
+    {
+        m_watched.clear();
+        for (const auto& socket : m_sockets)
+            m_watched.push_back(socket.watched());
+        m_watched.push_back({m_post.descriptor(), POLLIN, 0});
+        for (std::size_t i = 0; i < m_tasks.count(); ++i)
+            m_watched.push_back({m_tasks.descriptor(i), POLLIN, 0});
+        ::poll(m_watched.data(), m_watched.size(), limit);
+        const auto post = m_sockets.size();
+        for (std::size_t i = 0; i < m_tasks.count(); ++i)
+            if (m_watched[post + 1 + i].revents != 0)
+                m_tasks.expire(i);
+        if (m_watched[post].revents != 0)
+            for (const auto& stamp : m_post.take())
+                socketOf(stamp).output().append(stamp, m_pixels);
+        for (std::size_t i = 0; i < m_sockets.size(); ++i)
+            m_sockets[i].serve(m_watched[i].revents, events);
     }
 
     Options m_options;
     StreamOutput::Pixels m_pixels;
-    int m_socket = -1;
-    bool m_connected = true;
+    std::vector<RawSocket> m_sockets; ///< of the commands first
     PeriodicTasks m_tasks;
     FramePost m_post;
-    StreamOutput m_output;
-    std::vector<StreamOutput::Chunk> m_underWay;
-    std::size_t m_written = 0; ///< of what is under way
     std::vector<pollfd> m_watched;
-    std::vector<iovec> m_parts;
-    StreamInput m_input;
 };
 
 } // namespace
