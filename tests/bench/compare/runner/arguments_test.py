@@ -54,6 +54,17 @@ class ArgumentsTest(unittest.TestCase):
             self.assertEqual(measured.arguments[:2], ("--frame-rate", "0"))
             self.assertEqual(measured.beside[:2], ("--frame-rate", measured.key.split("/")[-1]))
 
+    def test_two_streams_are_measured_where_the_link_carries_both_and_no_transport_lets_one_wait_for_the_other(self):
+        measured = conditions.streams_measurements(conditions.LINKS)
+        self.assertEqual({m.key.split("/")[1] for m in measured}, {"1g", "400m", "100m", "1g-20ms", "400m-20ms", "100m-20ms"})
+        for m in measured:
+            self.assertEqual([t.key for t in transports.TRANSPORTS if t.suits(m)], ["liena", "raw"])
+        without, both = measured[:2]
+        self.assertEqual(without.arguments[:2], ("--frame-rate", "0"))
+        self.assertNotIn("--second-rate", without.arguments)
+        self.assertEqual(both.arguments[:2] + both.arguments[-2:], ("--frame-rate", "15", "--second-rate", "14.3"))
+        self.assertEqual(conditions.streams_measurements(["400m-overload", "100m-20ms-loss"]), [])
+
     def test_a_transport_that_was_named_and_not_built_is_missing(self):
         built = [t for t in transports.TRANSPORTS if t.key in ("liena", "raw")]
         self.assertEqual([t.key for t in arguments.chosen_transports(["raw"], built)], ["raw"])

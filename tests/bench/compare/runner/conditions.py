@@ -40,6 +40,7 @@ class Measurement:
     mode: str = "tls"
     arguments: tuple = ()
     beside: tuple = ()  # the command line of a second pair of ends, which runs meanwhile on the same link
+    streams_apart: bool = False  # for transports that give each stream of frames a way of its own
 
 
 LOOPBACK = Link("loopback")
@@ -60,6 +61,7 @@ LINKS = {
 # Where commands of one pair of ends are measured beside the frames of another.
 NEIGHBOUR_LINKS = ("1g", "100m")
 NEIGHBOUR_COMMAND_RATE = 10  # per second, of those beside the frames
+STREAM_RATES = (15, 14.3)  # of two streams of one device, per second: they drift through all overlaps in 1.4 s
 
 
 def sending(link, frame_rate, command_rate=COMMAND_RATE):
@@ -81,6 +83,21 @@ def neighbour_measurements():
     return [Measurement(f"neighbour/{name}/{rate}", title, link, "load", "tls", sending(link, 0),
                         beside=sending(link, rate, NEIGHBOUR_COMMAND_RATE))
             for name, link, rate, title in conditions_of(NEIGHBOUR_LINKS)]
+
+
+def stream_links(names):
+    """Those that carry both streams and lose nothing."""
+    return [name for name in names if not LINKS[name].loss and LINKS[name].carries(sum(STREAM_RATES))]
+
+
+def streams_measurements(link_names):
+    """Of each link without frames and with two streams of them; the last word of the key says how many streams."""
+    first, second = STREAM_RATES
+    both = f"frames of {first} and {second}/s"
+    return [Measurement(f"two-streams/{name}/{streams}", f"{LINKS[name].name}, {title}", LINKS[name], "load", "tls",
+                        (*sending(LINKS[name], rate), *more), streams_apart=True)
+            for name in stream_links(link_names)
+            for streams, title, rate, more in ((0, "no frames", 0, ()), (2, both, first, ("--second-rate", str(second))))]
 
 
 @dataclass(frozen=True)

@@ -87,13 +87,16 @@ NEIGHBOURS = ("Commands and frames are those of two pairs of programs over one l
               "other.")
 
 
+def segment_limits(link):
+    return (f"Limits: the same transport's p99 without frames, the time of a {link.segment_bytes() / 1024:.1f} KiB segment "
+            f"({link.segment_us():.0f} µs), and {STALL_US} µs for p99, {LONG_STALL_US} µs for p99.9.")
+
+
 def explanation(medians, kind, link_name):
     spread = medians.spread(f"{kind}/{link_name}/0", "raw", "command_p99")
     link = LINKS[link_name]
-    limits = (f"Limits: the same transport's p99 without frames, the time of a {link.segment_bytes() / 1024:.1f} KiB segment "
-              f"({link.segment_us():.0f} µs), and {STALL_US} µs for p99, {LONG_STALL_US} µs for p99.9.")
     exception = what_is_no_target(link)
-    parts = [NEIGHBOURS if kind == "neighbour" else "", f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else limits, exception,
+    parts = [NEIGHBOURS if kind == "neighbour" else "", f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else segment_limits(link), exception,
              f"Frames: p50 in ms, and beside raw TCP's{'' if exception else f' (target {FRAME_RATIO})'}.",
              f"Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %."]
     return " ".join(filter(None, parts))

@@ -2,7 +2,7 @@
 import types
 import unittest
 
-from . import collapse, collapse_table, conditions, load_table, loopback_table, report, targets, transports
+from . import collapse, collapse_table, conditions, load_table, loopback_table, report, streams_table, targets, transports
 
 
 def comparison(results, rounds=3):
@@ -70,6 +70,43 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(len(table), 1)
         self.assertIn("beside the frames of another session, 1 Gbit/s", table[0])
         self.assertIn("two sessions", table[0])
+
+    @staticmethod
+    def beside_two_streams(**liena):
+        own = {"command_p99": 900, "command_p999": 1500}
+        for stream in ("frame", "second_frame"):
+            own |= {f"{stream}_p50": 20000, f"{stream}_p99": 35000, f"{stream}_count": 75, f"{stream}s_sent": 75, f"{stream}s_per_second": 15}
+        raw = own | {"command_p99": 9000, "frame_p50": 18000, "second_frame_p50": 18000}
+        return report.Medians({"two-streams/1g/0": {"liena": [{"command_p99": 400}]}, "two-streams/1g/2": {"liena": [own | liena], "raw": [raw]}})
+
+    def test_two_streams_are_judged_by_commands_and_by_the_later_and_rarer_of_both(self):
+        def answers(**liena):
+            return [line.split("|")[4].strip() for line in targets.streams_lines(self.beside_two_streams(**liena))]
+
+        self.assertEqual(answers(), ["yes"] * 3)
+        self.assertEqual(answers(command_p99=1040), ["**no**", "yes", "yes"])  # above 400 + 131 + 500
+        self.assertEqual(answers(second_frame_p50=21000), ["yes", "**no**", "yes"])
+        self.assertEqual(answers(second_frame_count=73), ["yes", "yes", "**no**"])
+        self.assertEqual(targets.load_lines(self.beside_two_streams()), [])
+        self.assertEqual(targets.streams_lines(self.beside_frames()), [])
+
+    def test_two_streams_without_raw_tcp_have_nothing_to_be_as_old_as(self):
+        medians = self.beside_two_streams()
+        medians.results["two-streams/1g/2"]["raw"] = [{}]
+        self.assertEqual([line.split("|")[4].strip() for line in targets.streams_lines(medians)], ["yes"] * 2)
+        medians.results["two-streams/1g/2"]["liena"] = [{}]
+        self.assertEqual([line.split("|")[4].strip() for line in targets.streams_lines(medians)], ["**no**"] * 3)
+
+    def test_the_table_of_two_streams_tells_both(self):
+        medians = self.beside_two_streams()
+        medians.results["two-streams/1g/0"]["raw"] = [{}]
+        tables = list(streams_table.sections(medians, transports.TRANSPORTS, 5))
+        self.assertEqual(len(tables), 1)
+        self.assertIn("### Commands beside two streams of frames, 1 Gbit/s\n", tables[0])
+        self.assertIn("| 1 031, 2 031 | yes | 20.0, 35.0 | 1.11 | 15.0 | 20.0, 35.0 | 1.11 | 15.0 |", tables[0])
+        self.assertIn("| raw TCP | did not come through |", tables[0])
+        self.assertEqual({line.count("|") for line in tables[0].splitlines() if line.startswith("|")}, {15})
+        self.assertIn(tables[0], report.markdown(comparison(medians.results), []))
 
     def test_overload_is_judged_by_commands_alone(self):
         def line(**liena):

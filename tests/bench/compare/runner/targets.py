@@ -1,9 +1,10 @@
 """What the figures of LiENa are held against."""
 from dataclasses import dataclass
 
-from . import collapse_table
+from . import collapse_table, streams_table
 from .conditions import COLLAPSES, LINKS, NEIGHBOUR_LINKS
 from .load_table import FRAME_RATIO, limits_of, verdict, within
+from .streams_table import STREAMS
 from .transports import OWN
 
 BELOW = "<"
@@ -97,6 +98,22 @@ def judge_load(medians, key, idle_key, link):
             None if raw is None else frame <= FRAME_RATIO * raw, arrived >= ALL_FRAMES)
 
 
+def judge_streams(medians, link_name):
+    """What LiENa reached beside two streams of frames: whether commands, the age of both streams' frames and their arrival are within the
+    limits of `load`. A failure is none of them."""
+    key, idle_key = (streams_table.key_of(link_name, streams) for streams in (2, 0))
+
+    def of(figure, transport="liena"):
+        return medians.of(key, transport, figure)
+
+    if of("command_p99") is None:
+        return False, False, False
+    raw = [of(f"{stream}_p50", "raw") for stream in STREAMS]
+    return (within((of("command_p99"), of("command_p999")), limits_of(medians, LINKS[link_name], idle_key, "liena")),
+            all(of(f"{stream}_p50") <= FRAME_RATIO * base for stream, base in zip(STREAMS, raw)) if all(raw) else None,
+            all(of(f"{stream}_count") >= ALL_FRAMES * of(f"{stream}s_sent") for stream in STREAMS))
+
+
 def judge_packets(medians, key):
     """Whether LiENa's commands as packets of their own are as prompt as those of the best other transport; None without another. A failure
     is not."""
@@ -128,6 +145,14 @@ def neighbour_lines(medians):
     return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
 
 
+def streams_lines(medians):
+    judged = [judge_streams(medians, name) for name in LINKS if medians.results.get(streams_table.key_of(name, 2), {}).get("liena")]
+    titles = ("Commands beside two streams of frames: p99 and p99.9 within their limits, conditions",
+              f"Two streams of frames: p50 of each ÷ raw TCP ≤ {FRAME_RATIO}, conditions",
+              "Two streams of frames: all of each arrive but one in fifty, conditions")
+    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+
+
 def overload_lines(medians):
     """Frames are withheld there, so that how old and how many they are is no target."""
     judged = [judge_load(medians, *condition)[0] for condition in conditions_with_frames(medians, fitting=False)]
@@ -152,5 +177,6 @@ def sections(medians):
         value = target.value(medians)
         if value is not None:
             lines.append(f"| {target.title} | {target.relation} {target.bound:g} | {value:.2f} | {verdict(target.is_met(value))} |")
-    lines += load_lines(medians) + neighbour_lines(medians) + overload_lines(medians) + loss_lines(medians) + collapse_lines(medians)
+    for of_conditions in (load_lines, neighbour_lines, streams_lines, overload_lines, loss_lines, collapse_lines):
+        lines += of_conditions(medians)
     return ["\n".join(["### LiENa's targets", "", "| | target | measured | met |", "|---|---|---|---|", *lines])] if lines else []

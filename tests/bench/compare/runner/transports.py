@@ -13,18 +13,21 @@ class Transport:
     arguments: tuple = ()  # of the program, besides those of the measurement
     round_trips_only: bool = False
     also_with_losses: bool = False  # beside frames as well, where packets are lost
+    streams_apart: bool = False  # two streams of frames do not wait for each other
 
     def suits(self, measurement):
         """Mode none is for comparison on loopback only, and whoever never sleeps takes a processor from what is measured beside it."""
+        if measurement.streams_apart and not self.streams_apart:
+            return False
         if self.round_trips_only:
             return measurement.workload in ("roundtrip", "paced") or (self.also_with_losses and measurement.link.loss > 0)
         return measurement.link == LOOPBACK or self.key not in ("liena-none", "asio")
 
 
 TRANSPORTS = [
-    Transport("liena", "LiENa, TLS, awake in dialogues", "peer_liena", "tls"),
+    Transport("liena", "LiENa, TLS, awake in dialogues", "peer_liena", "tls", streams_apart=True),
     Transport("asio-tls", "Asio TLS", "peer_asio_tls", "tls"),
-    Transport("raw", "raw TCP", "peer_raw_tcp", "none"),
+    Transport("raw", "raw TCP", "peer_raw_tcp", "none", streams_apart=True),
     Transport("liena-asleep", "LiENa, TLS, asleep between messages", "peer_liena", "tls", ("--asleep",), True),
     Transport("liena-udp", "LiENa, sealed UDP packets", "peer_liena", "tls", ("--packets",), True, True),
     Transport("liena-spin", "LiENa, TLS, never asleep", "peer_liena", "tls", ("--spin",), True),
