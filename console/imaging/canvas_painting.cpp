@@ -76,7 +76,7 @@ QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
     if (const QString depth = m_measurement.depthText(); !depth.isEmpty())
         addBelow(depth);
     if (result.isEmpty() && m_measurement.mode() == MeasureMode::Distance)
-        addBelow(tr("O, or Shift and the right button: isocentre or table plane"));
+        addBelow(tr("O: isocentre or table plane"));
     if (m_measurement.pixels() && !m_measurement.isCatheter())
         addBelow(tr("Right button or B: it is the width of a catheter of 4 F to 8 F"));
     plates.paint(painter);

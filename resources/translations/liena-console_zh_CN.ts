@@ -3369,8 +3369,8 @@
         <translation>右键或 B：此为 4 F 至 8 F 导管的宽度</translation>
     </message>
     <message>
-        <source>O, or Shift and the right button: isocentre or table plane</source>
-        <translation>O 或 Shift 加右键：等中心平面或床面平面</translation>
+        <source>O: isocentre or table plane</source>
+        <translation>O：等中心平面或床面平面</translation>
     </message>
 </context>
 <context>

@@ -222,14 +222,15 @@ void TestLiveImage::saysBelowALengthWhatItIsWorth()
         return rows;
     };
     QTest::keyClick(&pane.view, Qt::Key_M);
-    const int request = rowsCovered(); // one line
+    const int request = rowsCovered(); // what to do, and the choice of plane
     for (const QPoint point : {QPoint(100, 100), QPoint(130, 140)})
         QTest::mouseClick(&pane.view, Qt::LeftButton, {}, area.topLeft() + point);
     const int byGeometry = rowsCovered(); // length, depth, and what the right button does
     QTest::keyClick(&pane.view, Qt::Key_B);
     const int byCatheter = rowsCovered(); // length and depth
-    QVERIFY(byCatheter > request);
-    QCOMPARE(byGeometry - request, 2 * (byCatheter - request));
+    QCOMPARE(byCatheter, request);
+    QVERIFY(byGeometry - byCatheter > 5);
+    QVERIFY(byGeometry - byCatheter < byCatheter);
 }
 
 QTEST_MAIN(TestLiveImage)
