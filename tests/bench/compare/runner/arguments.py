@@ -53,6 +53,7 @@ def parse(description, build_dir, given=None):
     parser.add_argument("--output", type=pathlib.Path, help="the Markdown file; standard output")
     parser.add_argument("--json", type=pathlib.Path, help="write every single result there as well, a line each")
     parser.add_argument("--tables", type=pathlib.Path, nargs="+", help="measure nothing: the table of results that --json kept")
+    parser.add_argument("--strict", action="store_true", help="end with status 1 where one of LiENa's targets is missed, or none could be told")
     parser.add_argument("--build-dir", type=pathlib.Path, default=build_dir)
     parser.add_argument("--no-build", action="store_true", help="take what --build-dir holds")
     chosen = parser.parse_args(given)

@@ -35,6 +35,12 @@ def machine(comparison):
             f"{', both ends under SCHED_FIFO' if chosen.real_time else ''}. Largest stall of a 1 ms timer before a round: {stalled}.")
 
 
+def missed(comparison):
+    """The titles of LiENa's targets that are not reached; None where none can be told."""
+    judged = targets.all_judged(Medians(comparison.results))
+    return [one.title for one in judged if not one.met] if judged else None
+
+
 def markdown(comparison, measurements):
     medians = Medians(comparison.results)
     sections = ["<!-- Written by tests/bench/compare/run. -->", machine(comparison), *targets.sections(medians)]

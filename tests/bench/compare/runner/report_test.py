@@ -43,13 +43,13 @@ class ReportTest(unittest.TestCase):
 
     def test_load_is_judged_by_tail_peers_age_and_arrival(self):
         def answers(medians):
-            return [line.split("|")[4].strip() for line in targets.load_lines(medians)]
+            return [one.met for one in targets.judged_load(medians)]
 
-        self.assertEqual(answers(self.beside_frames()), ["yes"] * 4)
-        self.assertEqual(answers(self.beside_frames(command_p999=2100))[0], "**no**")
-        self.assertEqual(answers(self.beside_frames(command_p99=1010))[:2], ["yes", "**no**"])
-        self.assertEqual(answers(self.beside_frames(frame_p50=21))[2], "**no**")
-        self.assertEqual(answers(self.beside_frames(frame_count=70))[3], "**no**")
+        self.assertEqual(answers(self.beside_frames()), [True] * 4)
+        self.assertEqual(answers(self.beside_frames(command_p999=2100))[0], False)
+        self.assertEqual(answers(self.beside_frames(command_p99=1010))[:2], [True, False])
+        self.assertEqual(answers(self.beside_frames(frame_p50=21))[2], False)
+        self.assertEqual(answers(self.beside_frames(frame_count=70))[3], False)
 
     def test_of_the_conditions_only_those_count_as_usual_where_the_link_carries_the_frames_and_loses_none(self):
         known = {f"load/{name}/{rate}": {"liena": [{"command_p99": 1}]} for name, link in conditions.LINKS.items() for rate in link.frame_rates}
@@ -63,9 +63,9 @@ class ReportTest(unittest.TestCase):
     def test_commands_beside_another_sessions_frames_are_judged_by_their_own_idle_link(self):
         beside = self.beside_frames().results
         medians = report.Medians({key.replace("load", "neighbour"): found for key, found in beside.items()})
-        self.assertEqual([line.split("|")[4].strip() for line in targets.neighbour_lines(medians)], ["yes"] * 4)
-        self.assertEqual(targets.load_lines(medians), [])
-        self.assertEqual(targets.neighbour_lines(self.beside_frames()), [])
+        self.assertEqual([one.met for one in targets.judged_neighbour(medians)], [True] * 4)
+        self.assertEqual(targets.judged_load(medians), [])
+        self.assertEqual(targets.judged_neighbour(self.beside_frames()), [])
         table = load_table.sections(medians, transports.TRANSPORTS, 5)
         self.assertEqual(len(table), 1)
         self.assertIn("beside the frames of another session, 1 Gbit/s", table[0])
@@ -81,21 +81,21 @@ class ReportTest(unittest.TestCase):
 
     def test_two_streams_are_judged_by_commands_and_by_the_later_and_rarer_of_both(self):
         def answers(**liena):
-            return [line.split("|")[4].strip() for line in targets.streams_lines(self.beside_two_streams(**liena))]
+            return [one.met for one in targets.judged_streams(self.beside_two_streams(**liena))]
 
-        self.assertEqual(answers(), ["yes"] * 3)
-        self.assertEqual(answers(command_p99=1040), ["**no**", "yes", "yes"])  # above 400 + 131 + 500
-        self.assertEqual(answers(second_frame_p50=21000), ["yes", "**no**", "yes"])
-        self.assertEqual(answers(second_frame_count=73), ["yes", "yes", "**no**"])
-        self.assertEqual(targets.load_lines(self.beside_two_streams()), [])
-        self.assertEqual(targets.streams_lines(self.beside_frames()), [])
+        self.assertEqual(answers(), [True] * 3)
+        self.assertEqual(answers(command_p99=1040), [False, True, True])  # above 400 + 131 + 500
+        self.assertEqual(answers(second_frame_p50=21000), [True, False, True])
+        self.assertEqual(answers(second_frame_count=73), [True, True, False])
+        self.assertEqual(targets.judged_load(self.beside_two_streams()), [])
+        self.assertEqual(targets.judged_streams(self.beside_frames()), [])
 
     def test_two_streams_without_raw_tcp_have_nothing_to_be_as_old_as(self):
         medians = self.beside_two_streams()
         medians.results["two-streams/1g/2"]["raw"] = [{}]
-        self.assertEqual([line.split("|")[4].strip() for line in targets.streams_lines(medians)], ["yes"] * 2)
+        self.assertEqual([one.met for one in targets.judged_streams(medians)], [True] * 2)
         medians.results["two-streams/1g/2"]["liena"] = [{}]
-        self.assertEqual([line.split("|")[4].strip() for line in targets.streams_lines(medians)], ["**no**"] * 3)
+        self.assertEqual([one.met for one in targets.judged_streams(medians)], [False] * 3)
 
     def test_the_table_of_two_streams_tells_both(self):
         medians = self.beside_two_streams()
@@ -109,16 +109,16 @@ class ReportTest(unittest.TestCase):
         self.assertIn(tables[0], report.markdown(comparison(medians.results), []))
 
     def test_overload_is_judged_by_commands_alone(self):
-        def line(**liena):
+        def answer(**liena):
             own = {"command_p99": 800, "command_p999": 1800, "frame_p50": 90, "frame_count": 60, "frames_sent": 150} | liena
             idle = {"command_p99": 100, "command_p999": 300}
             medians = report.Medians({"load/400m-overload/0": {"liena": [idle]}, "load/400m-overload/30": {"liena": [own]}})
-            self.assertEqual(targets.load_lines(medians), [])
-            return targets.overload_lines(medians)[0]
+            self.assertEqual(targets.judged_load(medians), [])
+            return targets.judged_overload(medians)[0]
 
-        self.assertIn("conditions | all 1 | 1 | yes |", line())
-        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p99=830))  # above 100 + 228 + 500
-        self.assertIn("conditions | all 1 | 0 | **no** |", line(command_p999=1830))
+        self.assertTrue(answer().met)
+        self.assertFalse(answer(command_p99=830).met)  # above 100 + 228 + 500
+        self.assertFalse(answer(command_p999=1830).met)
 
     @staticmethod
     def with_losses(packets, **others):
@@ -126,11 +126,11 @@ class ReportTest(unittest.TestCase):
             key: [{"command_p99": p99} if p99 else {}] for key, p99 in ({"liena-udp": packets, "liena": 20} | others).items()}})
 
     def test_packets_are_held_against_other_transports_where_packets_are_lost(self):
-        self.assertIn("conditions | all 1 | 1 | yes |", targets.loss_lines(self.with_losses(21, raw=90, cyclone=21))[0])
-        self.assertIn("conditions | all 1 | 0 | **no** |", targets.loss_lines(self.with_losses(22, raw=90, cyclone=21))[0])
-        self.assertIn("conditions | all 1 | 0 | **no** |", targets.loss_lines(self.with_losses(None, raw=90))[0])
-        self.assertEqual(targets.loss_lines(self.with_losses(22, raw=None)), [])  # nothing to be held against
-        self.assertEqual(targets.load_lines(self.with_losses(22, raw=90)), [])
+        self.assertTrue(targets.judged_loss(self.with_losses(21, raw=90, cyclone=21))[0].met)
+        self.assertFalse(targets.judged_loss(self.with_losses(22, raw=90, cyclone=21))[0].met)
+        self.assertFalse(targets.judged_loss(self.with_losses(None, raw=90))[0].met)
+        self.assertEqual(targets.judged_loss(self.with_losses(22, raw=None)), [])  # nothing to be held against
+        self.assertEqual(targets.judged_load(self.with_losses(22, raw=90)), [])
 
     def test_those_arrived_that_came_themselves(self):
         def cells(**figures):
@@ -160,22 +160,28 @@ class ReportTest(unittest.TestCase):
 
     def test_a_falling_link_is_judged_by_its_limit_and_by_when_frames_are_back(self):
         def answers(*rounds):
-            return [line.split("|")[3].strip() for line in targets.collapse_lines(self.fallen(*rounds))]
+            return [one.measured for one in targets.judged_collapse(self.fallen(*rounds))]
 
         self.assertEqual(answers((3600, 0.8)), ["1", "1"])  # 900 + 2283 + 500
         self.assertEqual(answers((3700, 5.0)), ["0", "1"])
         self.assertEqual(answers((3600, 5.1)), ["1", "0"])
         self.assertEqual(answers((3600, float("inf"))), ["1", "0"])
         self.assertEqual(answers((None, None)), ["0", "0"])
-        self.assertEqual(targets.collapse_lines(report.Medians({})), [])
+        self.assertEqual(targets.judged_collapse(report.Medians({})), [])
         table = "\n".join(collapse_table.sections(self.fallen((4700, 5.1)), transports.TRANSPORTS))
         self.assertIn("| 3 683 | **no** | 48 | 5.1 | **no** |", table)
 
     def test_a_failure_is_counted_as_not_met(self):
         medians = self.beside_frames()
         medians.results["load/1g/15"]["liena"] = [{}]
-        self.assertEqual([line.split("|")[3].strip() for line in targets.load_lines(medians)], ["0"] * 4)
+        self.assertEqual([one.measured for one in targets.judged_load(medians)], ["0"] * 4)
         self.assertIn("did not come through", "\n".join(load_table.rows(medians, "load", "1g", transports.TRANSPORTS, 5)))
+
+    def test_what_is_missed_is_named_and_that_nothing_is_known_too(self):
+        at, above = (comparison({"roundtrip": {"liena": round_trips(value), "asio-tls": round_trips(100)}}) for value in (115, 116))
+        self.assertEqual(report.missed(at), [])
+        self.assertEqual(report.missed(above), ["Round trip back to back, awake in dialogues ÷ Asio TLS"])
+        self.assertIsNone(report.missed(comparison({"roundtrip": {"raw": round_trips(10)}})))
 
     def test_target_is_met_at_its_bound(self):
         at, above = (report.Medians({"roundtrip": {"liena": round_trips(value), "asio-tls": round_trips(100)}}) for value in (115, 116))

@@ -34,6 +34,14 @@ class Target:
         return {BELOW: value < self.bound, AT_MOST: value <= self.bound, AT_LEAST: value >= self.bound}[self.relation]
 
 
+@dataclass(frozen=True)
+class Judged:
+    title: str
+    asked: str
+    measured: str
+    met: bool
+
+
 OTHERS = (("zeromq", "ZeroMQ"), ("cyclone", "Cyclone DDS"), ("fastdds", "Fast DDS"))
 ROUND_TRIPS = (("roundtrip", "back to back"), ("paced", "at 1 kHz"))
 TARGETS = [
@@ -124,59 +132,63 @@ def judge_packets(medians, key):
 def counted(title, answers):
     """How many of the conditions are met; nothing where none is known."""
     known = [answer for answer in answers if answer is not None]
-    return [f"| {title} | all {len(known)} | {sum(known)} | {verdict(all(known))} |"] if known else []
+    return [Judged(title, f"all {len(known)}", str(sum(known)), all(known))] if known else []
 
 
-def load_lines(medians):
+def judged_load(medians):
     """Over all conditions with frames that the link carries."""
     judged = [judge_load(medians, *condition) for condition in conditions_with_frames(medians, fitting=True)]
     titles = ("Commands beside frames: p99 and p99.9 within their limits, conditions",
               "Commands beside frames: p99 not above the best other transport's, conditions",
               f"Frames: p50 ÷ raw TCP ≤ {FRAME_RATIO}, conditions", "Frames: all arrive but one in fifty, conditions")
-    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+    return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
 
 
-def neighbour_lines(medians):
+def judged_neighbour(medians):
     judged = [judge_load(medians, *condition) for condition in conditions_beside_another(medians)]
     titles = ("Commands beside another session's frames: p99 and p99.9 within their limits, conditions",
               "Commands beside another session's frames: p99 not above the best other transport's, conditions",
               f"Another session's frames: p50 ÷ raw TCP ≤ {FRAME_RATIO}, conditions",
               "Another session's frames: all arrive but one in fifty, conditions")
-    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+    return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
 
 
-def streams_lines(medians):
+def judged_streams(medians):
     judged = [judge_streams(medians, name) for name in LINKS if medians.results.get(streams_table.key_of(name, 2), {}).get("liena")]
     titles = ("Commands beside two streams of frames: p99 and p99.9 within their limits, conditions",
               f"Two streams of frames: p50 of each ÷ raw TCP ≤ {FRAME_RATIO}, conditions",
               "Two streams of frames: all of each arrive but one in fifty, conditions")
-    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+    return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
 
 
-def overload_lines(medians):
+def judged_overload(medians):
     """Frames are withheld there, so that how old and how many they are is no target."""
     judged = [judge_load(medians, *condition)[0] for condition in conditions_with_frames(medians, fitting=False)]
     return counted("Commands beside more frames than the link carries: p99 and p99.9 within their limits, conditions", judged)
 
 
-def loss_lines(medians):
+def judged_loss(medians):
     judged = [judge_packets(medians, key) for key in conditions_with_losses(medians)]
     return counted("Commands as sealed UDP packets where packets are lost: p99 not above the best other transport's, conditions", judged)
 
 
-def collapse_lines(medians):
+def judged_collapse(medians):
     judged = [collapse_table.judge(medians, path, "liena") for path in COLLAPSES if medians.results.get(f"collapse/{path.key}", {}).get("liena")]
     titles = ("A link that falls to a tenth: commands' p99 during that within its limit, links",
               f"A link that falls to a tenth: all frames again within {collapse_table.BACK_S} s of its healing, links")
-    return [line for title, answers in zip(titles, zip(*judged)) for line in counted(title, answers)]
+    return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
+
+
+def all_judged(medians):
+    """All that can be told."""
+    values = [(target, target.value(medians)) for target in TARGETS]
+    found = [Judged(target.title, f"{target.relation} {target.bound:g}", f"{value:.2f}", target.is_met(value))
+             for target, value in values if value is not None]
+    for of_conditions in (judged_load, judged_neighbour, judged_streams, judged_overload, judged_loss, judged_collapse):
+        found += of_conditions(medians)
+    return found
 
 
 def sections(medians):
-    lines = []
-    for target in TARGETS:
-        value = target.value(medians)
-        if value is not None:
-            lines.append(f"| {target.title} | {target.relation} {target.bound:g} | {value:.2f} | {verdict(target.is_met(value))} |")
-    for of_conditions in (load_lines, neighbour_lines, streams_lines, overload_lines, loss_lines, collapse_lines):
-        lines += of_conditions(medians)
+    lines = [f"| {one.title} | {one.asked} | {one.measured} | {verdict(one.met)} |" for one in all_judged(medians)]
     return ["\n".join(["### LiENa's targets", "", "| | target | measured | met |", "|---|---|---|---|", *lines])] if lines else []
