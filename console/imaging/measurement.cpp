@@ -59,8 +59,7 @@ std::optional<double> heightIn(const XrayFrame& frame, const TableRest& table)
 {
     constexpr std::size_t height = 2;
     const std::optional<TableWay> way = wayIn(frame, table);
-    if (frame.source == PictureSource::Recorded || !way ||
-        !table.spans(frame.earliestCapture(), frame.arrival, XraySystemState::statusLimit) ||
+    if (frame.source == PictureSource::Recorded || !way || !table.spans(frame.earliestCapture(), frame.arrival) ||
         isBeyond(way->to.at(height) - way->from.at(height)))
         return std::nullopt;
     return way->to.at(height);

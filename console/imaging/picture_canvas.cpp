@@ -264,7 +264,7 @@ bool PictureCanvas::takeMeasureKey(int key)
         clearMeasurement();
     } else if (key == Qt::Key_B) {
         nextCatheter();
-    } else if (key == Qt::Key_O) {
+    } else if (key == Qt::Key_O && m_measurement.mode() == MeasureMode::Distance) {
         nextPlane();
     } else {
         return false;

@@ -17,6 +17,12 @@ GuardLine line(Guard guard, bool met, const QString& holds, const QString& missi
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
+GuardLine identityLine(const GuardReadings& r)
+{
+    return line(Guard::IdentityEqual, r.identityEqual && !r.commandsDiffer, Text::tr("Same system on both sides"),
+                r.commandsDiffer ? Text::tr("Robot's commands differ (F4)") : Text::tr("System not confirmed"));
+}
+
 GuardLine sessionLine(const GuardReadings& r)
 {
     return line(Guard::SessionOpen, r.robotLink == LinkState::Open, Text::tr("Robot link is open"),
@@ -172,7 +178,7 @@ GuardChecklist checkGuards(const GuardReadings& r, const GuardLimits& limits)
 {
     return {
         sessionLine(r),
-        line(Guard::IdentityEqual, r.identityEqual, Text::tr("Same system on both sides"), Text::tr("System not confirmed")),
+        identityLine(r),
         heartbeatLine(r, limits),
         clockLine(r),
         pictureLine(r, limits),
@@ -203,7 +209,7 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     GuardSet met = ~keptWhileArmed();
     const auto keep = [&met](Guard guard, bool holds) { met.set(static_cast<std::size_t>(guard), holds); };
     keep(Guard::SessionOpen, r.robotLink == LinkState::Open || (r.robotLink == LinkState::Suspect && r.inLinkState <= r.heartbeat));
-    keep(Guard::IdentityEqual, r.identityEqual);
+    keep(Guard::IdentityEqual, r.identityEqual && !r.commandsDiffer);
     keep(Guard::PictureLive, pictureTrusted(r) && r.picture.keepsRate);
     keep(Guard::RobotFresh, r.robotFresh);
     keep(Guard::DrivesHealthy, drivesHealthy(r));

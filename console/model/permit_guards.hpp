@@ -60,6 +60,7 @@ struct GuardReadings {
     Duration inLinkState{};              ///< how long the link has been in that state
     Duration heartbeat = usualHeartbeat; ///< of the robot's link: for so long it may be suspect while armed
     bool identityEqual = false;
+    bool commandsDiffer = false; ///< the robot's set has not the commands that this console gives
     quint32 heartbeatsOnTime = 0;
     std::optional<Duration> clockUncertainty; ///< nothing before 8 clean samples
     PictureReading picture;

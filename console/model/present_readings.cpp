@@ -12,8 +12,9 @@ void readLink(GuardReadings& r, const LinkNode& link, Instant now)
     r.robotLink = link.state;
     r.inLinkState = now - link.since;
     r.heartbeat = link.heartbeat;
-    // A session opens only between devices whose topology, message sets and certificates agree; the set may still be none for this console.
-    r.identityEqual = carriesMessages(link.state) && !link.commandsDiffer;
+    // A session opens only between devices whose topology, message sets and certificates agree.
+    r.identityEqual = carriesMessages(link.state);
+    r.commandsDiffer = link.commandsDiffer;
     r.heartbeatsOnTime = link.figures.heartbeatsOnTime;
     if (link.figures.clockOffset)
         r.clockUncertainty = link.figures.clockUncertainty;

@@ -29,6 +29,10 @@ void TableRest::note(const std::array<double, 3>& table, Instant at)
         m_movements.push_back({m_reported.value_or(Instant::min()), at, table});
     if (m_movements.size() > movementsKept)
         m_movements.pop_front();
+    if (m_reported && at - *m_reported > slack)
+        m_gaps.push_back({*m_reported, at});
+    if (m_gaps.size() > movementsKept)
+        m_gaps.pop_front();
     m_reported = at;
 }
 
@@ -47,9 +51,12 @@ std::optional<TableWay> TableRest::wayOf(Instant taken, Instant arrival) const
     return TableWay{wayAt(taken).from, wayAt(arrival).to};
 }
 
-bool TableRest::spans(Instant taken, Instant arrival, Duration slack) const
+bool TableRest::spans(Instant taken, Instant arrival) const
 {
     if (!m_reported || *m_reported + slack < arrival)
+        return false;
+    const auto covers = [&](const Gap& gap) { return arrival > gap.from + slack && taken < gap.to - slack; };
+    if (std::any_of(m_gaps.begin(), m_gaps.end(), covers))
         return false;
     const Movement& oldest = m_movements.front();
     return oldest.after != Instant::min() || oldest.until <= taken + slack;

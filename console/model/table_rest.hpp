@@ -21,6 +21,7 @@ struct TableWay {
 class TableRest {
 public:
     static constexpr std::size_t movementsKept = 64;
+    static constexpr std::chrono::milliseconds slack{500}; ///< for so long a report stands for the table
 
     /// mm, as the X-ray system reported it.
     void note(const std::array<double, 3>& table, Instant at);
@@ -35,8 +36,9 @@ public:
     /// where that found the table. No numbers for what is older than the movements that are kept; nothing without a report.
     std::optional<TableWay> wayOf(Instant taken, Instant arrival) const;
 
-    /// Whether reports reach from `taken` to `arrival`, but for `slack` at either end: then wayOf() is no guess there.
-    bool spans(Instant taken, Instant arrival, Duration slack) const;
+    /// Whether reports reach from `taken` to `arrival`, but for `slack` at either end: then wayOf() is no guess there. In a longer gap
+    /// between two reports the table may have gone and come back.
+    bool spans(Instant taken, Instant arrival) const;
 
 private:
     struct Movement {
@@ -45,10 +47,16 @@ private:
         std::array<double, 3> to{};
     };
 
+    struct Gap {
+        Instant from; ///< the last report before it
+        Instant to;   ///< the first one after it
+    };
+
     TableWay wayAt(Instant moment) const;
 
     std::optional<Instant> m_reported;
     std::deque<Movement> m_movements; ///< the oldest first; before the first report the table may have been anywhere
+    std::deque<Gap> m_gaps;           ///< longer than `slack`; the oldest first
 };
 
 } // namespace console

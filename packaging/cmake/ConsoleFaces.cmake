@@ -36,5 +36,10 @@ liena_make_face(hei "${LIENA_MICRO_HEI}" LiENaHei-Regular.ttf)
 
 # What came with them goes with what is made of them.
 foreach(package fonts-inter fonts-wqy-microhei)
-  install(FILES /usr/share/doc/${package}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liena/licences RENAME ${package} OPTIONAL)
+  set(licence "/usr/share/doc/${package}/copyright")
+  if(EXISTS "${licence}")
+    install(FILES "${licence}" DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/liena/licences RENAME ${package})
+  else()
+    message(WARNING "${licence} is missing: what is installed has not the licence of its typefaces; install the package ${package} whole before you hand it on")
+  endif()
 endforeach()

@@ -1625,6 +1625,10 @@
         <translation>两端系统一致</translation>
     </message>
     <message>
+        <source>Robot&apos;s commands differ (F4)</source>
+        <translation>机器人的指令不同（F4）</translation>
+    </message>
+    <message>
         <source>System not confirmed</source>
         <translation>系统一致性未确认</translation>
     </message>

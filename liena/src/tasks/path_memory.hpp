@@ -85,7 +85,7 @@ private:
     std::uint64_t wholeOf(std::uint64_t own) const;
     const Change& back(std::size_t steps) const { return m_changes[(m_count - steps) % m_changes.size()]; }
 
-    std::array<Change, 32> m_changes{};
+    std::array<Change, 128> m_changes{};
     std::size_t m_count = 1;          ///< so many were noted; the first is the beginning
     std::uint64_t m_acknowledged = 0; ///< of the session
 };

@@ -19,6 +19,7 @@ void PathRate::shareWith(std::shared_ptr<FairShare> share, DeviceId session)
     m_sender = nullptr;
     m_isBurst = false;
     m_lanes = 1;
+    m_usualPart = 1;
 }
 
 void PathRate::pause(Instant now, std::uint32_t unsent)

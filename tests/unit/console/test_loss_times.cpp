@@ -167,19 +167,22 @@ private Q_SLOTS:
         QCOMPARE(guardReadings(models, robotId, true, cockpit.now).heartbeat, Duration(20ms));
     }
 
-    void aRobotWhoseSetHasOtherCommandsIsNoneOfTheSameSystem()
+    void guardsReadThatTheRobotsCommandsDiffer()
     {
         InventedCockpit cockpit;
         cockpit.openAll();
         auto& models = cockpit.models;
-        const auto same = [&] { return guardReadings(models, robotId, true, cockpit.now).identityEqual; };
-        QVERIFY(same());
+        const auto identity = [&] {
+            return checkGuards(guardReadings(models, robotId, true, cockpit.now)).at(std::size_t(Guard::IdentityEqual));
+        };
+        QVERIFY(identity().met);
         models.sessions.setCommandsDiffer(robotId, true);
-        QVERIFY(!same());
+        QVERIFY(!identity().met);
+        QCOMPARE(identity().text, QStringLiteral("Robot's commands differ (F4)"));
         models.sessions.setCommandsDiffer(robotId, false);
-        QVERIFY(same());
+        QVERIFY(identity().met);
         models.sessions.setLinkState(robotId, LinkState::Closed, cockpit.now);
-        QVERIFY(!same());
+        QCOMPARE(identity().text, QStringLiteral("System not confirmed"));
     }
 
     void guardsReadTheFaultOfAnArmThatIsInSession()

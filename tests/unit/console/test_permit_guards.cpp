@@ -63,6 +63,7 @@ const std::vector<Case>& cases()
          true},
         {"link suspect for longer", [](auto& r) { r.robotLink = LinkState::Suspect, r.inLinkState = 21ms; }, Guard::SessionOpen, false},
         {"another system", [](auto& r) { r.identityEqual = false; }, Guard::IdentityEqual, false},
+        {"other commands", [](auto& r) { r.commandsDiffer = true; }, Guard::IdentityEqual, false},
         {"link suspect within one slower heartbeat",
          [](auto& r) { r.robotLink = LinkState::Suspect, r.inLinkState = 50ms, r.heartbeat = 50ms; }, Guard::SessionOpen, true},
         {"link suspect for longer than one quicker heartbeat",

@@ -121,12 +121,12 @@ private Q_SLOTS:
     void tellsReportsFromGuesses()
     {
         TableRest rest;
-        QVERIFY(!rest.spans(start, start, 500ms));
+        QVERIFY(!rest.spans(start, start));
         rest.note(at(0), start);
         rest.note(at(0), start + 100ms);
-        QVERIFY(rest.spans(start - 500ms, start + 600ms, 500ms));
-        QVERIFY(!rest.spans(start - 501ms, start, 500ms));
-        QVERIFY(!rest.spans(start, start + 601ms, 500ms));
+        QVERIFY(rest.spans(start - 500ms, start + 600ms));
+        QVERIFY(!rest.spans(start - 501ms, start));
+        QVERIFY(!rest.spans(start, start + 601ms));
     }
 };
 

@@ -118,6 +118,18 @@ private slots:
         QVERIFY(known && *known > 0.4 * capacity && *known < 0.65 * capacity); // what its source can count on
     }
 
+    /// Of a long way it is not known at once what is its own unrest: whose neighbours are of its session answers as one alone does.
+    void onALongWayTheyQueueNoLonger()
+    {
+        const double frame = 2 * mebibyte;
+        auto drifting = running(gigabit, 40ms, {{frame, 66'667us, 0us}, {frame, 70ms, 8ms}});
+        drifting.run(12s);
+        QVERIFY2(drifting.waitedFor(0.99) < 800us, milliseconds(drifting.waitedFor(0.99)).constData());
+        auto full = running(gigabit, 40ms, {{frame, pictureTime, 0us}, {frame, pictureTime, 8ms}});
+        full.run(12s);
+        QVERIFY2(full.waitedFor(0.99) < 3ms, milliseconds(full.waitedFor(0.99)).constData()); // as if they were strangers: 5 ms
+    }
+
     void whoseNeighbourStopsHasTheWholePathWithinAFrame()
     {
         auto path = running(gigabit, 200us, {endless, endless});
