@@ -126,14 +126,6 @@ Result<void> DistributedSystem::State::checkKnown(std::string_view message) cons
     return ok();
 }
 
-DistributedSystem::State::Subscription& DistributedSystem::State::newSubscription(std::string_view message)
-{
-    Subscription& subscription = subscriptions[std::string(message)];
-    const auto* own = ownMessageSet->find(message);
-    subscription.isOwnCommand = own != nullptr && own->role == Role::Command;
-    return subscription;
-}
-
 Result<void> DistributedSystem::subscribe(std::string_view message, MessageHandler handler)
 {
     auto known = m_state->checkKnown(message);

@@ -25,6 +25,14 @@ void DistributedSystem::State::deliver(Message&& message)
     partialBudget.recycle(MessageAccess::takeFields(message));
 }
 
+DistributedSystem::State::Subscription& DistributedSystem::State::newSubscription(std::string_view message)
+{
+    Subscription& subscription = subscriptions[std::string(message)];
+    const auto* own = ownMessageSet->find(message);
+    subscription.isOwnCommand = own != nullptr && own->role == Role::Command;
+    return subscription;
+}
+
 /// Null when there is none. A command has been judged by token, order and age, and a report has not: who waits for a command of ours does
 /// not get what a peer reports by the same name.
 const DistributedSystem::State::Subscription* DistributedSystem::State::subscriptionTo(const Message& message)
