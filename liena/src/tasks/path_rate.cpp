@@ -15,12 +15,14 @@ constexpr auto shortestWindow = 2ms;  // between decisions, however near the pee
 constexpr auto gentlePause = 20ms;    // between two steps near the ceiling
 constexpr auto longestSilence = 50ms; // until a burst's first acknowledgement; then there is a queue
 constexpr auto longWay = 10ms;        // there and back: from here on round trips vary by milliseconds
-constexpr auto alwaysTolerated = 300us;
+constexpr auto alwaysTolerated = 200us;
 constexpr auto toleratedWhenCalm = 100us;
 constexpr auto mostUnrest = 8ms;             // that is taken for one: what is longer is a queue
 constexpr auto unrestHalves = 10s;           // what was seen of it, when it is not seen again
 constexpr double clearlyBelow = 0.75;        // what passed without a queue a moment ago
 constexpr double provenLeft = 0.97;          // of that, a second later
+constexpr double drain = 0.25;               // of the rate, while a queue drains
+constexpr double drainWhenSlow = 0.125;      // where a segment more is long in coming through, or may be
 constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
 constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
 constexpr double margin = 0.93;              // of what was delivered while a queue stood
@@ -178,7 +180,7 @@ double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) c
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
     const double segments = 2 * static_cast<double>(segment()) / part();
-    const std::chrono::duration<double> own(std::min(segments, inOnePiece / part() + 0.0005));
+    const std::chrono::duration<double> own(std::min(segments, inOnePiece / part() + 0.0003));
     return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
            std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()) + m_unrest;
 }
@@ -244,7 +246,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_step = gentle;
     m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
-    const bool believed = again && (pauseBetweenSteps() > gentlePause || isCalm(facts));
+    const bool believed = again && (isSlow() || isCalm(facts));
     const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : passed) - climb, 0s);
     m_confirmed = believed ? std::optional(now + wait) : std::nullopt;
     if (m_share)
@@ -288,7 +290,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant
     const double boldest = std::max(1 + (quickest - 1) * shorter * shorter, leastBoldest);
     if (m_rate > *m_ceiling && !m_confirmed)
         m_step = std::min(1 + (m_step - 1) * bolder, boldest);
-    m_nextStep = m_step < boldest || pause > gentlePause ? now + pause : now;
+    m_nextStep = m_step < boldest || isSlow() ? now + pause : now;
 }
 
 /// True: that is over, or another lane has begun.
@@ -339,6 +341,16 @@ PathRate::Nanoseconds PathRate::timeToNotice() const { return timeOf(noticing * 
 
 /// A step too far must show before the next one.
 PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nanoseconds>(gentlePause, timeToNotice()); }
+
+/// It takes longer than between two steps elsewhere until a queue shows.
+bool PathRate::isSlow() const { return timeToNotice() > gentlePause; }
+
+/// A rate that fell deep at once may still be far above what the path carries.
+double PathRate::rate() const
+{
+    const double drained = m_doubted || isSlow() ? drainWhenSlow : drain;
+    return std::min(m_draining ? part() * drained : part(), m_limit.value_or(most));
+}
 
 std::optional<double> PathRate::known() const
 {

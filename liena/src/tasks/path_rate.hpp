@@ -87,7 +87,7 @@ public:
     Instant leaves() const { return m_leaves; }
 
     /// Bytes per second at which to send.
-    double rate() const { return std::min(m_draining ? part() * drain : part(), m_limit.value_or(most)); }
+    double rate() const;
 
     /// Not more than this, whatever the path seems to carry; nothing: no limit.
     void limit(std::optional<double> bytesPerSecond) { m_limit = bytesPerSecond; }
@@ -129,8 +129,6 @@ private:
         bool alone = true;           ///< of those nothing was under way any more
     };
 
-    static constexpr double drain = 0.25; ///< of the rate, while a queue drains
-
     transport::PathFacts asOfSession(const transport::PathFacts& facts, Instant now);
     transport::PathFacts asOfLate(transport::PathFacts facts, Instant now);
     void enter(bool goesOn, Instant now);
@@ -148,6 +146,7 @@ private:
     Nanoseconds timeOf(double bytes) const;
     Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
+    bool isSlow() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
