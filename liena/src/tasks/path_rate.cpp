@@ -253,10 +253,12 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
         m_share->even(*this);
 }
 
-/// The rate is lower now: first what stands drains, and what was sent before says nothing of it.
+/// The rate is lower now: first what stands drains, and what was sent before says nothing of it. A rate that fell deep at once may still be
+/// far above what the path carries. On a long way it is known late that a queue is gone.
 void PathRate::yield(const transport::PathFacts& facts)
 {
     m_draining = true;
+    m_drain = facts.leastRoundTrip < longWay && (m_doubted || isSlow()) ? drainWhenSlow : drain;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
 }
 
@@ -344,13 +346,6 @@ PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nano
 
 /// It takes longer than between two steps elsewhere until a queue shows.
 bool PathRate::isSlow() const { return timeToNotice() > gentlePause; }
-
-/// A rate that fell deep at once may still be far above what the path carries.
-double PathRate::rate() const
-{
-    const double drained = m_doubted || isSlow() ? drainWhenSlow : drain;
-    return std::min(m_draining ? part() * drained : part(), m_limit.value_or(most));
-}
 
 std::optional<double> PathRate::known() const
 {

@@ -87,7 +87,7 @@ public:
     Instant leaves() const { return m_leaves; }
 
     /// Bytes per second at which to send.
-    double rate() const;
+    double rate() const { return std::min(m_draining ? part() * m_drain : part(), m_limit.value_or(most)); }
 
     /// Not more than this, whatever the path seems to carry; nothing: no limit.
     void limit(std::optional<double> bytesPerSecond) { m_limit = bytesPerSecond; }
@@ -173,6 +173,7 @@ private:
     double m_delivered = 0;          ///< bytes per second, of late
     Instant m_shown{};
     bool m_draining = false;
+    double m_drain = 1;            ///< of the rate, while it drains
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};

@@ -6,6 +6,9 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
@@ -80,6 +83,36 @@ private slots:
         }
         QVERIFY2(slowest <= 20ms, millisecondsOf(slowest, "ms, of at least 17").constData());
         QVERIFY2(longestWait < 4ms, millisecondsOf(longestWait, "ms").constData());
+    }
+
+    void besideFramesNinetyNineOfAHundredCommandsHardlyWait_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("mostUs");
+        for (const auto& [megabits, most] : {std::pair{100.0, 600}, {400.0, 750}, {1000.0, 600}})
+            QTest::addRow("%.0f Mbit/s", megabits) << megabits << most;
+    }
+
+    /// Frames of half of what the path carries, thirty a second, and a command every two milliseconds.
+    void besideFramesNinetyNineOfAHundredCommandsHardlyWait()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, mostUs);
+        const double capacity = megabits * 125'000;
+        Path path(capacity, 200us);
+        std::vector<Nanoseconds> waits;
+        for (int frame = 0; frame < 600; ++frame) {
+            const bool counts = frame >= 150;
+            path.forget();
+            for (int i = 0; i < 17; ++i) {
+                path.run(2ms, path.sent() < capacity / 60);
+                if (counts)
+                    waits.push_back(path.waiting());
+            }
+        }
+        const auto late = waits.begin() + static_cast<std::ptrdiff_t>(waits.size() * 99 / 100);
+        std::nth_element(waits.begin(), late, waits.end());
+        QVERIFY2(*late < std::chrono::microseconds(mostUs), millisecondsOf(*late, "ms").constData());
     }
 
     void yieldsAtOnceWhenThePathCollapsesToATenth()
