@@ -176,6 +176,30 @@ private slots:
         QVERIFY2(path.rate.rate() > 0.85 * gigabit / 10, qPrintable(QString::number(path.rate.rate() / gigabit * 10)));
     }
 
+    void whileAQueueDrainsOnASlowPathLittleIsSent_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<double>("part");
+        QTest::newRow("slow and short") << 10.0 << 200 << 0.125;
+        QTest::newRow("slow and long: known late that it is gone") << 10.0 << 40'000 << 0.25;
+        QTest::newRow("fast and short") << 100.0 << 200 << 0.25;
+    }
+
+    void whileAQueueDrainsOnASlowPathLittleIsSent()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, roundTripUs);
+        Path path(megabits * 125'000, std::chrono::microseconds(roundTripUs));
+        path.run(4s); // what it carries is known, and found again and again
+        double least = 1;
+        for (int i = 0; i < 40'000; ++i) {
+            path.run(250us);
+            least = std::min(least, path.rate.rate() / path.rate.steady());
+        }
+        QTEST(least, "part");
+    }
+
     /// What was met twice is the path: a step beyond it is a queue of milliseconds, and is not tried every second.
     void onASlowPathWhatWasMetTwiceIsSeldomTriedAgain()
     {
