@@ -56,6 +56,7 @@ AlarmJournal::AlarmJournal(const QString& folder, const QString& name, Duration 
     }
     read(m_previous, false);
     read(m_file, true);
+    m_synced = m_written;
     if (!openNewest()) {
         m_trouble = because(tr("%1 cannot be opened: %2"), m_file);
         return;
@@ -76,8 +77,7 @@ AlarmJournal::~AlarmJournal()
         m_wake.notify_one();
         m_thread.join();
     }
-    if (m_descriptor >= 0)
-        ::close(m_descriptor);
+    closeNewest();
 }
 
 /// The chain runs on from the older file into the newer. Only the newest file's last line can be torn.
@@ -91,22 +91,22 @@ void AlarmJournal::read(const QString& name, bool newest)
     bool fits = true;
     for (auto end = bytes.indexOf('\n'); end >= 0; end = bytes.indexOf('\n', at)) {
         const auto line = bytes.mid(at, end - at);
-        const auto entry = readAlarmLine(line, m_chain);
+        const auto entry = readAlarmLine(line, m_written.chain);
         // The very first line follows one that is no more.
         fits = fits && (entry.fits || m_restored.empty());
         if (entry.readable)
             m_restored.push_back(entry.entry);
-        m_chain = entry.chain;
+        m_written.chain = entry.chain;
         at = end + 1;
         if (newest)
-            ++m_inFile;
+            ++m_written.entries;
     }
     if (!fits)
         m_remark += tr("%1: a line does not follow from the one before it; the file was changed or damaged. ").arg(name);
     if (at < bytes.size())
         m_remark += tr("%1: the last line is torn, as a loss of power leaves it; it was dropped. ").arg(name);
     if (newest)
-        m_goodBytes = at;
+        m_written.bytes = at;
 }
 
 bool AlarmJournal::openNewest()
@@ -114,10 +114,40 @@ bool AlarmJournal::openNewest()
     m_descriptor = ::open(QFile::encodeName(m_file).constData(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
     if (m_descriptor < 0)
         return false;
-    if (::lseek(m_descriptor, 0, SEEK_END) > m_goodBytes && ::ftruncate(m_descriptor, m_goodBytes) != 0)
+    if (::lseek(m_descriptor, 0, SEEK_END) > m_written.bytes && ::ftruncate(m_descriptor, m_written.bytes) != 0) {
+        const int failed = errno;
+        closeNewest();
+        errno = failed;
         return false;
+    }
     forceFolder(m_folder);
     return true;
+}
+
+void AlarmJournal::closeNewest()
+{
+    if (m_descriptor >= 0)
+        ::close(std::exchange(m_descriptor, -1));
+}
+
+/// False: what was written since the last time is to be written again. The kernel tells of it once, and takes those pages for clean then.
+bool AlarmJournal::sync()
+{
+    if (m_unsynced.empty())
+        return true;
+    if (::fdatasync(m_descriptor) == 0) {
+        m_unsynced.clear();
+        m_synced = m_written;
+        return true;
+    }
+    const int failed = errno;
+    m_unwritten.insert(m_unwritten.begin(), m_unsynced.begin(), m_unsynced.end());
+    m_unsynced.clear();
+    m_written = m_synced;
+    m_torn = false;
+    closeNewest(); // it is cut to what is known to be there when it is opened again
+    errno = failed;
+    return false;
 }
 
 QString AlarmJournal::checkRoom() const
@@ -143,7 +173,7 @@ void AlarmJournal::append(const AlarmLogEntry& entry)
 /// False: there is none, and all that there was is on the disk.
 bool AlarmJournal::waitForWork(std::unique_lock<std::mutex>& lock)
 {
-    if (m_unwritten.empty() && !m_unsynced)
+    if (m_unwritten.empty())
         return m_wake.wait_for(lock, m_roomPeriod, [this] { return m_stopping || !m_waiting.empty(); });
     m_wake.wait_for(lock, retryPeriod, [this] { return m_stopping; });
     return true;
@@ -170,8 +200,7 @@ void AlarmJournal::run()
         auto failure = writeAll();
         if (lost > 0)
             failure = tr("%1 entries were lost, the disk is too slow").arg(lost);
-        m_unsynced = m_descriptor >= 0 && ::fdatasync(m_descriptor) != 0;
-        if (m_unsynced && failure.isEmpty())
+        if (!sync() && failure.isEmpty())
             failure = because(tr("%1 is not kept: %2"), m_file);
         report(failure.isEmpty() ? checkRoom() : failure, failure.isEmpty());
         lock.lock();
@@ -184,6 +213,7 @@ QString AlarmJournal::writeAll()
     while (!m_unwritten.empty()) {
         if (const auto wrong = write(m_unwritten.front()); !wrong.isEmpty())
             return wrong;
+        m_unsynced.push_back(std::move(m_unwritten.front()));
         m_unwritten.pop_front();
     }
     return {};
@@ -191,29 +221,28 @@ QString AlarmJournal::writeAll()
 
 QString AlarmJournal::write(const AlarmLogEntry& entry)
 {
-    if (m_inFile >= fileLimit || m_goodBytes > byteLimit - alarmLineLimit) {
-        if (::fdatasync(m_descriptor) != 0 ||
-            std::rename(QFile::encodeName(m_file).constData(), QFile::encodeName(m_previous).constData()) != 0)
+    if (m_written.entries >= fileLimit || m_written.bytes > byteLimit - alarmLineLimit) {
+        if (!sync() || std::rename(QFile::encodeName(m_file).constData(), QFile::encodeName(m_previous).constData()) != 0)
             return because(tr("%1 cannot be put aside: %2"), m_file);
-        ::close(std::exchange(m_descriptor, -1));
-        m_inFile = 0;
-        m_goodBytes = 0;
+        closeNewest();
+        m_written = {0, 0, m_written.chain};
+        m_synced = m_written;
     }
     if (m_descriptor < 0 && !openNewest())
         return because(tr("%1 cannot be opened: %2"), m_file);
-    if (m_torn && ::ftruncate(m_descriptor, m_goodBytes) != 0)
+    if (m_torn && ::ftruncate(m_descriptor, m_written.bytes) != 0)
         return because(tr("%1 cannot be put right: %2"), m_file);
     m_torn = false;
-    const auto line = alarmLine(entry, m_chain);
+    const auto line = alarmLine(entry, m_written.chain);
     const auto written = ::write(m_descriptor, line.bytes.constData(), static_cast<std::size_t>(line.bytes.size()));
     if (written != line.bytes.size()) {
         const auto wrong = because(tr("%1 cannot be written: %2"), m_file);
-        m_torn = ::ftruncate(m_descriptor, m_goodBytes) != 0; // half a line would be taken for one that was torn
+        m_torn = ::ftruncate(m_descriptor, m_written.bytes) != 0; // half a line would be taken for one that was torn
         return wrong;
     }
-    m_chain = line.chain;
-    m_goodBytes += written;
-    ++m_inFile;
+    m_written.chain = line.chain;
+    m_written.bytes += written;
+    ++m_written.entries;
     return {};
 }
 

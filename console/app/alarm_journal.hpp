@@ -20,7 +20,8 @@ namespace console {
 /// Two files in one folder, `NAME.jsonl` and `NAME.previous.jsonl`, one entry a line; the first becomes the second when it is full, so the
 /// last `fileLimit` entries are always there and never more than twice as many. Each line carries a hash of itself and of the line before:
 /// the console changes no line, and a line that somebody changed does not fit. Entries are written and forced to the disk by a thread of
-/// its own; the GUI thread never waits. What the disk does not take is tried again each second, and is lost only when it is too much.
+/// its own; the GUI thread never waits. What the disk does not take is written anew each second, also where it was taken and then not kept
+/// (a failed fdatasync(2) tells of pages that are given up), and is lost only when it is too much.
 class AlarmJournal : public QObject {
     Q_OBJECT
 public:
@@ -61,6 +62,8 @@ private:
     QString writeAll();
     QString write(const AlarmLogEntry& entry);
     bool openNewest();
+    void closeNewest();
+    bool sync();
     QString checkRoom() const;
     void report(const QString& trouble, bool keeps);
 
@@ -74,13 +77,19 @@ private:
     QString m_trouble;    ///< GUI thread
     bool m_keeps = false; ///< GUI thread
 
+    /// How far a file goes.
+    struct Place {
+        std::size_t entries = 0;
+        qint64 bytes = 0; ///< where its last whole line ends
+        QByteArray chain;
+    };
+
     // Of the writing thread, from its start on.
     int m_descriptor = -1;
-    std::size_t m_inFile = 0;
-    qint64 m_goodBytes = 0; ///< of the newest file: where its last whole line ends
-    QByteArray m_chain;
-    std::deque<AlarmLogEntry> m_unwritten; ///< taken over, and not on the disk yet
-    bool m_unsynced = false;               ///< written, and not known to be on the disk
+    Place m_written; ///< of the newest file
+    std::deque<AlarmLogEntry> m_unwritten; ///< taken over, and not written yet
+    std::deque<AlarmLogEntry> m_unsynced;  ///< written, and not known to be on the disk
+    Place m_synced;                        ///< of the newest file: what is known to be there
     bool m_torn = false;                   ///< half a line stands at the end of the newest file
     QString m_reported;
     bool m_reportedKeeps = true;

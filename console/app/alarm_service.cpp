@@ -93,20 +93,37 @@ void AlarmService::noteRecorder(const QString& trouble, bool kept)
 
 void AlarmService::listen(const AlarmSettings& settings)
 {
-    const auto tell = [this](const QString& trouble, const QString& good) {
-        m_models.log.append(trouble.isEmpty() ? LogKind::Note : LogKind::Trouble, trouble.isEmpty() ? good : trouble, wallTime());
-    };
-    connect(&m_voice, &AlarmVoice::troubleChanged, this, [this, tell](const QString& trouble) {
+    connect(&m_voice, &AlarmVoice::troubleChanged, this, [this](const QString& trouble) {
+        m_soundTrouble = trouble;
         m_watch.setSoundTrouble(trouble);
         tell(trouble, tr("alarm sound is there"));
+        noteWatchdog();
     });
     if (settings.watchdog.isEmpty())
         return m_watch.setWatchdogTrouble(tr("no watchdog was named"));
     m_watchdog = std::make_unique<WatchdogProcess>(settings.watchdog);
-    connect(m_watchdog.get(), &WatchdogProcess::troubleChanged, this, [this, tell](const QString& trouble) {
-        m_watch.setWatchdogTrouble(trouble);
+    connect(m_watchdog.get(), &WatchdogProcess::troubleChanged, this, [this](const QString& trouble) {
+        m_watchdogTrouble = trouble;
         tell(trouble, tr("the watchdog watches"));
+        noteWatchdog();
     });
+    connect(m_watchdog.get(), &WatchdogProcess::silentChanged, this, [this](bool silent) {
+        m_watchdogSilent = silent;
+        tell(silent ? tr("its watchdog has no sound") : QString(), tr("the watchdog has sound"));
+        noteWatchdog();
+    });
+}
+
+void AlarmService::tell(const QString& trouble, const QString& good)
+{
+    m_models.log.append(trouble.isEmpty() ? LogKind::Note : LogKind::Trouble, trouble.isEmpty() ? good : trouble, wallTime());
+}
+
+/// Where this console has no sound either, that is one cause, and told already.
+void AlarmService::noteWatchdog()
+{
+    const bool alone = m_watchdogSilent && m_soundTrouble.isEmpty();
+    m_watch.setWatchdogTrouble(m_watchdogTrouble.isEmpty() && alone ? tr("its watchdog has no sound") : m_watchdogTrouble);
 }
 
 void AlarmService::start()

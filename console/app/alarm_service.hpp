@@ -45,6 +45,8 @@ private:
     void openJournal(const AlarmSettings& settings);
     void noteRecorder(const QString& trouble, bool kept);
     void listen(const AlarmSettings& settings);
+    void tell(const QString& trouble, const QString& good);
+    void noteWatchdog();
     void run();
 
     ConsoleModels& m_models;
@@ -54,6 +56,9 @@ private:
     AlarmSounder m_sounder;
     std::unique_ptr<AlarmJournal> m_journal;
     std::unique_ptr<WatchdogProcess> m_watchdog;
+    QString m_soundTrouble;
+    QString m_watchdogTrouble;
+    bool m_watchdogSilent = false;
     QTimer m_timer;
 };
 

@@ -8,6 +8,7 @@ namespace console {
 AlarmSounder::AlarmSounder(ConsoleModels& models, AlarmVoice& voice, QObject* parent) : QObject(parent), m_models(models), m_voice(voice)
 {
     connect(&models.alarms, &AlarmList::changed, this, [this] { update(std::chrono::steady_clock::now()); });
+    connect(&models.alarms, &AlarmList::acknowledged, this, &AlarmSounder::acknowledge);
     connect(&models.selfTest, &AlarmSelfTest::changed, this, &AlarmSounder::testSound);
 }
 
@@ -35,10 +36,23 @@ void AlarmSounder::update(Instant now)
         m_voice.play(*burst);
         m_sounding = true;
         m_testSounds = false;
-    } else if (m_sounding && (paused || !SoundSchedule::demandsSound(alarms))) {
-        m_voice.silence();
-        m_sounding = false;
+    } else if (m_sounding && paused) {
+        silence();
     }
+}
+
+/// While a self-test sounds, that is what is heard.
+void AlarmSounder::acknowledge(AlarmPriority priority)
+{
+    const bool over = m_schedule.acknowledge(priority, m_models.alarms.alarms(), std::chrono::steady_clock::now());
+    if (over && m_sounding && !m_testSounds)
+        silence();
+}
+
+void AlarmSounder::silence()
+{
+    m_voice.silence();
+    m_sounding = false;
 }
 
 } // namespace console

@@ -20,6 +20,8 @@ public:
 
 private:
     void testSound();
+    void acknowledge(AlarmPriority priority);
+    void silence();
 
     ConsoleModels& m_models;
     AlarmVoice& m_voice;

@@ -36,6 +36,10 @@ void AlarmWatch::noteLink(quint32 peer, LinkState from, LinkState to)
 {
     if (to == LinkState::StandBy || to == LinkState::Closed)
         m_overdue.erase(peer);
+    if (carriesMessages(from) && (to == LinkState::Closing || to == LinkState::Closed) && isArmed(m_models.permit.phase()))
+        m_closedWhileArmed.insert(peer);
+    if (carriesMessages(to))
+        m_closedWhileArmed.erase(peer);
     if (carriesMessages(to) && !carriesMessages(from))
         m_carriesSince[peer] = m_models.sessions.linkTo(peer)->since;
     // In an incident of another pair the phase stays what it is; and what the robot said of that one was before its own link was lost.
@@ -75,6 +79,7 @@ void AlarmWatch::forgetTrouble()
 {
     m_troubleWhileArmed = false;
     m_troubleWhileEngaged = false;
+    m_closedWhileArmed.clear();
     m_settledSince.reset();
 }
 
@@ -207,6 +212,7 @@ AlarmLinkReading AlarmWatch::linkReading(const LinkNode& link, Instant now) cons
     reading.clockUncertain = link.state == LinkState::Open && link.figures.clockOffset &&
                              link.figures.clockUncertainty > clockUncertaintyLimit(m_models.picture.limit());
     reading.images = kindOf(link.peer) == DeviceKind::Eye;
+    reading.closedWhileArmed = m_closedWhileArmed.contains(link.peer);
     reading.systemDiffers = link.systemDiffers;
     if (link.peer == m_robot)
         reading.commandRoundTrip = link.usualRoundTrip(); // one late heartbeat is not the line

@@ -36,12 +36,13 @@ CockpitControl::CockpitControl(ConsoleModels& models, SystemLink& link, HandDesk
     m_timer.setTimerType(Qt::PreciseTimer);
     m_timer.setInterval(period);
     connect(&m_timer, &QTimer::timeout, this, &CockpitControl::run);
-    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer, LinkState, LinkState to) {
+    connect(&models.sessions, &SessionModel::linkStateChanged, this, [this](quint32 peer, LinkState from, LinkState to) {
+        const bool closed = carriesMessages(from) && (to == LinkState::Closing || to == LinkState::Closed);
         if (m_link.robot() == peer)
             tellSession();
-        else if (to == LinkState::Reconnecting)
+        else if (to == LinkState::Reconnecting || closed)
             interrupt(peer); // whichever device it is: nobody sees what it does meanwhile
-        if (to == LinkState::Reconnecting || to == LinkState::StandBy)
+        if (to == LinkState::Reconnecting || to == LinkState::StandBy || closed)
             m_alarms.update(presentTime(), m_link.framesReceived()); // not kept for the next turn
     });
     connect(&models.sessions, &SessionModel::standByChanged, this, &CockpitControl::tellSession);
@@ -322,6 +323,8 @@ void CockpitControl::notePhase(PermitPhase from, PermitPhase to)
     const bool isArmed = to == PermitPhase::Armed || to == PermitPhase::Engaged;
     if ((wasArmed && !isArmed) || to == PermitPhase::Hold || to == PermitPhase::Incident || to == PermitPhase::Off)
         m_models.instrument.dropForce(); // what was accepted was accepted for one arming
+    if (wasArmed && !isArmed)
+        m_alarms.update(presentTime(), m_link.framesReceived()); // what ended it may be over at the next turn
     if (from == PermitPhase::Arming && to == PermitPhase::Armed)
         m_models.instrument.resetPeakForce(); // an early peak does not stand for the whole procedure
     auto line = tr("%1 -> %2").arg(word(from), word(to));

@@ -3,6 +3,8 @@
 
 #include "watchdog/beat_watch.hpp"
 
+#include <utility>
+
 namespace console {
 
 namespace {
@@ -19,9 +21,12 @@ WatchdogProcess::WatchdogProcess(const QString& program, const QStringList& argu
 {
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     connect(&m_process, &QProcess::readyReadStandardOutput, this, [this] {
-        m_process.readAllStandardOutput();
+        const auto answers = m_process.readAllStandardOutput();
         m_answered = std::chrono::steady_clock::now();
         tell({});
+        const bool silent = answers.endsWith(static_cast<char>(Answer::Silent));
+        if (std::exchange(m_silent, silent) != silent)
+            Q_EMIT silentChanged(silent);
     });
     connect(&m_process, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart)

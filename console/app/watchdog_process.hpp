@@ -28,6 +28,9 @@ Q_SIGNALS:
     /// Why nobody watches; empty: somebody does. The first time in any case.
     void troubleChanged(const QString& trouble);
 
+    /// Whether it has no sound, as it says itself. Heard, at first.
+    void silentChanged(bool silent);
+
 private:
     void start(Instant now);
     void tell(const QString& trouble);
@@ -38,6 +41,7 @@ private:
     std::optional<Instant> m_started;
     std::optional<Instant> m_answered;
     std::optional<QString> m_told;
+    bool m_silent = false;
 };
 
 } // namespace console

@@ -172,9 +172,11 @@ void AlarmList::acknowledge(quint64 id, qint64 wallMs, const QString& who, Insta
     place->acknowledged = true;
     write(wallMs, place->priority,
           who.isEmpty() ? Text::tr("acknowledged: %1").arg(place->text) : Text::tr("acknowledged by %1: %2").arg(who, place->text), now);
+    const auto priority = place->priority;
     if (!place->present)
         m_alarms.erase(place);
     sort();
+    Q_EMIT acknowledged(priority);
     Q_EMIT changed();
 }
 

@@ -164,6 +164,7 @@ public:
 Q_SIGNALS:
     void changed();
     void raised(quint64 id);
+    void acknowledged(console::AlarmPriority priority); ///< one of that priority, before `changed`
     void logged(const console::AlarmLogEntry& entry);
     void logRestored();
 

@@ -94,7 +94,8 @@ void Rules::addLink(const AlarmLinkReading& link)
 }
 
 /// What is armed does not wait for the decision that a link will not heal: its motion has ended already. A link is lost until it is open
-/// again, not until somebody tries.
+/// again, not until somebody tries. One that is closed in order is no incident, and a surprise to whose hand is on the dead-man all the
+/// same.
 void Rules::addLoss(const AlarmLinkReading& link)
 {
     const auto condition = link.images ? AlarmCondition::ImageLost : AlarmCondition::LinkLost;
@@ -106,6 +107,11 @@ void Rules::addLoss(const AlarmLinkReading& link)
         add(condition, Priority::High, true,
             link.images ? Text::tr("%1: picture link interrupted").arg(link.title) : Text::tr("%1: link interrupted").arg(link.title),
             Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."), link.peer);
+    else if (link.closedWhileArmed)
+        add(condition, Priority::High, true,
+            link.images ? Text::tr("%1: picture link closed while armed").arg(link.title)
+                        : Text::tr("%1: link closed while armed").arg(link.title),
+            Text::tr("Ask the patient side why; open it again before you arm."), link.peer);
 }
 
 /// The whole system stands by for it, and motion has ended.
@@ -206,7 +212,8 @@ void Rules::addForce()
 
 void Rules::addDrives()
 {
-    const bool fault = m_readings.faultCode == 2 || m_readings.faultCode == 3;
+    // Whatever a robot has a code for, but for the force stop, which is an alarm of its own, and lost commands, which are a hold.
+    const bool fault = m_readings.faultCode != 0 && m_readings.faultCode != 1 && m_readings.faultCode != 4;
     const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy;
     const auto remedy = Text::tr("Do not arm; have the drives looked at.");
     if (m_readings.armFault)
@@ -219,7 +226,7 @@ void Rules::addDrives()
         : m_readings.driveOff ? Text::tr("Robot: a drive is off")
                               : Text::tr("Robot: drives are not healthy"),
         remedy);
-    addCauses(fault ? quint64{1} << m_readings.faultCode : 1);
+    addCauses(fault ? quint64{1} << std::min<quint16>(m_readings.faultCode, 63) : 1);
 }
 
 void Rules::addLimits()

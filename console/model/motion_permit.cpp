@@ -362,7 +362,7 @@ QString word(HoldCause cause, const QString& link)
     case HoldCause::GuardFailed:
         return Text::tr("a condition for motion was no longer met");
     case HoldCause::Interrupted:
-        return link.isEmpty() ? Text::tr("a link was interrupted") : Text::tr("%1 link was interrupted").arg(link);
+        return link.isEmpty() ? Text::tr("a link is not open any more") : Text::tr("%1 link is not open any more").arg(link);
     case HoldCause::Panic:
         return Text::tr("Hold was asked for, or the window lost the hand");
     case HoldCause::Stalled:

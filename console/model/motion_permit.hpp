@@ -20,7 +20,7 @@ QString word(PermitPhase phase);
 enum class PermitEventKind : std::uint8_t {
     SessionClosed,      ///< no session with the robot, and no incident
     SessionOpen,        ///< session with the robot, and no incident
-    SessionInterrupted, ///< Reconnecting, and no incident
+    SessionInterrupted, ///< a link was interrupted, or another one than the robot's closed, and no incident
     SystemStandsBy,     ///< an incident is held, of whatever pair
     GuardsChecked,      ///< armable, kept
     ArmPressed,
@@ -54,7 +54,7 @@ enum class MotionStream : std::uint8_t {
 
 /// Why motion ended, for the motion bar and the log.
 enum class HoldCause : std::uint8_t { None, GuardFailed, Interrupted, Panic, Stalled, GateClosed, RobotWithdrew, ArmTimedOut };
-/// `link`: the title of whose link was interrupted; empty: of one of them.
+/// `link`: the title of whose link was interrupted or closed; empty: of one of them.
 QString word(HoldCause cause, const QString& link = {});
 
 /// What the caller must do; several at once are possible.

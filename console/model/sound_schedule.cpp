@@ -27,7 +27,16 @@ quint64 newestSounding(const std::vector<Alarm>& alarms, AlarmPriority priority)
 
 } // namespace
 
-bool SoundSchedule::demandsSound(const std::vector<Alarm>& alarms) { return highestSounding(alarms) != nullptr; }
+bool SoundSchedule::acknowledge(AlarmPriority priority, const std::vector<Alarm>& alarms, Instant now)
+{
+    const bool tells = std::any_of(alarms.begin(), alarms.end(),
+                                   [priority](const Alarm& alarm) { return alarm.sounds() && alarm.priority == priority; });
+    if (m_current != priority || tells)
+        return false;
+    m_current.reset();
+    m_ends = now; // it is cut short: what comes next need not wait for its end
+    return true;
+}
 
 bool SoundSchedule::due(AlarmPriority priority, quint64 newest, Instant now) const
 {
@@ -39,10 +48,15 @@ bool SoundSchedule::due(AlarmPriority priority, quint64 newest, Instant now) con
 
 std::optional<AlarmPriority> SoundSchedule::next(const std::vector<Alarm>& alarms, bool paused, Instant now)
 {
-    const Alarm* highest = highestSounding(alarms);
-    if (highest == nullptr || paused) {
+    if (paused) {
         m_current.reset();
-        m_ends = now; // it is cut short: what comes next need not wait for its end
+        m_ends = now; // cut short, too
+        return std::nullopt;
+    }
+    const Alarm* highest = highestSounding(alarms);
+    if (highest == nullptr) {
+        if (now >= m_ends)
+            m_current.reset();
         return std::nullopt;
     }
     const auto priority = highest->priority;

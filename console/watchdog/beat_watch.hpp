@@ -12,6 +12,9 @@ namespace console {
 /// console sounds: it is armed or in hold, or an alarm of high priority stands.
 enum class Beat : char { Idle = 'i', Attended = 'a', Goodbye = 'q' };
 
+/// What the watchdog answers to beats. `Silent`: it watches, and nobody would hear its alarm. Other characters are taken for `Watching`.
+enum class Answer : char { Watching = '.', Silent = '!' };
+
 /// ```
 ///               attended, and no beat for 250 ms
 ///   Watching ─────────────────────────────────────► Hung

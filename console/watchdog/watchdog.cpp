@@ -30,7 +30,8 @@ Watchdog::Watchdog(std::chrono::seconds mourning, QObject* parent)
     ::fcntl(STDIN_FILENO, F_SETFL, ::fcntl(STDIN_FILENO, F_GETFL) | O_NONBLOCK);
     connect(&m_input, &QSocketNotifier::activated, this, &Watchdog::read);
     connect(&m_voice, &AlarmVoice::troubleChanged, this, [this](const QString& trouble) {
-        if (!trouble.isEmpty())
+        m_silent = !trouble.isEmpty();
+        if (m_silent)
             say("has no sound; it will only write");
     });
     m_timer.setTimerType(Qt::PreciseTimer);
@@ -55,7 +56,8 @@ void Watchdog::read()
     for (ssize_t i = 0; i < count; ++i)
         m_watch.take(bytes.at(static_cast<std::size_t>(i)), now);
     // A console that does not read them is not kept waiting for: what does not fit is lost.
-    if (count > 0 && ::write(STDOUT_FILENO, ".", 1) < 0 && errno == EPIPE)
+    const auto answer = static_cast<char>(m_silent ? Answer::Silent : Answer::Watching);
+    if (count > 0 && ::write(STDOUT_FILENO, &answer, 1) < 0 && errno == EPIPE)
         ::close(STDOUT_FILENO);
     look();
 }

@@ -13,7 +13,7 @@
 namespace console {
 
 /// Reads standard input, which it makes non-blocking; each reading is answered with one character on standard output, so that the console
-/// knows that it is watched.
+/// knows that it is watched, and whether an alarm would be heard.
 class Watchdog : public QObject {
     Q_OBJECT
 public:
@@ -28,6 +28,7 @@ private:
     BeatWatch m_watch;
     BeatWatch::State m_known = BeatWatch::State::Watching;
     Loudspeaker m_voice;
+    bool m_silent = false; ///< nothing would be heard
     QSocketNotifier m_input;
     QTimer m_timer;
     std::optional<Instant> m_lastBurst;

@@ -299,6 +299,18 @@
         <translation>%1：链路已中断</translation>
     </message>
     <message>
+        <source>%1: picture link closed while armed</source>
+        <translation>%1：图像链路在使能期间被关闭</translation>
+    </message>
+    <message>
+        <source>%1: link closed while armed</source>
+        <translation>%1：链路在使能期间被关闭</translation>
+    </message>
+    <message>
+        <source>Ask the patient side why; open it again before you arm.</source>
+        <translation>请询问患者侧原因；使能之前请重新打开它。</translation>
+    </message>
+    <message>
         <source>Let go of the dead-man; motion has ended and needs a new ARM.</source>
         <translation>松开握持开关；运动已结束，须重新解锁。</translation>
     </message>
@@ -3259,12 +3271,12 @@
         <translation>某项运动条件不再满足</translation>
     </message>
     <message>
-        <source>a link was interrupted</source>
-        <translation>有链路曾中断</translation>
+        <source>a link is not open any more</source>
+        <translation>有链路不再打开</translation>
     </message>
     <message>
-        <source>%1 link was interrupted</source>
-        <translation>%1 链路曾中断</translation>
+        <source>%1 link is not open any more</source>
+        <translation>%1 链路不再打开</translation>
     </message>
     <message>
         <source>Hold was asked for, or the window lost the hand</source>

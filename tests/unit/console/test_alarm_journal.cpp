@@ -6,14 +6,41 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <functional>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace console;
+
+namespace {
+
+/// A disk that takes what is written and does not keep it: so many times from now on.
+std::atomic<int> disksFailures = 0;
+std::atomic<off_t> kept = 0; ///< bytes of the newest file
+
+} // namespace
+
+/// In the C library's place. As of a kernel that gives up the pages that it could not write: what they held is gone, and is told of once.
+extern "C" int fdatasync(int descriptor)
+{
+    if (disksFailures > 0) {
+        --disksFailures;
+        if (::ftruncate(descriptor, kept) == 0)
+            errno = EIO;
+        return -1;
+    }
+    struct stat file{};
+    if (::fstat(descriptor, &file) == 0)
+        kept = file.st_size;
+    return static_cast<int>(::syscall(SYS_fdatasync, descriptor));
+}
 
 namespace {
 
@@ -49,6 +76,29 @@ class TestAlarmJournal : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void cleanup() { disksFailures = 0; }
+
+    void whatTheDiskTookAndDidNotKeepIsWrittenAgain()
+    {
+        const Folder folder;
+        {
+            AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+            journal.append(entry(1));
+            QTRY_VERIFY(kept > 0);
+            disksFailures = 1;
+            journal.append(entry(2));
+            QTRY_VERIFY(journal.trouble().contains(QStringLiteral("is not kept")));
+            QVERIFY(!journal.keeps());
+            journal.append(entry(3));
+            QTRY_VERIFY(journal.keeps());
+        }
+        const AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+        QCOMPARE(journal.remark(), QString());
+        QCOMPARE(journal.restored().size(), std::size_t(3));
+        for (std::size_t i = 0; i < 3; ++i)
+            QCOMPARE(journal.restored()[i].text, entry(int(i) + 1).text);
+    }
+
     void keepsEveryEntryAndItsText()
     {
         const Folder folder;

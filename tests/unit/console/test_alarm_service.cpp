@@ -16,6 +16,12 @@ using C = AlarmCondition;
 
 namespace {
 
+class QuietVoice : public AlarmVoice {
+public:
+    void play(AlarmPriority) override {}
+    void silence() override {}
+};
+
 struct Room {
     InventedCockpit cockpit;
     AlarmWatch watch{cockpit.models, robotId};
@@ -33,6 +39,16 @@ struct Room {
             if (alarm.condition == condition && alarm.present)
                 return &alarm;
         return nullptr;
+    }
+
+    /// The event log on the screen.
+    bool logTells(const QString& text) const
+    {
+        const auto& log = cockpit.models.log;
+        for (int row = 0; row < log.rowCount(); ++row)
+            if (log.index(row).data(LogTextRole).toString().contains(text))
+                return true;
+        return false;
     }
 
     QByteArray logged() const
@@ -68,6 +84,37 @@ private Q_SLOTS:
         service.start();
         QTRY_VERIFY(room.find(C::WatchdogGone));
         QVERIFY(room.find(C::WatchdogGone)->text.contains(QStringLiteral("/no/such/watchdog")));
+    }
+
+    /// A program in its place that says of itself what the real one says where nothing would be heard.
+    void aWatchdogThatHasNoSoundIsAnAlarmWhereThisConsoleHasSome_data()
+    {
+        QTest::addColumn<bool>("sound");
+        QTest::newRow("this console has sound") << true;
+        QTest::newRow("it has none either, which is told already") << false;
+    }
+
+    void aWatchdogThatHasNoSoundIsAnAlarmWhereThisConsoleHasSome()
+    {
+        QFETCH(bool, sound);
+        Room room;
+        const QString program = room.folder.filePath(QStringLiteral("silent"));
+        QFile script(program);
+        QVERIFY(script.open(QIODevice::WriteOnly));
+        script.write("#!/bin/sh\nexec stdbuf -o0 tr a-z '!'\n");
+        script.close();
+        QVERIFY(script.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        QuietVoice voice;
+        auto settings = room.settings(program);
+        settings.voice = &voice;
+        AlarmService service(room.cockpit.models, room.watch, settings);
+        if (!sound)
+            Q_EMIT voice.troubleChanged(QStringLiteral("no sound output"));
+        service.start();
+        QTRY_VERIFY(room.logTells(QStringLiteral("its watchdog has no sound")));
+        const auto* alarm = room.find(C::WatchdogGone);
+        QCOMPARE(alarm != nullptr, sound);
+        QVERIFY(!sound || alarm->text.contains(QStringLiteral("no sound")));
     }
 
     void aLogThatCannotBeWrittenRaisesItsAlarm()

@@ -46,6 +46,29 @@ private Q_SLOTS:
         QCOMPARE(voice.heard.back(), QStringLiteral("silence"));
     }
 
+    /// Of an event that is over at once enough is heard to know it by.
+    void whatEndsByItselfIsHeardToTheEndOfItsBurst()
+    {
+        ConsoleModels models;
+        InventedVoice voice;
+        AlarmSounder sounder(models, voice);
+        models.alarms.update({report(AlarmCondition::LinkLost, AlarmPriority::High)}, Instant{} + 1h, 0);
+        models.alarms.update({}, Instant{} + 1h + 60ms, 0);
+        sounder.update(std::chrono::steady_clock::now());
+        QCOMPARE(voice.heard, QStringList{QStringLiteral("high")});
+    }
+
+    void acknowledgingAnotherPrioritySilencesNothing()
+    {
+        ConsoleModels models;
+        InventedVoice voice;
+        const AlarmSounder sounder(models, voice);
+        models.alarms.update({report(AlarmCondition::ForceStop, AlarmPriority::High), report(AlarmCondition::SoftLimit, AlarmPriority::Low)},
+                             Instant{} + 1h, 0);
+        models.alarms.acknowledge(models.alarms.alarms().back().id, 0);
+        QCOMPARE(voice.heard, QStringList{QStringLiteral("high")});
+    }
+
     void pauseSilencesTheBurst()
     {
         ConsoleModels models;

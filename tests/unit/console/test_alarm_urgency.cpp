@@ -26,6 +26,26 @@ private Q_SLOTS:
         QCOMPARE(w.priorityOf(C::PictureStale), std::optional(AlarmPriority::High));
     }
 
+    /// In order, so there is no incident; it is open again, or what came of it is long settled.
+    void aLinkThatIsClosedWhileArmedIsUrgentUntilItIsOpenAgain()
+    {
+        for (const auto& [peer, condition] : {std::pair(armId, C::LinkLost), std::pair(xrayId, C::ImageLost)}) {
+            Watched w;
+            w.models().sessions.setLinkState(peer, LinkState::Closing, w.now);
+            w.models().sessions.setLinkState(peer, LinkState::Closed, w.now);
+            QVERIFY(!w.priorityOf(condition)); // nothing was armed
+            w.models().sessions.setLinkState(peer, LinkState::Open, w.now);
+            w.cockpit.arm();
+            w.models().sessions.setLinkState(peer, LinkState::Closing, w.now);
+            w.models().sessions.setLinkState(peer, LinkState::Closed, w.now);
+            w.tell(PermitEventKind::SessionInterrupted);
+            QCOMPARE(w.priorityOf(condition), std::optional(AlarmPriority::High));
+            w.models().sessions.setLinkState(peer, LinkState::Open, w.now);
+            QVERIFY(!w.priorityOf(condition));
+            QVERIFY(w.models().alarms.unacknowledgedHigh()); // it latches
+        }
+    }
+
     void whatHoldsIsNotConfirmedAfterTheStop()
     {
         Watched w;

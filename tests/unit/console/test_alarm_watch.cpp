@@ -87,6 +87,7 @@ const std::vector<Case>& deviceCases()
     static const std::vector<Case> all{
         {"5 force", robot([](auto& s) { s.guidewireForce = 2.1; }), C::ForceStop},
         {"6 drive", robot([](auto& s) { s.faultCode = 2; }), C::DriveFault},
+        {"6 a fault that has no name here", robot([](auto& s) { s.faultCode = 300; }), C::DriveFault},
         {"6 a drive too warm",
          [](Watched& w) {
              auto drives = w.models().instrument.drives().value;

@@ -324,11 +324,11 @@ private Q_SLOTS:
         QVERIFY(beginArming());
         model.interrupt(QStringLiteral("Robotic arm"), start);
         QCOMPARE(model.phase(), PermitPhase::Hold);
-        QCOMPARE(model.holdReasons(), QStringList{QStringLiteral("Robotic arm link was interrupted")});
+        QCOMPARE(model.holdReasons(), QStringList{QStringLiteral("Robotic arm link is not open any more")});
         feed(PermitEventKind::RobotReported);
         QVERIFY(beginArming());
         feed(PermitEventKind::SessionInterrupted); // nobody says whose
-        QCOMPARE(model.holdReasons(), QStringList{QStringLiteral("a link was interrupted")});
+        QCOMPARE(model.holdReasons(), QStringList{QStringLiteral("a link is not open any more")});
     }
 
     void percentileIsByNearestRank()
