@@ -7,7 +7,9 @@
 // is really gone by system.vanished_screen. Some need a device that dies or a file that differs and are tried elsewhere: a killed and a
 // frozen robot, a pad that is pulled out, two consoles (system.cockpit), commands from before a loss (system.stand_by, the simulation; the
 // age of each by itself: system.timing), certificates and topologies that differ (system.certificates, hostile_*).
+#include "imaging/reference_image_view.hpp"
 #include "never_possible_stage.hpp"
+#include "widgets/review_controls.hpp"
 
 #include <QApplication>
 #include <QFile>
@@ -73,6 +75,38 @@ void beHere(Stage& stage) { stage.theatre.cockpit->setInputOrigin({}); }
 
 void backToCockpit(Stage& stage) { stage.theatre.strike(Qt::Key_F1); }
 
+PictureCondition conditionOf(const Stage& stage)
+{
+    return stage.theatre.models().picture.reading(std::chrono::steady_clock::now()).condition;
+}
+
+/// The beam goes, and the last picture of the run stands there.
+void letGoOfThePedal(Stage& stage)
+{
+    stage.theatre.release(Qt::Key_F);
+    (void)QTest::qWaitFor([&stage] { return conditionOf(stage) == PictureCondition::Held; }, patience);
+}
+
+void pressThePedal(Stage& stage) { stage.theatre.hold(Qt::Key_F); }
+
+const ReferenceImageView& referenceView(Stage& stage) { return *stage.theatre.window().findChild<ReferenceImageView*>(); }
+
+/// From the oldest that is kept: beside the live picture new ones come, of a time before.
+void playOldPictures(Stage& stage)
+{
+    auto& theatre = stage.theatre;
+    const auto* controls = theatre.window().findChild<ReviewControls*>();
+    (void)theatre.click(QStringLiteral("Review"), controls);
+    const auto& view = referenceView(stage);
+    const auto isReview = [&view] { return view.picture() && view.picture()->role == PictureRole::Review; };
+    (void)QTest::qWaitFor(isReview, patience);
+    const auto newest = view.picture() ? view.picture()->about.frame : 0;
+    (void)theatre.click(QStringLiteral("Play"), controls);
+    (void)QTest::qWaitFor([&] { return isReview() && view.picture()->about.frame != newest; }, patience);
+}
+
+void endReview(Stage& stage) { (void)stage.theatre.click(QStringLiteral("Hold"), stage.theatre.window().findChild<ReviewControls*>()); }
+
 void silence(Stage& stage) { stage.robot.setSilent(true); }
 void speak(Stage& stage) { stage.robot.setSilent(false); }
 void beTrue(Stage& stage) { stage.robot.claim(std::nullopt); }
@@ -127,6 +161,7 @@ const std::vector<Attempt>& interruptions()
         {"picture repeats itself", show<Pictures::Repeated>, show<Pictures::Good>},
         {"picture is a recording", show<Pictures::Recorded>, show<Pictures::Good>},
         {"picture is old", show<Pictures::Old>, show<Pictures::Good>},
+        {"pedal let go of", letGoOfThePedal, leaveNothing},
         {"robot's reports end", silence, speak},
         {"robot speaks of another permit",
          [](Stage& stage) {
@@ -166,6 +201,22 @@ const std::vector<Attempt>& obstacles()
         {"picture repeats itself", show<Pictures::Repeated>, show<Pictures::Good>},
         {"picture is a recording", show<Pictures::Recorded>, show<Pictures::Good>},
         {"picture is old", show<Pictures::Old>, show<Pictures::Good>},
+        {"last image hold", letGoOfThePedal, pressThePedal},
+        {"film of old pictures, and the pedal is up",
+         [](Stage& stage) {
+             letGoOfThePedal(stage);
+             playOldPictures(stage);
+         },
+         endReview},
+        {"film of old pictures, and the live one freezes",
+         [](Stage& stage) {
+             playOldPictures(stage);
+             stage.xray.show(Pictures::None);
+         },
+         [](Stage& stage) {
+             stage.xray.show(Pictures::Good);
+             endReview(stage);
+         }},
         {"robot's reports end", silence, speak},
         {"robot is armed by another",
          [](Stage& stage) {
@@ -238,6 +289,36 @@ private Q_SLOTS:
         QCOMPARE(stage.robot.armRequests(), asked);
         attempt.undo(stage);
         stage.theatre.releaseAll();
+    }
+
+    /// What is shown of a time before, as a still or as a film, stands for no live picture; and beside a live one it bars nothing.
+    void aStillAndAFilmOfOldPicturesStandForNoLiveOne()
+    {
+        Stage& stage = *m_stage;
+        auto& theatre = stage.theatre;
+        const auto& models = theatre.models();
+        QVERIFY2(theatre.makeReady(), qPrintable(theatre.story()));
+        letGoOfThePedal(stage);
+        QCOMPARE(conditionOf(stage), PictureCondition::Held);
+        const auto live = [&models] { return models.permit.checklist().at(std::size_t(Guard::PictureLive)); };
+        // All but this one.
+        QTRY_VERIFY2_WITH_TIMEOUT(models.permit.unmetCount() == 1 && !live().met, qPrintable(theatre.story()), patience);
+        QCOMPARE(live().text, QStringLiteral("Picture: LAST IMAGE HOLD"));
+        QVERIFY(stage.settles()); // whatever of the run was still on its way is painted
+        const auto painted = models.picture.paintedCount();
+        playOldPictures(stage);
+        QVERIFY2(referenceView(stage).picture()->role == PictureRole::Review, qPrintable(theatre.story()));
+        const int asked = stage.robot.armRequests();
+        theatre.hold(Qt::Key_R);
+        QVERIFY2(stage.staysUnarmed(320), qPrintable(theatre.story()));
+        theatre.release(Qt::Key_R);
+        QCOMPARE(stage.robot.armRequests(), asked);
+        QCOMPARE(models.picture.paintedCount(), painted);
+        QCOMPARE(conditionOf(stage), PictureCondition::Held);
+        QVERIFY2(theatre.arm(), qPrintable(theatre.story())); // with the pedal down again, and the review open all the time
+        QCOMPARE(referenceView(stage).picture()->role, PictureRole::Review);
+        endReview(stage);
+        theatre.releaseAll();
     }
 
     /// Its alarm, acknowledged or not, is none that bars an arming.
