@@ -3,9 +3,12 @@
 
 #include "puppet_theatre.hpp"
 #include "widgets/hold_button.hpp"
+#include "widgets/stop_button.hpp"
 #include "widgets/theme.hpp"
 
+#include <QAbstractSlider>
 #include <QApplication>
+#include <QPointer>
 #include <QTest>
 
 #include <algorithm>
@@ -128,6 +131,19 @@ inline void addRows(const std::vector<Attempt>& attempts)
     QTest::addColumn<int>("number");
     for (std::size_t i = 0; i < attempts.size(); ++i)
         QTest::newRow(attempts[i].name) << int(i);
+}
+
+/// What a person can press or turn, but the robot's own: those that are held, and the stop.
+inline std::vector<QPointer<QWidget>> controlsOf(const QWidget& window)
+{
+    std::vector<QPointer<QWidget>> found;
+    for (auto* widget : window.findChildren<QWidget*>()) {
+        const bool control = qobject_cast<QAbstractButton*>(widget) != nullptr || qobject_cast<QAbstractSlider*>(widget) != nullptr;
+        const bool own = qobject_cast<HoldButton*>(widget) != nullptr || qobject_cast<StopButton*>(widget) != nullptr;
+        if (control && !own && widget->isVisible() && widget->isEnabled())
+            found.emplace_back(widget);
+    }
+    return found;
 }
 
 inline bool logTells(const Theatre& theatre, const QString& start)

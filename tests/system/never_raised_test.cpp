@@ -3,16 +3,13 @@
 //
 // The scale by its own keys is tried by system.never_by_hand.
 #include "never_possible_stage.hpp"
-#include "widgets/hold_button.hpp"
-#include "widgets/stop_button.hpp"
 
-#include <QAbstractSlider>
 #include <QApplication>
-#include <QPointer>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
 using namespace console;
+using console::test::controlsOf;
 using console::test::Theatre;
 using Stage = console::test::NeverStage;
 
@@ -41,18 +38,6 @@ std::vector<int> keysOfAKeyboard()
     add(Qt::Key_VolumeDown, Qt::Key_TrebleDown);
     add(Qt::Key_Backspace, Qt::Key_Delete);
     return keys;
-}
-
-std::vector<QPointer<QWidget>> controlsOf(QWidget& window)
-{
-    std::vector<QPointer<QWidget>> found;
-    for (auto* widget : window.findChildren<QWidget*>()) {
-        const bool control = qobject_cast<QAbstractButton*>(widget) != nullptr || qobject_cast<QAbstractSlider*>(widget) != nullptr;
-        const bool own = qobject_cast<HoldButton*>(widget) != nullptr || qobject_cast<StopButton*>(widget) != nullptr;
-        if (control && !own && widget->isVisible() && widget->isEnabled())
-            found.push_back(widget);
-    }
-    return found;
 }
 
 void turnWheel(QWidget& widget)
