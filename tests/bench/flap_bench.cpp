@@ -3,12 +3,13 @@
 //
 // The window is the whole cockpit at 2560 x 1440 on Qt's offscreen platform, and its models are fed as the link room feeds them. Pictures
 // of 512 x 512, lossless, come 30 times a second and go the whole way: decoded on their own thread, kept for review, painted in the live
-// pane and drawn in the three-dimensional scene. Printed: how often pictures and the window were painted, the longest gaps, and what the
-// process holds in memory.
+// pane and drawn in the three-dimensional scene. Alarms are kept in a file, and sounded by a stand-in for the loudspeaker. There is no
+// session, and so no loop that asks a robot for anything: nothing is armed. Printed: how often pictures and the window were painted, the
+// longest gaps, how often alarms were raised and sounded, and what the process holds in memory.
 //
 // It ends with 1 where fewer than 29.5 pictures or 30 paints of the window were counted in a second, or memory grew by more than 5 MiB
 // after the first two minutes, in which all that is kept of the past fills; also where the run was too short to tell.
-#include "app/alarm_watch.hpp"
+#include "app/alarm_service.hpp"
 #include "app/interruption_watch.hpp"
 #include "app/picture_desk.hpp"
 #include "film.hpp"
@@ -17,11 +18,13 @@
 #include "imaging/scene_view.hpp"
 #include "limits.hpp"
 #include "runner/process_facts.hpp"
+#include "sound/alarm_voice.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/link_card.hpp"
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
@@ -58,6 +61,15 @@ public:
     }
 };
 
+/// What a sound server and a loudspeaker add is not measured.
+class CountingVoice : public AlarmVoice {
+public:
+    void play(AlarmPriority) override { ++bursts; }
+    void silence() override {}
+
+    int bursts = 0;
+};
+
 struct Flapping {
     InventedCockpit cockpit;
     PaintWatch watch;
@@ -66,6 +78,9 @@ struct Flapping {
     SessionIntake intake{cockpit.models};
     InterruptionWatch interruptions{cockpit.models, [] { return quint64(0); }};
     AlarmWatch alarms{cockpit.models, robotId};
+    QTemporaryDir folder;
+    CountingVoice voice;
+    AlarmService service{cockpit.models, alarms, {folder.path(), QStringLiteral("alarms-flap-bench"), {}, &voice}};
     FlappingLink link{intake};
     SceneView* scene = new SceneView;
     QTimer turns;
@@ -100,6 +115,7 @@ struct Flapping {
         const FilmSender sender(film, desk.pipeline());
         watch.paints.clear();
         const auto start = present();
+        service.start();
         for (QTimer* timer : {&turns, &change, &second})
             timer->start();
         while (changes < 2 * flaps)
@@ -139,6 +155,8 @@ bool conclude(Flapping& stage, double took)
                 static_cast<unsigned long long>(counts.received),
                 static_cast<unsigned long long>(counts.replacedBeforeDecoding + counts.replacedBeforeShowing),
                 static_cast<unsigned long long>(stage.scene->drawings()));
+    std::printf("alarms raised %llu times, bursts played %d times\n",
+                static_cast<unsigned long long>(stage.cockpit.models.alarms.raisedInAll()), stage.voice.bursts);
     printPercentiles("between two pictures painted", gapsOf(stage.pictures));
     printPercentiles("between two paints of the window", gapsOf(stage.watch.paints));
     if (!stage.memory.empty())
