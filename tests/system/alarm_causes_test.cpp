@@ -1,9 +1,9 @@
 // Alarms of the whole console by what causes them: what a robot and an X-ray system really send, or leave out, and what becomes of it.
 //
-// Those whose cause is a device that dies or a person beside it are tried by system.alarm_losses, those of a line by system.alarm_lines
-// and system.alarm_round_trip, those of this computer by system.alarm_console, how urgent each is while nothing is armed by
-// system.alarm_priorities; and a disk, a loudspeaker and a watchdog apart from the window by unit.disk_room, unit.alarm_service,
-// unit.alarm_sounder and system.watchdog.
+// Those whose cause is a device that dies or a person beside it are tried by system.alarm_losses, one that is over in a moment by
+// system.alarm_moments, those of a line by system.alarm_lines and system.alarm_round_trip, those of this computer by system.alarm_console,
+// how urgent each is while nothing is armed by system.alarm_priorities; and a disk, a loudspeaker and a watchdog apart from the window by
+// unit.disk_room, unit.alarm_service, unit.alarm_sounder and system.watchdog.
 #include "alarm_stage.hpp"
 #include "shown_alarms.hpp"
 #include "widgets/theme.hpp"
