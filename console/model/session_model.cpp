@@ -8,6 +8,7 @@ namespace console {
 namespace {
 
 constexpr std::chrono::milliseconds samplePeriod{100};
+constexpr std::chrono::milliseconds readingsStop{300}; ///< three of them have not come
 constexpr std::size_t usualOf = 3;
 constexpr std::size_t mostSuspects = 10'000; // within a minute: beyond that the number says nothing more
 
@@ -50,6 +51,12 @@ void noteQueue(LinkNode& link)
 }
 
 } // namespace
+
+std::optional<Duration> LinkNode::heardAgo(Instant now) const
+{
+    const bool inTime = state == LinkState::Open && now - figuresAt < readingsStop;
+    return figures.heardAgo(inTime ? figuresAt : now);
+}
 
 quint32 LinkNode::leastQueued() const { return queued.empty() ? 0 : *std::min_element(queued.begin(), queued.end()); }
 
@@ -169,6 +176,7 @@ void SessionModel::setLinkFigures(quint32 peer, const LinkFigures& figures, Inst
     if (link == nullptr)
         return;
     link->figures = figures;
+    link->figuresAt = now;
     noteRoundTrip(*link);
     noteQueue(*link);
     sample(*link, now);

@@ -24,6 +24,7 @@ struct LinkNode {
     LinkState state = LinkState::Closed; ///< own links only
     Instant since;                       ///< when that state was entered; the epoch before the first change
     LinkFigures figures;                 ///< own links only
+    Instant figuresAt;                   ///< own links: when those were read; the epoch before the first time
     std::deque<LinkSample> history;      ///< own links: 60 s, oldest first
     std::deque<Duration> roundTrips;     ///< own links: the last three, oldest first
     std::deque<quint32> queued;          ///< own links: messages that waited at the last three looks, oldest first
@@ -38,6 +39,10 @@ struct LinkNode {
     quint64 incident = 0;
 
     bool stateKnown() const { return own; }
+
+    /// As a person is told it. A reading comes with several heartbeats: while the link is open and readings come, the time since the last
+    /// one is no silence of the peer's. In every other state, and when readings stop, it counts.
+    std::optional<Duration> heardAgo(Instant now) const;
 
     /// The median of the last three: a single one that a busy computer delayed is not the line.
     std::optional<Duration> usualRoundTrip() const;

@@ -149,7 +149,7 @@ void LinkCard::paintFigures(QPainter& painter, const Metrics& m) const
     const auto ms = [open](std::optional<Duration> d) {
         return open && d ? figure(milliseconds(*d), 1, tr("ms")) : figure({}, 1, tr("ms"));
     };
-    const auto heard = f.heardAgo(m_now);
+    const auto heard = m_link.heardAgo(m_now);
     const struct {
         QString caption, value;
     } cells[4] = {{tr("Heard ago"), heard && m_link.state != LinkState::Closed ? spokenAge(*heard) : tr("\u2014")},

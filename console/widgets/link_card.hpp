@@ -17,7 +17,7 @@ public:
 
     quint32 peer() const { return m_peer; }
 
-    /// Ages are those of `now`, however old the figures are; they stand until the next call.
+    /// Ages are those of LinkNode::heardAgo(now); they stand until the next call.
     void setLink(const LinkNode& link, const DeviceNode& device, Instant now);
 
     QSize sizeHint() const override;

@@ -85,6 +85,43 @@ private Q_SLOTS:
         QVERIFY(!history.front().roundTripMs);
     }
 
+    void anOpenLinkIsAsOldAsItsReading()
+    {
+        SessionModel sessions;
+        sessions.setTopology(pair());
+        const auto* link = sessions.linkTo(0x00008208);
+        QVERIFY(!link->heardAgo(start));
+        sessions.setLinkState(0x00008208, LinkState::Open, start);
+        const auto read = [&sessions](Duration silence, Duration at) {
+            LinkFigures figures;
+            figures.lastHeard = start + at - silence;
+            sessions.setLinkFigures(0x00008208, figures, start + at);
+        };
+        read(15ms, 1s);
+        QCOMPARE(*link->heardAgo(start + 1s), Duration(15ms));
+        QCOMPARE(*link->heardAgo(start + 1s + 250ms), Duration(15ms));
+        read(115ms, 1s + 100ms); // of the same datagram: the peer is silent, whatever the state says
+        QCOMPARE(*link->heardAgo(start + 1s + 200ms), Duration(115ms));
+    }
+
+    /// Nothing that is not heard looks as if it were.
+    void silenceGrowsWithoutReadingsAndInEveryOtherState()
+    {
+        SessionModel sessions;
+        sessions.setTopology(pair());
+        const auto* link = sessions.linkTo(0x00008208);
+        sessions.setLinkState(0x00008208, LinkState::Open, start);
+        LinkFigures figures;
+        figures.lastHeard = start;
+        sessions.setLinkFigures(0x00008208, figures, start + 10ms);
+        QCOMPARE(*link->heardAgo(start + 310ms), Duration(310ms));
+        QCOMPARE(*link->heardAgo(start + 5s), Duration(5s));
+        for (const auto state : {LinkState::Suspect, LinkState::Reconnecting, LinkState::StandBy, LinkState::Reopening}) {
+            sessions.setLinkState(0x00008208, state, start + 10ms);
+            QCOMPARE(*link->heardAgo(start + 90ms), Duration(90ms));
+        }
+    }
+
     void usualRoundTripLeavesOneOutlierOut()
     {
         SessionModel sessions;
