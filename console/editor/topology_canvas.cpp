@@ -39,8 +39,12 @@ TopologyCanvas::TopologyCanvas(const SessionModel& sessions, Size size, QWidget*
     setFocusPolicy(Qt::TabFocus);
     setAccessibleName(size == Size::Mini ? tr("Small topology; choose it to see the whole") : tr("Topology"));
     connect(&m_sessions, &SessionModel::topologyChanged, this, &TopologyCanvas::rebuild);
+    // At once, as the cards do: two pictures of a link that say different things are worse than one.
+    const auto follow = [this] { refresh(std::chrono::steady_clock::now()); };
+    connect(&m_sessions, &SessionModel::linkStateChanged, this, follow);
+    connect(&m_sessions, &SessionModel::linkIncidentChanged, this, follow);
     m_clock.setInterval(clockMs);
-    connect(&m_clock, &QTimer::timeout, this, [this] { refresh(std::chrono::steady_clock::now()); });
+    connect(&m_clock, &QTimer::timeout, this, follow);
     rebuild();
 }
 

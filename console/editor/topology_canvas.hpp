@@ -16,7 +16,8 @@ class DeviceItem;
 class LinkItem;
 class LinkLabel;
 
-/// Shows a session model and repaints itself five times a second while visible. Tab walks devices, then links; Enter or a click chooses.
+/// Shows a session model: a link's state at once, its figures five times a second while visible. Tab walks devices, then links; Enter or a
+/// click chooses.
 class TopologyCanvas : public QGraphicsView {
     Q_OBJECT
 public:

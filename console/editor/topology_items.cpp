@@ -194,8 +194,8 @@ void LinkItem::paintWay(QPainter& painter) const
     const bool outwards = m_link.peer == m_place.b; // of the pair, this console is a
     const double thick = m_mini ? 5 : 2.6;
     const double apart = m_mini ? 11 : parallel;
-    const ArrowLook sent = arrowLook(m_link.state, m_link.figures.toPeerConnected);
-    const ArrowLook heard = arrowLook(m_link.state, m_link.figures.fromPeerConnected);
+    const ArrowLook sent = arrowLook(m_link.state, m_link.toPeerStands());
+    const ArrowLook heard = arrowLook(m_link.state, m_link.fromPeerStands());
     const QLineF forth = shifted(m_place.shaft, apart);
     const QLineF back = shifted(m_place.shaft, -apart);
     drawLinkArrow(painter, forth, outwards ? sent : heard, thick);

@@ -164,6 +164,8 @@ void SessionModel::setLinkState(quint32 peer, LinkState state, Instant now)
     const auto from = link->state;
     link->state = state;
     link->since = now;
+    if (carriesMessages(state) && !carriesMessages(from))
+        link->carriesSince = now;
     forgetOldSuspects(*link, now);
     if (isWorse(state) && from == LinkState::Open && link->suspects.size() < mostSuspects)
         link->suspects.push_back(now);

@@ -23,6 +23,7 @@ struct LinkNode {
     quint32 peer = 0;                    ///< own links: the other end
     LinkState state = LinkState::Closed; ///< own links only
     Instant since;                       ///< when that state was entered; the epoch before the first change
+    Instant carriesSince;                ///< own links: when messages last began to pass
     LinkFigures figures;                 ///< own links only
     Instant figuresAt;                   ///< own links: when those were read; the epoch before the first time
     std::deque<LinkSample> history;      ///< own links: 60 s, oldest first
@@ -43,6 +44,10 @@ struct LinkNode {
     /// As a person is told it. A reading comes with several heartbeats: while the link is open and readings come, the time since the last
     /// one is no silence of the peer's. In every other state, and when readings stop, it counts.
     std::optional<Duration> heardAgo(Instant now) const;
+
+    /// The directions as figures say that were read since messages pass; before the first of those nothing speaks against an open link.
+    bool toPeerStands() const { return figuresAt < carriesSince || figures.toPeerConnected; }
+    bool fromPeerStands() const { return figuresAt < carriesSince || figures.fromPeerConnected; }
 
     /// The median of the last three: a single one that a busy computer delayed is not the line.
     std::optional<Duration> usualRoundTrip() const;

@@ -136,8 +136,8 @@ void LinkCard::paintDirections(QPainter& painter, const Metrics& m) const
     painter.setPen(colour::secondary);
     painter.drawText(out, Qt::AlignLeft | Qt::AlignVCenter, tr("out"));
     painter.drawText(in, Qt::AlignLeft | Qt::AlignVCenter, tr("in"));
-    const ArrowLook sent = arrowLook(m_link.state, m_link.figures.toPeerConnected);
-    const ArrowLook heard = arrowLook(m_link.state, m_link.figures.fromPeerConnected);
+    const ArrowLook sent = arrowLook(m_link.state, m_link.toPeerStands());
+    const ArrowLook heard = arrowLook(m_link.state, m_link.fromPeerStands());
     drawLinkArrow(painter, QLineF(out.left() + words, out.center().y(), out.right(), out.center().y()), sent);
     drawLinkArrow(painter, QLineF(in.right(), in.center().y(), in.left() + words, in.center().y()), heard);
 }

@@ -46,6 +46,16 @@ struct Shown {
     }
 };
 
+int redPixels(QWidget& widget)
+{
+    const QImage picture = widget.grab().toImage();
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += picture.pixelColor(x, y).rgb() == QColor(colour::high).rgb() ? 1 : 0;
+    return count;
+}
+
 } // namespace
 
 class TestTopologyView : public QObject {
@@ -228,18 +238,46 @@ private Q_SLOTS:
         QVERIFY(QTest::qWaitForWindowActive(&shown.view));
         shown.cockpit.openAll();
         shown.view.canvas()->refresh(shown.cockpit.now);
-        const auto red = [&shown] {
-            const QImage picture = shown.view.canvas()->grab().toImage();
-            int count = 0;
-            for (int y = 0; y < picture.height(); ++y)
-                for (int x = 0; x < picture.width(); ++x)
-                    count += picture.pixelColor(x, y).rgb() == QColor(colour::high).rgb() ? 1 : 0;
-            return count;
-        };
-        QCOMPARE(red(), 0);
+        QCOMPARE(redPixels(*shown.view.canvas()), 0);
         shown.cockpit.loseRobot();
         shown.view.canvas()->refresh(shown.cockpit.now);
-        QVERIFY(red() > 100);
+        QVERIFY(redPixels(*shown.view.canvas()) > 100);
+    }
+
+    /// Not with the next look at the clock: the cards say it at once. A canvas that is not shown has no clock.
+    void aLinkIsDrawnAsItIsAsSoonAsItIs()
+    {
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        auto& sessions = cockpit.models.sessions;
+        TopologyCanvas canvas(sessions, TopologyCanvas::Size::Mini);
+        canvas.resize(1000, 800);
+        QCOMPARE(redPixels(canvas), 0);
+        sessions.setLinkState(robotId, LinkState::Reconnecting, cockpit.now);
+        QVERIFY(redPixels(canvas) > 30);
+        sessions.setLinkState(robotId, LinkState::Open, cockpit.now);
+        QCOMPARE(redPixels(canvas), 0);
+        sessions.setLinkIncident(armId, robotId, 7);
+        QVERIFY(redPixels(canvas) > 10);
+    }
+
+    /// The figures that say whether both ways stand are read after it.
+    void aLinkThatJustOpenedIsNotDrawnBroken()
+    {
+        using namespace std::chrono_literals;
+        InventedCockpit cockpit;
+        auto& sessions = cockpit.models.sessions;
+        TopologyCanvas canvas(sessions, TopologyCanvas::Size::Mini);
+        canvas.resize(1000, 800);
+        LinkFigures figures;
+        sessions.setLinkFigures(robotId, figures, cockpit.now);
+        sessions.setLinkState(robotId, LinkState::Open, cockpit.now + 10ms);
+        canvas.refresh(cockpit.now + 10ms);
+        QCOMPARE(redPixels(canvas), 0);
+        figures.toPeerConnected = true;
+        sessions.setLinkFigures(robotId, figures, cockpit.now + 100ms); // the other way is broken, and that is known
+        canvas.refresh(cockpit.now + 100ms);
+        QVERIFY(redPixels(canvas) > 15);
     }
 
     void newTopologyReplacesTheOld()
