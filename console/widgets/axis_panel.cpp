@@ -21,6 +21,12 @@ namespace {
 constexpr double fullVelocity = 40;  // mm/s, the command's own limit
 constexpr double fullRotation = 720; // deg/s
 constexpr double stillBelow = 0.05;
+constexpr double leastZone = 8; // px, of a soft limit's zone: one that is drawn to scale is not seen
+
+double part(double value, const TravelRange& range)
+{
+    return range.length() > 0 ? std::clamp((value - range.low) / range.length(), 0.0, 1.0) : 0;
+}
 
 } // namespace
 
@@ -107,10 +113,24 @@ void AxisPanel::paintName(QPainter& painter, const QRectF& where) const
 }
 
 // Of the track, which reaches from hard limit to hard limit; `travel` is known.
-double AxisPanel::partOf(double position) const
+AxisPanel::Ends AxisPanel::softEnds(const QRectF& track) const
 {
-    const TravelRange& hard = m_reading.travel->hard;
-    return hard.length() > 0 ? std::clamp((position - hard.low) / hard.length(), 0.0, 1.0) : 0;
+    const auto& travel = *m_reading.travel;
+    const double scale = travel.hard.length() > 0 ? track.width() / travel.hard.length() : 0;
+    const auto zone = [&](double length) { return length > 0 ? std::min(std::max(length * scale, leastZone), track.width() / 2) : 0.0; };
+    return {track.left() + zone(travel.soft.low - travel.hard.low), track.right() - zone(travel.hard.high - travel.soft.high)};
+}
+
+// Each of the three stretches has a scale of its own, so that the mark comes to the hatching when the instrument comes to the limit.
+double AxisPanel::placeOf(double position, const QRectF& track) const
+{
+    const auto& [soft, hard] = *m_reading.travel;
+    const auto [low, high] = softEnds(track);
+    if (position < soft.low)
+        return track.left() + (low - track.left()) * part(position, {hard.low, soft.low});
+    if (position > soft.high)
+        return high + (track.right() - high) * part(position, {soft.high, hard.high});
+    return low + (high - low) * part(position, soft);
 }
 
 void AxisPanel::paintLimits(QPainter& painter, const QRectF& track) const
@@ -118,8 +138,7 @@ void AxisPanel::paintLimits(QPainter& painter, const QRectF& track) const
     painter.setPen(QPen(colour::text, 2.5)); // hard limits: the ends
     painter.drawLine(track.topLeft() - QPointF(0, 3), track.bottomLeft() + QPointF(0, 3));
     painter.drawLine(track.topRight() - QPointF(0, 3), track.bottomRight() + QPointF(0, 3));
-    const double low = track.left() + track.width() * partOf(m_reading.travel->soft.low);
-    const double high = track.left() + track.width() * partOf(m_reading.travel->soft.high);
+    const auto [low, high] = softEnds(track);
     painter.fillRect(QRectF(track.topLeft(), QPointF(low, track.bottom())), QBrush(colour::secondary, Qt::FDiagPattern));
     painter.fillRect(QRectF(QPointF(high, track.top()), track.bottomRight()), QBrush(colour::secondary, Qt::FDiagPattern));
     painter.setPen(QPen(colour::secondary, 1.5)); // soft limits: where motion ends by itself
@@ -137,11 +156,15 @@ void AxisPanel::paintTrack(QPainter& painter, const QRectF& track) const
     if (!m_reading.travel)
         return;
     const bool fresh = m_reading.freshness == Freshness::Fresh;
-    const double x = track.left() + track.width() * partOf(m_reading.position);
+    const double x = placeOf(m_reading.position, track);
     const bool known = m_reading.freshness != Freshness::Unknown;
-    if (known) {
-        const QRectF way(track.left(), track.top() + 1, x - track.left(), track.height() - 2);
-        fresh ? painter.fillRect(way, colour::strongLine) : painter.fillRect(way, QBrush(colour::stale, Qt::BDiagPattern));
+    const QRectF way(track.left(), track.top() + 1, x - track.left(), track.height() - 2);
+    if (fresh) {
+        painter.fillRect(way, colour::strongLine);
+    } else if (known) { // empty: hatching is the limits'
+        painter.setPen(QPen(colour::stale, 1));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(way.adjusted(0.5, 0.5, -0.5, -0.5));
     }
     paintLimits(painter, track);
     if (!known)

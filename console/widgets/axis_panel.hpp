@@ -49,7 +49,11 @@ private:
     void paintTrack(QPainter& painter, const QRectF& track) const;
     void paintLimits(QPainter& painter, const QRectF& track) const;
     void paintTrackEnds(QPainter& painter, const QRectF& where) const;
-    double partOf(double position) const;
+    struct Ends {
+        double low, high;
+    };
+    Ends softEnds(const QRectF& track) const;
+    double placeOf(double position, const QRectF& track) const;
     struct Speed {
         double value;
         std::optional<double> asked;

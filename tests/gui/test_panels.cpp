@@ -72,6 +72,30 @@ int widestHole(const QImage& picture)
     return widest;
 }
 
+/// A panel at its usual size, of an instrument at `position` with 5 mm between its limits.
+QImage axisAt(double position, Freshness freshness, const InstrumentTravel& travel = {{0, 630}, {-5, 635}})
+{
+    AxisReading reading;
+    reading.freshness = freshness;
+    reading.position = position;
+    reading.travel = travel;
+    AxisPanel panel(QStringLiteral("Guidewire"), icons::Icon::Guidewire);
+    panel.resize(panel.sizeHint());
+    panel.setReading(reading);
+    return panel.grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+/// The rows in which two pictures differ, of each column of the lower half, where the bar is.
+std::vector<std::vector<int>> differingRows(const QImage& one, const QImage& other)
+{
+    std::vector<std::vector<int>> columns(std::size_t(one.width()));
+    for (int x = 0; x < one.width(); ++x)
+        for (int y = one.height() / 2; y < one.height(); ++y)
+            if (one.pixel(x, y) != other.pixel(x, y))
+                columns[std::size_t(x)].push_back(y);
+    return columns;
+}
+
 } // namespace
 
 class TestPanels : public QObject {
@@ -134,6 +158,37 @@ private Q_SLOTS:
                           QStringLiteral("36\u00A0\u00B0C \u00B7 0.2\u00A0A")));
         QTRY_VERIFY(shows(QStringLiteral("Catheter"), QStringLiteral("41\u00A0\u00B0C \u00B7 0.5\u00A0A"),
                           QStringLiteral("35\u00A0\u00B0C \u00B7 0.1\u00A0A")));
+    }
+
+    /// Where motion ends by itself is seen, though it is 5 mm of 640.
+    void theZonesOfTheSoftLimitsAreWideEnoughToBeSeen()
+    {
+        const auto columns = differingRows(axisAt(315, Freshness::Fresh), axisAt(315, Freshness::Fresh, {{-5, 635}, {-5, 635}}));
+        std::vector<int> marked;
+        for (int x = 0; x < int(columns.size()); ++x)
+            if (!columns[std::size_t(x)].empty())
+                marked.push_back(x);
+        QVERIFY(marked.size() > 2);
+        const auto gap = std::adjacent_find(marked.begin(), marked.end(), [](int a, int b) { return b - a > 40; });
+        QVERIFY2(gap != marked.end(), "the two ends were not told apart");
+        QVERIFY2(*gap - marked.front() >= 7, qPrintable(QString::number(*gap - marked.front())));
+        QVERIFY2(marked.back() - *(gap + 1) >= 7, qPrintable(QString::number(marked.back() - *(gap + 1))));
+    }
+
+    /// Hatching is the limits': an old position is an empty bar, the same in each of its columns.
+    void anOldPositionIsNotHatched()
+    {
+        const auto columns = differingRows(axisAt(60, Freshness::Stale), axisAt(570, Freshness::Stale));
+        std::vector<int> marked;
+        for (int x = 0; x < int(columns.size()); ++x)
+            if (!columns[std::size_t(x)].empty())
+                marked.push_back(x);
+        QVERIFY(marked.size() > 60);
+        const int from = marked.front() + (marked.back() - marked.front()) / 3;
+        const int to = marked.front() + (marked.back() - marked.front()) * 2 / 3;
+        for (int x = from; x <= to; ++x)
+            QVERIFY2(columns[std::size_t(x)] == columns[std::size_t(from)], qPrintable(QString::number(x)));
+        QVERIFY(!columns[std::size_t(from)].empty());
     }
 
     void theTrailIsBrokenWhereNothingWasHeard()
