@@ -23,6 +23,8 @@ constexpr double fullRotation = 720; // deg/s
 constexpr double stillBelow = 0.05;
 constexpr double leastZone = 8; // px, of a soft limit's zone: one that is drawn to scale is not seen
 
+double markerSize(const QRectF& track) { return track.height() * 0.55; }
+
 double part(double value, const TravelRange& range)
 {
     return range.length() > 0 ? std::clamp((value - range.low) / range.length(), 0.0, 1.0) : 0;
@@ -169,7 +171,7 @@ void AxisPanel::paintTrack(QPainter& painter, const QRectF& track) const
     paintLimits(painter, track);
     if (!known)
         return;
-    const double size = track.height() * 0.55;
+    const double size = markerSize(track);
     QPainterPath marker(QPointF(x, track.top() + size * 0.4));
     marker.lineTo(x - size, track.top() - size);
     marker.lineTo(x + size, track.top() - size);
@@ -193,23 +195,31 @@ void AxisPanel::paintTrackEnds(QPainter& painter, const QRectF& where) const
     paint(Qt::AlignRight, limitWord(m_reading.softHigh, m_reading.hardHigh), travel ? figure(travel->hard.high, 0, tr("mm")) : QString());
 }
 
+// Between the position and its bar: beside the position there is no room for it on most screens. The smallest have less than a line.
+void AxisPanel::paintAngle(QPainter& painter, const QRectF& where) const
+{
+    const double scale = theme::scaleOf(this);
+    const QFont strong = theme::font(TextRole::Strong, scale);
+    painter.setFont(where.height() > QFontMetricsF(strong).height() * 1.2 ? strong : theme::font(TextRole::Caption, scale));
+    const QString angle = figureText(m_reading.angle, 0, tr("\u00B0"));
+    const bool worded = figuresWidth(painter.font(), tr("turned -0000\u00B0")) <= where.width();
+    drawFigures(painter, where, Qt::AlignLeft | Qt::AlignVCenter, worded ? tr("turned %1").arg(angle) : angle);
+}
+
 void AxisPanel::paintPosition(QPainter& painter, const QRectF& where) const
 {
     const double scale = theme::scaleOf(this);
     painter.setFont(theme::font(TextRole::Value, scale));
-    const double valueHeight = QFontMetricsF(painter.font()).height();
+    const QFontMetricsF value(painter.font());
     const QFont caption = theme::font(TextRole::Caption, scale);
     const double captionHeight = QFontMetricsF(caption).height();
     painter.setPen(valueInk(m_reading.freshness));
-    drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignLeft | Qt::AlignVCenter,
+    drawFigures(painter, QRectF(where.left(), where.top(), where.width(), value.height()), Qt::AlignLeft | Qt::AlignVCenter,
                 figureText(m_reading.position, 1, tr("mm")));
-    const QString angle = tr("turned %1").arg(figureText(m_reading.angle, 0, tr("\u00B0")));
-    const double taken = figuresWidth(painter.font(), tr("0000.0 mm")) + captionHeight;
-    painter.setFont(theme::font(TextRole::Strong, scale));
-    if (taken + figuresWidth(painter.font(), tr("turned -0000\u00B0")) < where.width())
-        drawFigures(painter, QRectF(where.left(), where.top(), where.width(), valueHeight), Qt::AlignRight | Qt::AlignVCenter, angle);
     const double tall = std::max(8.0, theme::px(this, 16) * 1.0);
     const QRectF track(where.left() + 2, where.bottom() - captionHeight - tall - 3, where.width() - 4, tall);
+    const double line = where.top() + value.ascent(); // figures have nothing below it
+    paintAngle(painter, QRectF(where.left(), line, where.width(), track.top() - markerSize(track) - line));
     paintTrack(painter, track);
     painter.setFont(caption);
     paintTrackEnds(painter, QRectF(where.left(), track.bottom() + 3, where.width(), captionHeight));

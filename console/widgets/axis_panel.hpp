@@ -46,6 +46,7 @@ protected:
 private:
     void paintName(QPainter& painter, const QRectF& where) const;
     void paintPosition(QPainter& painter, const QRectF& where) const;
+    void paintAngle(QPainter& painter, const QRectF& where) const;
     void paintTrack(QPainter& painter, const QRectF& track) const;
     void paintLimits(QPainter& painter, const QRectF& track) const;
     void paintTrackEnds(QPainter& painter, const QRectF& where) const;

@@ -701,10 +701,6 @@
         <translation>°</translation>
     </message>
     <message>
-        <source>0000.0 mm</source>
-        <translation>0000.0 mm</translation>
-    </message>
-    <message>
         <source>turned -0000°</source>
         <translation>转角 -0000°</translation>
     </message>

@@ -160,6 +160,21 @@ private Q_SLOTS:
                           QStringLiteral("35\u00A0\u00B0C \u00B7 0.1\u00A0A")));
     }
 
+    void theAngleIsShownOnEveryScreen_data() { theSecondIdentifierIsWholeHoweverLongTheNameIs_data(); }
+
+    void theAngleIsShownOnEveryScreen()
+    {
+        QFETCH(QSize, screen);
+        CockpitStage stage(screen);
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.window.refresh(stage.cockpit.now);
+        auto* panel = axis(stage, QStringLiteral("Guidewire"));
+        QTRY_VERIFY2(painted(*panel).contains(QStringLiteral("134\u00B0")), qPrintable(painted(*panel)));
+        if (screen.height() >= 1080)
+            QVERIFY2(painted(*panel).contains(QStringLiteral("turned 134\u00B0")), qPrintable(painted(*panel)));
+    }
+
     /// Where motion ends by itself is seen, though it is 5 mm of 640.
     void theZonesOfTheSoftLimitsAreWideEnoughToBeSeen()
     {
