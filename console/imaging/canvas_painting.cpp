@@ -51,6 +51,16 @@ QRegion PictureCanvas::paintTold(QPainter& painter) const
     return paintWrapped(painter, font, m_told, area.adjusted(4 * gap, 0, -4 * gap, -17 * gap), Qt::AlignHCenter | Qt::AlignBottom);
 }
 
+QRegion PictureCanvas::paintToldAt(QPainter& painter, QPoint corner) const
+{
+    if (m_told.isEmpty())
+        return {};
+    const QFont font = overlayFont();
+    const int gap = font.pixelSize() / 2; // of the plate round the words
+    const QRect room(corner + QPoint(gap, gap / 2), viewport().target().bottomRight() - QPoint(2 * gap, gap));
+    return paintWrapped(painter, font, m_told, room, Qt::AlignLeft | Qt::AlignTop);
+}
+
 QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
 {
     if (m_measurement.mode() == MeasureMode::Off)

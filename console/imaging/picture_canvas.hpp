@@ -49,7 +49,7 @@ public:
     /// It was reported anew: where it stood in the picture that is shown may be known better, or no more.
     void followTable();
 
-    /// What became of a button that was pressed: at the foot of the pane for some seconds.
+    /// What became of a button that was pressed: in the pane for some seconds.
     void tell(const QString& what);
     const QString& told() const { return m_told; }
 
@@ -67,7 +67,10 @@ protected:
     /// Over the picture, what fits on it whatever its resolution; `opacity` 0 to 1.
     void paintOver(QPainter& painter, const QImage& layer, double opacity) const;
     QRegion paintMeasurement(QPainter& painter) const;
-    QRegion paintTold(QPainter& painter) const;
+    QRegion paintTold(QPainter& painter) const; ///< at the foot of the pane
+
+    /// With its upper left corner there: beneath words at the picture's edge, so that the middle stays free.
+    QRegion paintToldAt(QPainter& painter, QPoint corner) const;
     QFont overlayFont() const;
 
     void mousePressEvent(QMouseEvent* event) override;

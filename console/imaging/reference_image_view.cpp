@@ -86,13 +86,13 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
         if (isRoadmap && (m_condition == PictureCondition::Frozen || m_condition == PictureCondition::Unknown))
             paintStaleVeil(painter, area);
         TextPlates plates(overlayFont());
-        placeWords(plates, area);
+        const QPoint below = placeWords(plates, area);
         placeSides(plates, area, *m_picture);
         const QRect bar = placeScale(plates, area, *m_picture, 1 / viewport().zoom());
         placeFacts(plates, area, bar, *m_picture, viewport().zoom());
         plates.paint(painter);
         paintScaleBar(painter, bar);
-        m_overlay = plates.region() + bar + paintMeasurement(painter) + paintTold(painter);
+        m_overlay = plates.region() + bar + paintMeasurement(painter) + paintToldAt(painter, below);
     }
     paintDashedFrame(painter, rect());
     if (hasFocus())
@@ -100,7 +100,7 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
 }
 
 /// What it is and when it was taken; below that how it was reduced, which shows in it for good, and its place.
-void ReferenceImageView::placeWords(TextPlates& plates, const QRect& area) const
+QPoint ReferenceImageView::placeWords(TextPlates& plates, const QRect& area) const
 {
     const int gap = plates.gap();
     const int room = area.width() - 4 * gap;
@@ -115,6 +115,7 @@ void ReferenceImageView::placeWords(TextPlates& plates, const QRect& area) const
         place(reduced, fitted(plates.font(), {reduced}, room));
     if (!m_place.isEmpty())
         place(m_place, plates.font());
+    return below;
 }
 
 /// REVIEW, of how many pictures it is a mean, and SIMULATED or RECORDED when it is that; LIVE is never said here.

@@ -45,7 +45,7 @@ protected:
 
 private:
     QString head() const;
-    void placeWords(TextPlates& plates, const QRect& area) const;
+    QPoint placeWords(TextPlates& plates, const QRect& area) const; ///< what comes beneath them has its corner there
     void paintNothingYet(QPainter& painter);
     void describe();
 

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void saysThatThePictureWasReduced();
     void vesselsLieOverRoadmapsOnly();
     void roadmapIsAsFrozenAsTheLivePicture();
+    void whatIsToldLeavesTheMiddleFree();
     void holdsLastPictureOfRun();
     void holdsNothingOfAnXraySystemThatBeganAnew();
     void saysThatItPlaysForAsLongAsItDoes();
@@ -235,6 +236,25 @@ void TestReferenceImage::roadmapIsAsFrozenAsTheLivePicture()
     }
     view.setCondition(PictureCondition::Live);
     QCOMPARE(view.grab().toImage().pixelColor(place), live);
+}
+
+// Where the vessels are that a roadmap is made for.
+void TestReferenceImage::whatIsToldLeavesTheMiddleFree()
+{
+    ReferenceImageView view;
+    view.resize(420, 376);
+    view.showPicture(pictureWith(PictureRole::Roadmap, 1));
+    view.setPlace(QStringLiteral("Vessels of 12:00:00, run 4"));
+    view.grab();
+    const QRegion before = view.overlayRegion();
+    view.tell(QStringLiteral("roadmap made of 92 pictures of run 4"));
+    view.grab();
+    const QRegion told = view.overlayRegion() - before;
+    QVERIFY(!told.isEmpty());
+    QVERIFY(!before.intersects(told.boundingRect()));
+    const QRect picture = view.pictureRect();
+    QVERIFY2(told.boundingRect().bottom() < picture.center().y(), qPrintable(QString::number(told.boundingRect().bottom())));
+    QVERIFY(told.boundingRect().left() < picture.left() + picture.width() / 8);
 }
 
 void TestReferenceImage::holdsLastPictureOfRun()
