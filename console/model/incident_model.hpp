@@ -41,7 +41,7 @@ struct PromptContent {
     QString directions; ///< `to robot: unknown · from robot: silent`
     QString since;      ///< `for 0:12, since 12:03:41`
     QString flaps;      ///< `3rd time in 2 min`; empty the first time
-    QString patient;    ///< `Robot holds: CONFIRMED …` or `NOT CONFIRMED. …`
+    QString patient;    ///< `Robot holds: CONFIRMED …` or `NOT CONFIRMED that robot holds. …`: the denial is read first
     bool holdConfirmed = false;
     QString call; ///< `Call the patient side: …`; empty when there is nothing to ask
     std::vector<HoldLine> rollCall;

@@ -92,7 +92,7 @@ void addPatient(PromptContent& content, const SessionModel& sessions, quint32 ro
         std::find_if(content.rollCall.begin(), content.rollCall.end(), [robot](const HoldLine& hold) { return hold.device == robot; });
     content.holdConfirmed = line != content.rollCall.end() && line->holding;
     if (!content.holdConfirmed)
-        content.patient = Text::tr("%1 holds: NOT CONFIRMED. Its own guard should hold it. Ask the patient side now.").arg(name);
+        content.patient = Text::tr("NOT CONFIRMED that %1 holds. Its own guard should hold it. Ask the patient side now.").arg(name);
     else if (line->afterMs)
         content.patient = Text::tr("%1 holds: CONFIRMED %2 ms after the stop").arg(name).arg(*line->afterMs, 0, 'f', 0);
     else if (line->already)
@@ -144,7 +144,7 @@ void addInterruption(PromptContent& content, const IncidentRecord& incident, con
     if (content.holdConfirmed)
         content.patient = Text::tr("%1 holds: CONFIRMED by its own report").arg(sessions.titleOf(robot));
     else if (robot != 0)
-        content.patient = Text::tr("%1 holds: not confirmed yet. Its own guard stops it.").arg(sessions.titleOf(robot));
+        content.patient = Text::tr("Not confirmed yet that %1 holds. Its own guard should stop it.").arg(sessions.titleOf(robot));
     content.likelyCause =
         Text::tr("Not known yet. LiENa connects again by itself; if it cannot, the system stands by and this prompt says more.");
 }

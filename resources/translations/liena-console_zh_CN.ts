@@ -4238,8 +4238,8 @@
         <translation>本系统中没有机器人</translation>
     </message>
     <message>
-        <source>%1 holds: NOT CONFIRMED. Its own guard should hold it. Ask the patient side now.</source>
-        <translation>%1 保持：未获确认。其自身的保护应使其保持。请立即询问患者端。</translation>
+        <source>NOT CONFIRMED that %1 holds. Its own guard should hold it. Ask the patient side now.</source>
+        <translation>未经证实：%1 是否保持。其自身的保护应使其保持。请立即询问患者端。</translation>
     </message>
     <message>
         <source>%1 holds: CONFIRMED %2 ms after the stop</source>
@@ -4490,8 +4490,8 @@
         <translation>已自行恢复。若再次出现，请做线路检查。</translation>
     </message>
     <message>
-        <source>%1 holds: not confirmed yet. Its own guard stops it.</source>
-        <translation>%1 保持：尚未确认。其自身的保护会使其停止。</translation>
+        <source>Not confirmed yet that %1 holds. Its own guard should stop it.</source>
+        <translation>尚未证实：%1 是否保持。其自身的保护应使其停止。</translation>
     </message>
     <message>
         <source>Not known yet. LiENa connects again by itself; if it cannot, the system stands by and this prompt says more.</source>

@@ -61,7 +61,7 @@ private Q_SLOTS:
         stage.robot.interrupt(stage.now);
         QVERIFY(stage.sheet()->isVisible());
         QVERIFY(stage.says(QStringLiteral("Vascular robot link interrupted"))); // with the first paint, not a later one
-        QVERIFY(stage.says(QStringLiteral("not confirmed yet")));
+        QVERIFY(stage.says(QStringLiteral("Not confirmed yet")));
         QVERIFY(stage.window.handHasKeys());
         QVERIFY(stage.button(QStringLiteral("Re-open channel")) == nullptr);
         QVERIFY(stage.button(QStringLiteral("Run checks")) == nullptr);
