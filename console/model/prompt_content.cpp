@@ -212,6 +212,26 @@ std::optional<bool> othersThereAnswer(const SessionModel& sessions, quint32 peer
     return answer;
 }
 
+/// Of a link between two other devices. Where this console lost one of them as well, it is not only their line.
+QString causeBetweenOthers(const IncidentRecord& incident, const SessionModel& sessions)
+{
+    QStringList lost;
+    bool allCarry = true;
+    for (const quint32 end : {incident.a, incident.b}) {
+        const auto* own = sessions.linkTo(end);
+        if (own == nullptr)
+            continue;
+        allCarry = allCarry && carriesMessages(own->state);
+        if (own->inIncident || own->state == LinkState::StandBy || own->state == LinkState::Reopening)
+            lost << sessions.titleOf(end);
+    }
+    if (lost.size() == 1)
+        return Text::tr("Not only between those two: this console's link to %1 is lost, too; its own prompt says more").arg(lost.front());
+    if (!lost.isEmpty())
+        return Text::tr("Not only between those two: this console's links to both are lost, too; their own prompts say more");
+    return allCarry ? Text::tr("Between those two devices; this console's links are not concerned") : Text::tr("Between those two devices");
+}
+
 ProbeAdvice unreachable(std::optional<bool> othersAnswer)
 {
     if (othersAnswer == true)
@@ -341,7 +361,7 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
         content.likelyCause = advice.cause;
         content.tryFirst = advice.tryFirst;
     } else {
-        content.likelyCause = Text::tr("Between those two devices; this console's links are not concerned");
+        content.likelyCause = causeBetweenOthers(incident, sessions);
         content.tryFirst = Text::tr("Re-open it at one of them");
     }
     content.lastTry = incident.reopenFailure;

@@ -4454,6 +4454,18 @@
         <translation>问题在那两台设备之间；不涉及本控制台的链路</translation>
     </message>
     <message>
+        <source>Between those two devices</source>
+        <translation>问题在那两台设备之间</translation>
+    </message>
+    <message>
+        <source>Not only between those two: this console&apos;s link to %1 is lost, too; its own prompt says more</source>
+        <translation>问题不只在那两台设备之间：本控制台到 %1 的链路也已丢失；其自己的提示单会给出更多说明</translation>
+    </message>
+    <message>
+        <source>Not only between those two: this console&apos;s links to both are lost, too; their own prompts say more</source>
+        <translation>问题不只在那两台设备之间：本控制台到两者的链路也都已丢失；各自的提示单会给出更多说明</translation>
+    </message>
+    <message>
         <source>Re-open it at one of them</source>
         <translation>请在其中一台上重新打开</translation>
     </message>

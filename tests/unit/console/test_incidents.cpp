@@ -162,6 +162,45 @@ private Q_SLOTS:
         QVERIFY(!content.canReopen);
     }
 
+    void incidentOfOthersSaysWhetherThisConsolesLinksStand_data()
+    {
+        QTest::addColumn<LinkState>("toRobot");
+        QTest::addColumn<LinkState>("toArm");
+        QTest::addColumn<LinkState>("toXray");
+        QTest::addColumn<QString>("cause");
+        const auto row = [](const char* name, LinkState robots, LinkState arms, LinkState xrays, const char* cause) {
+            QTest::newRow(name) << robots << arms << xrays << QString::fromLatin1(cause);
+        };
+        const auto apart = "Between those two devices; this console's links are not concerned";
+        const auto one = "Not only between those two: this console's link to Robot is lost, too; its own prompt says more";
+        const auto both = "Not only between those two: this console's links to both are lost, too; their own prompts say more";
+        row("both stand", LinkState::Open, LinkState::Suspect, LinkState::Open, apart);
+        row("another is lost", LinkState::Open, LinkState::Open, LinkState::StandBy, apart);
+        row("one is lost", LinkState::StandBy, LinkState::Open, LinkState::Open, one);
+        row("one is being re-opened", LinkState::Reopening, LinkState::Open, LinkState::Open, one);
+        row("both are lost", LinkState::StandBy, LinkState::StandBy, LinkState::Open, both);
+        row("one may heal", LinkState::Reconnecting, LinkState::Open, LinkState::Open, "Between those two devices");
+        row("one is closed", LinkState::Open, LinkState::Closed, LinkState::Open, "Between those two devices");
+    }
+
+    void incidentOfOthersSaysWhetherThisConsolesLinksStand()
+    {
+        QFETCH(LinkState, toRobot);
+        QFETCH(LinkState, toArm);
+        QFETCH(LinkState, toXray);
+        QFETCH(QString, cause);
+        SessionModel sessions;
+        fill(sessions);
+        sessions.setLinkState(robot, toRobot, start);
+        sessions.setLinkState(arm, toArm, start);
+        sessions.setLinkState(xray, toXray, start);
+        auto incident = lost(robot);
+        incident.a = robot;
+        incident.b = arm;
+        incident.peer = 0;
+        QCOMPARE(promptContent(incident, sessions, around(), start).likelyCause, cause);
+    }
+
     void countsFlapsOfAPairWithinTwoMinutes()
     {
         IncidentModel model;
