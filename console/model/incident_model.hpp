@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/incident.hpp"
+#include "model/picture_state.hpp"
 
 #include <QObject>
 #include <QString>
@@ -20,10 +21,10 @@ class SessionModel;
 /// What the prompt must know besides the incident itself.
 struct PromptSurroundings {
     quint32 robot = 0; ///< the device whose hold decides whether the patient is safe; 0 when the topology has none
-    bool pictureLive = false;
+    PictureCondition picture = PictureCondition::None;
+    bool pictureRecorded = false; ///< nothing may be moved by it, but in a rehearsal
+    bool rehearsal = false;
     std::optional<qint64> frozenSinceWallMs; ///< when the picture that stands was taken, on this console's clock; else when it came
-    bool pictureSeen = false;                ///< a picture was ever shown
-    bool pictureHeld = false;                ///< the pedal is up: it is the run's last, and nothing is wrong with it
     bool tipLive = false;
     bool tipKnown = false;
     QString patientSide; ///< how a person there is called; empty: not set up

@@ -150,10 +150,10 @@ PromptSurroundings promptSurroundings(const ConsoleModels& models, Instant now)
     PromptSurroundings around;
     around.robot = models.sessions.firstPeer(DeviceKind::Hand).value_or(0);
     const PictureReading picture = models.picture.reading(now);
-    around.pictureLive = picture.condition == PictureCondition::Live;
-    around.pictureHeld = picture.condition == PictureCondition::Held;
-    around.pictureSeen = picture.condition != PictureCondition::None;
-    if (around.pictureSeen && !around.pictureLive)
+    around.picture = picture.condition;
+    around.pictureRecorded = picture.condition != PictureCondition::None && picture.source == PictureSource::Recorded;
+    around.rehearsal = models.picture.isRehearsal();
+    if (picture.condition == PictureCondition::Frozen || picture.condition == PictureCondition::Held)
         around.frozenSinceWallMs = takenWallMs(*models.picture.newest(), picture.age.has_value(), now);
     const auto& robot = models.instrument.robot();
     if (carriesMessages(models.sessions.state(around.robot)) && models.instrument.robotFresh(now) && robot.value.holdConfirmed)

@@ -101,16 +101,39 @@ void addPatient(PromptContent& content, const SessionModel& sessions, quint32 ro
         content.patient = Text::tr("%1 holds: CONFIRMED").arg(name);
 }
 
+QString pictureWords(const PromptSurroundings& around)
+{
+    const auto& taken = around.frozenSinceWallMs;
+    switch (around.picture) {
+    case PictureCondition::None:
+        break;
+    case PictureCondition::Live:
+        return Text::tr("Picture: live");
+    case PictureCondition::Unknown: // it moves: there is no time since when it would stand
+        return Text::tr("Picture: new ones come, age unknown");
+    case PictureCondition::Frozen:
+        if (taken)
+            return Text::tr("Picture: frozen since %1").arg(clockTime(*taken, true));
+        break;
+    case PictureCondition::Held:
+        if (taken)
+            return Text::tr("Picture: last image hold, of %1").arg(clockTime(*taken, true));
+        break;
+    }
+    return Text::tr("Picture: none");
+}
+
+/// A recording is never said to be live.
+QString recordingWords(const PromptSurroundings& around)
+{
+    if (around.picture != PictureCondition::Live)
+        return Text::tr("%1 (a recording)").arg(pictureWords(around));
+    return around.rehearsal ? Text::tr("Picture: a recording, for a rehearsal") : Text::tr("Picture: a recording, nothing to move by");
+}
+
 void addSeen(PromptContent& content, const PromptSurroundings& around)
 {
-    if (around.pictureLive)
-        content.picture = Text::tr("Picture: live");
-    else if (around.pictureHeld && around.frozenSinceWallMs)
-        content.picture = Text::tr("Picture: last image hold, of %1").arg(clockTime(*around.frozenSinceWallMs, true));
-    else if (around.pictureSeen && around.frozenSinceWallMs)
-        content.picture = Text::tr("Picture: frozen since %1").arg(clockTime(*around.frozenSinceWallMs, true));
-    else
-        content.picture = Text::tr("Picture: none");
+    content.picture = around.pictureRecorded ? recordingWords(around) : pictureWords(around);
     if (around.tipLive)
         content.tip = Text::tr("Tip position: live");
     else

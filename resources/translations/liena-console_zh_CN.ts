@@ -4270,6 +4270,22 @@
         <translation>图像：无</translation>
     </message>
     <message>
+        <source>Picture: new ones come, age unknown</source>
+        <translation>图像：仍有新图像到达，时龄未知</translation>
+    </message>
+    <message>
+        <source>%1 (a recording)</source>
+        <translation>%1（录制）</translation>
+    </message>
+    <message>
+        <source>Picture: a recording, for a rehearsal</source>
+        <translation>图像：录制，用于演练</translation>
+    </message>
+    <message>
+        <source>Picture: a recording, nothing to move by</source>
+        <translation>图像：录制，不得据以运动</translation>
+    </message>
+    <message>
         <source>Tip position: live</source>
         <translation>头端位置：实时</translation>
     </message>

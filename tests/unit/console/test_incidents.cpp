@@ -111,19 +111,36 @@ private Q_SLOTS:
         fill(sessions);
         auto seen = around();
         QCOMPARE(promptContent(lost(robot), sessions, seen, start).picture, QStringLiteral("Picture: none"));
-        seen.pictureSeen = true;
+        seen.picture = PictureCondition::Frozen;
         seen.frozenSinceWallMs = 1'700'000'000'200;
         const auto frozen = promptContent(lost(robot), sessions, seen, start).picture;
         QVERIFY2(frozen.startsWith(QStringLiteral("Picture: frozen since ")) && frozen.endsWith(QStringLiteral(".2")), qPrintable(frozen));
-        seen.pictureHeld = true; // no fault: the pedal is up
+        seen.picture = PictureCondition::Held; // no fault: the pedal is up
         const auto held = promptContent(lost(robot), sessions, seen, start).picture;
         QVERIFY2(held.startsWith(QStringLiteral("Picture: last image hold, of ")), qPrintable(held));
-        seen.pictureHeld = false;
-        seen.pictureLive = true;
+        seen.pictureRecorded = true;
+        const auto recorded = promptContent(lost(robot), sessions, seen, start).picture;
+        QCOMPARE(recorded, held + QStringLiteral(" (a recording)"));
+        seen.pictureRecorded = false;
+        seen.picture = PictureCondition::Live;
         seen.tipKnown = true;
         const auto content = promptContent(lost(robot), sessions, seen, start);
         QCOMPARE(content.picture, QStringLiteral("Picture: live"));
         QCOMPARE(content.tip, QStringLiteral("Tip position: last known"));
+    }
+
+    void saysNothingIsFrozenOrLiveThatIsNot()
+    {
+        SessionModel sessions;
+        fill(sessions);
+        auto seen = around();
+        seen.picture = PictureCondition::Unknown;
+        QCOMPARE(promptContent(lost(robot), sessions, seen, start).picture, QStringLiteral("Picture: new ones come, age unknown"));
+        seen.picture = PictureCondition::Live;
+        seen.pictureRecorded = true;
+        QCOMPARE(promptContent(lost(robot), sessions, seen, start).picture, QStringLiteral("Picture: a recording, nothing to move by"));
+        seen.rehearsal = true;
+        QCOMPARE(promptContent(lost(robot), sessions, seen, start).picture, QStringLiteral("Picture: a recording, for a rehearsal"));
     }
 
     void givesTheEvidence()

@@ -135,6 +135,37 @@ private Q_SLOTS:
                  qPrintable(QString::number(*around.frozenSinceWallMs - before)));
     }
 
+    void aPictureWhoseAgeIsUnknownStandsSinceNoTime()
+    {
+        InventedCockpit cockpit;
+        cockpit.openAll();
+        QCOMPARE(promptSurroundings(cockpit.models, cockpit.now).picture, PictureCondition::Live);
+        auto stamp = *cockpit.models.picture.newest();
+        ++stamp.frame;
+        stamp.captured.reset();
+        cockpit.models.picture.notePainted(stamp);
+        const auto around = promptSurroundings(cockpit.models, cockpit.now);
+        QCOMPARE(around.picture, PictureCondition::Unknown);
+        QVERIFY(!around.frozenSinceWallMs);
+    }
+
+    void aRecordingIsToldToThePrompt()
+    {
+        InventedCockpit cockpit;
+        QVERIFY(!promptSurroundings(cockpit.models, cockpit.now).pictureRecorded); // there is none
+        cockpit.openAll();
+        QVERIFY(!promptSurroundings(cockpit.models, cockpit.now).pictureRecorded);
+        auto stamp = *cockpit.models.picture.newest();
+        ++stamp.frame;
+        stamp.source = PictureSource::Recorded;
+        cockpit.models.picture.notePainted(stamp);
+        auto around = promptSurroundings(cockpit.models, cockpit.now);
+        QVERIFY(around.pictureRecorded && !around.rehearsal);
+        cockpit.models.picture.setRehearsal(true);
+        around = promptSurroundings(cockpit.models, cockpit.now);
+        QVERIFY(around.pictureRecorded && around.rehearsal);
+    }
+
     void theRobotsOwnWordCountsWhileItsLinkIsOpenAndItIsFresh()
     {
         InventedCockpit cockpit;
