@@ -76,8 +76,9 @@ struct ProbeAdvice {
     QString cause;
     QString tryFirst;
 };
-/// `othersThereAnswer`: whether other devices at the same site are in session; nothing when there is none to compare with.
-ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink,
+/// `onlyPictures`: it is the pictures' link, and every other of this console carries messages. `othersThereAnswer`: whether other devices
+/// at the same site are in session; nothing when there is none to compare with.
+ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool onlyPictures,
                       std::optional<bool> othersThereAnswer);
 
 /// `heartbeats stopped`, `connection broke`, …

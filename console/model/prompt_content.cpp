@@ -235,6 +235,13 @@ std::optional<bool> othersThereAnswer(const SessionModel& sessions, quint32 peer
     return answer;
 }
 
+/// A link that is interrupted, being re-opened or closed is not there either, though it does not stand by.
+bool everyOtherCarries(const SessionModel& sessions, quint32 peer)
+{
+    return std::ranges::all_of(sessions.links(),
+                               [peer](const LinkNode& link) { return !link.own || link.peer == peer || carriesMessages(link.state); });
+}
+
 /// Of a link between two other devices. Where this console lost one of them as well, it is not only their line.
 QString causeBetweenOthers(const IncidentRecord& incident, const SessionModel& sessions)
 {
@@ -349,14 +356,13 @@ QString word(LossKind kind)
     return {};
 }
 
-ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool isPictureLink,
-                      std::optional<bool> othersAnswer)
+ProbeAdvice adviceFor(const LinkDiagnosis& diagnosis, const PromptSurroundings& around, bool onlyPictures, std::optional<bool> othersAnswer)
 {
     const bool allLost = around.ownLinks > 1 && around.lostLinks == around.ownLinks && around.lostTogether;
     if (allLost && saysLittle(diagnosis.probe))
         return {Text::tr("All links were lost at once: this console's side or the line, not a device"),
                 Text::tr("Network port and VPN of this console")};
-    if (isPictureLink && around.lostLinks == 1 && saysLittle(diagnosis.probe))
+    if (onlyPictures && saysLittle(diagnosis.probe))
         return {Text::tr("Only the pictures are lost: their way, or the X-ray sender"),
                 Text::tr("Re-open the picture link alone; motion stays inhibited")};
     return byProbe(diagnosis, othersAnswer, around.ownHost);
@@ -377,10 +383,10 @@ PromptContent promptContent(const IncidentRecord& incident, const SessionModel& 
     addSeen(content, around);
     content.evidence = evidence(incident, sessions);
     content.details = promptDetails(incident, sessions);
-    const bool pictures = incident.peer != 0 && kindOf(incident.peer) == DeviceKind::Eye;
     if (incident.peer != 0) {
+        const bool onlyPictures = kindOf(incident.peer) == DeviceKind::Eye && everyOtherCarries(sessions, incident.peer);
         const auto advice =
-            adviceFor(incident.diagnosis.value_or(LinkDiagnosis{}), around, pictures, othersThereAnswer(sessions, incident.peer));
+            adviceFor(incident.diagnosis.value_or(LinkDiagnosis{}), around, onlyPictures, othersThereAnswer(sessions, incident.peer));
         content.likelyCause = advice.cause;
         content.tryFirst = advice.tryFirst;
     } else {

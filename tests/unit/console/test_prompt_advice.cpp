@@ -56,6 +56,32 @@ private Q_SLOTS:
         QVERIFY2(content.tryFirst.contains(tryFirst), qPrintable(content.tryFirst));
     }
 
+    void notOnlyThePicturesAreLostWhileAnotherLinkCarriesNothing_data()
+    {
+        QTest::addColumn<LinkState>("toRobot");
+        QTest::addColumn<bool>("only");
+        QTest::newRow("open") << LinkState::Open << true;
+        QTest::newRow("suspect") << LinkState::Suspect << true;
+        for (const auto state :
+             {LinkState::Closed, LinkState::Opening, LinkState::Reconnecting, LinkState::StandBy, LinkState::Reopening, LinkState::Closing})
+            QTest::newRow(qPrintable(word(state))) << state << false;
+    }
+
+    void notOnlyThePicturesAreLostWhileAnotherLinkCarriesNothing()
+    {
+        QFETCH(LinkState, toRobot);
+        QFETCH(bool, only);
+        SessionModel sessions;
+        fill(sessions);
+        sessions.setLinkState(xray, LinkState::StandBy, start);
+        sessions.setLinkState(robot, toRobot, start);
+        auto incident = lost(xray);
+        incident.diagnosis->probe = ProbeFinding::PeerSilent;
+        const auto content = promptContent(incident, sessions, around(), start); // one link stands by, as it was counted
+        QCOMPARE(content.likelyCause.contains(QStringLiteral("Only the pictures are lost")), only);
+        QCOMPARE(content.tryFirst.contains(QStringLiteral("picture link alone")), only);
+    }
+
     void lossesOneAfterTheOtherAreNotAtOnce_data()
     {
         QTest::addColumn<int>("secondMs");
