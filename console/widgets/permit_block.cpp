@@ -63,9 +63,11 @@ QString PermitBlock::explanation(const PermitModel& permit, Instant now)
     case PermitPhase::Engaged:
         return tr("Instruments follow your hand");
     case PermitPhase::Hold:
-        return tr("%1. %2").arg(sentenceStart(permit.holdReasons().value(0)), !state.robotHolds ? tr("Waiting for the robot to hold")
-                                                                              : state.deadMan   ? tr("Release the dead-man")
-                                                                                                : tr("The robot holds"));
+        // Of the moment of the hold: by now it may be otherwise, and worse.
+        return tr("Held because: %1. %2")
+            .arg(sentenceStart(permit.holdReasons().value(0)), !state.robotHolds ? tr("Robot not holding yet")
+                                                               : state.deadMan   ? tr("Release the dead-man")
+                                                                                 : tr("The robot holds"));
     case PermitPhase::Incident:
         return tr("Stand-by: a link is lost");
     case PermitPhase::Verifying:

@@ -3338,12 +3338,12 @@
         <translation>器械正跟随您的主手</translation>
     </message>
     <message>
-        <source>%1. %2</source>
-        <translation>%1。%2</translation>
+        <source>Held because: %1. %2</source>
+        <translation>保持原因：%1。%2</translation>
     </message>
     <message>
-        <source>Waiting for the robot to hold</source>
-        <translation>正在等待机器人保持</translation>
+        <source>Robot not holding yet</source>
+        <translation>机器人尚未保持</translation>
     </message>
     <message>
         <source>Release the dead-man</source>
