@@ -29,11 +29,11 @@ Mode modeOf(PermitPhase phase)
     case PermitPhase::Engaged:
         return Mode::Engaged;
     case PermitPhase::Hold:
+    case PermitPhase::Incident: // not the calm STANDBY, which would also be read as a lost link's stand-by
+    case PermitPhase::Verifying:
         return Mode::Hold;
     case PermitPhase::Off:
     case PermitPhase::Standby:
-    case PermitPhase::Incident:
-    case PermitPhase::Verifying:
         break;
     }
     return Mode::Standby;

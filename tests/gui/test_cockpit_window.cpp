@@ -395,6 +395,14 @@ private Q_SLOTS:
         QCOMPARE(strip->mode(), Mode::Engaged);
         stage.cockpit.freezePicture();
         QCOMPARE(strip->mode(), Mode::Hold);
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        QCOMPARE(stage.cockpit.models.permit.phase(), PermitPhase::Incident);
+        QCOMPARE(strip->mode(), Mode::Hold);
+        stage.cockpit.reopenAll();
+        stage.refresh();
+        QCOMPARE(stage.cockpit.models.permit.phase(), PermitPhase::Verifying);
+        QCOMPARE(strip->mode(), Mode::Hold);
     }
 
     void everyPhaseIsExplained_data()
