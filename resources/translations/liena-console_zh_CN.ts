@@ -147,7 +147,7 @@
     </message>
     <message>
         <source>No alarms. The alarm self-test was not confirmed: have screen and sound looked at</source>
-        <translation>无报警。报警自检未获确认：请让人检查屏幕和声音</translation>
+        <translation>无报警。报警自检未经证实：让人检查屏幕和声音</translation>
     </message>
     <message>
         <source>No alarms. The alarm self-test is to be done before arming</source>
@@ -348,7 +348,7 @@
     </message>
     <message>
         <source>Robot&apos;s hold NOT CONFIRMED</source>
-        <translation>机器人保持未获确认</translation>
+        <translation>机器人保持未经证实</translation>
     </message>
     <message>
         <source>Ask the patient side now whether the robot stands still.</source>
@@ -595,11 +595,11 @@
     </message>
     <message>
         <source>alarm self-test confirmed by %1</source>
-        <translation>报警自检已由 %1 确认</translation>
+        <translation>报警自检已由 %1 证实</translation>
     </message>
     <message>
         <source>alarm self-test not confirmed, by %1</source>
-        <translation>报警自检未获 %1 确认</translation>
+        <translation>报警自检未经证实，由 %1 回答</translation>
     </message>
     <message>
         <source>AGE %1 ms</source>
@@ -884,7 +884,7 @@
     </message>
     <message>
         <source>a high alarm is not acknowledged</source>
-        <translation>有高优先级报警未确认</translation>
+        <translation>有高优先级报警待您确认</translation>
     </message>
     <message>
         <source>Look at it, and acknowledge it.</source>
@@ -1594,7 +1594,7 @@
     </message>
     <message>
         <source>Robot has not confirmed its hold</source>
-        <translation>机器人尚未确认保持</translation>
+        <translation>机器人尚未证实保持</translation>
     </message>
     <message>
         <source>Robot has not issued a new permit</source>
@@ -1638,7 +1638,7 @@
     </message>
     <message>
         <source>System not confirmed</source>
-        <translation>系统一致性未确认</translation>
+        <translation>系统一致性未经证实</translation>
     </message>
     <message>
         <source>Robot reports</source>
@@ -1682,7 +1682,7 @@
     </message>
     <message>
         <source>A high alarm is not acknowledged</source>
-        <translation>有高优先级报警未确认</translation>
+        <translation>有高优先级报警待您确认</translation>
     </message>
     <message>
         <source>Hand control is there</source>
@@ -2532,7 +2532,7 @@
     </message>
     <message>
         <source>no incident</source>
-        <translation>没有事件</translation>
+        <translation>无事件</translation>
     </message>
     <message>
         <source>busy</source>
@@ -2856,11 +2856,11 @@
     </message>
     <message>
         <source>Events</source>
-        <translation>事件记录</translation>
+        <translation>运行记录</translation>
     </message>
     <message>
         <source>Show the event log of this run</source>
-        <translation>显示本次运行的事件日志</translation>
+        <translation>显示本次的运行日志</translation>
     </message>
     <message>
         <source>Alarms</source>
@@ -2904,7 +2904,7 @@
     </message>
     <message>
         <source>Event log, oldest first</source>
-        <translation>事件日志，最早的在前</translation>
+        <translation>运行日志，最早的在前</translation>
     </message>
     <message>
         <source>Alarm log, oldest first</source>
@@ -2936,7 +2936,7 @@
     </message>
     <message>
         <source>event log of this run</source>
-        <translation>本次运行的事件日志</translation>
+        <translation>本次的运行日志</translation>
     </message>
     <message>
         <source>alarm log</source>
@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>STANDBY</source>
-        <translation>待机</translation>
+        <translation>待命</translation>
     </message>
     <message>
         <source>READY</source>
@@ -4148,7 +4148,7 @@
     </message>
     <message>
         <source>the last self-test was not confirmed</source>
-        <translation>上次自检未获确认</translation>
+        <translation>上次自检未经证实</translation>
     </message>
     <message>
         <source>seen and heard in this run; F8 tests again before each arming</source>
@@ -4243,15 +4243,15 @@
     </message>
     <message>
         <source>%1 holds: CONFIRMED %2 ms after the stop</source>
-        <translation>%1 保持：停止后 %2 ms 已确认</translation>
+        <translation>%1 保持：已证实，停止后 %2 ms</translation>
     </message>
     <message>
         <source>%1 holds: CONFIRMED, already before the loss was noticed</source>
-        <translation>%1 保持：已确认，发现丢失之前即已保持</translation>
+        <translation>%1 保持：已证实，发现丢失之前即已保持</translation>
     </message>
     <message>
         <source>%1 holds: CONFIRMED</source>
-        <translation>%1 保持：已确认</translation>
+        <translation>%1 保持：已证实</translation>
     </message>
     <message>
         <source>Picture: live</source>
@@ -4551,7 +4551,7 @@
     </message>
     <message>
         <source>NOT CONFIRMED</source>
-        <translation>未获确认</translation>
+        <translation>未经证实</translation>
     </message>
     <message>
         <source>Began %1, incident %2</source>
@@ -4563,7 +4563,7 @@
     </message>
     <message>
         <source>%1 holds: CONFIRMED by its own report</source>
-        <translation>%1 保持：由其自身报告已确认</translation>
+        <translation>%1 保持：已由其自身报告证实</translation>
     </message>
     <message>
         <source>same computer</source>
@@ -4893,7 +4893,7 @@
     <name>console::RollCall</name>
     <message>
         <source>not confirmed</source>
-        <translation>未获确认</translation>
+        <translation>未经证实</translation>
     </message>
     <message>
         <source>holds already</source>
@@ -5025,7 +5025,7 @@
     </message>
     <message>
         <source>Event log, oldest first</source>
-        <translation>事件日志，最早的在前</translation>
+        <translation>运行日志，最早的在前</translation>
     </message>
     <message>
         <source>Reference picture</source>
@@ -5240,7 +5240,7 @@
     </message>
     <message>
         <source>%1 confirms that it holds</source>
-        <translation>%1 确认其保持</translation>
+        <translation>%1 证实其保持</translation>
     </message>
     <message>
         <source>%1 no longer holds</source>
@@ -5423,7 +5423,7 @@ NOT A MEDICAL DEVICE</source>
     <name>console::StatusStrip</name>
     <message>
         <source>STANDBY</source>
-        <translation>待机</translation>
+        <translation>待命</translation>
     </message>
     <message>
         <source>READY</source>
