@@ -18,6 +18,7 @@ constexpr std::chrono::seconds slowSpan{2};        ///< of too few pictures with
 constexpr std::chrono::milliseconds enabling{500}; ///< from the arming until every drive must be on
 constexpr std::chrono::seconds troubleMemory{10};  ///< longer than what ended motion needs to be found
 constexpr std::chrono::seconds followingSpan{2};   ///< after a device is back, for what it had lost beside
+constexpr std::chrono::seconds momentTold{1};      ///< for what was over when it was found
 constexpr quint64 fewPictures = 10;                ///< in that time; below it one late picture would be a large part
 
 bool isArmed(PermitPhase phase) { return phase == PermitPhase::Armed || phase == PermitPhase::Engaged; }
@@ -80,6 +81,7 @@ void AlarmWatch::forgetTrouble()
     m_troubleWhileArmed = false;
     m_troubleWhileEngaged = false;
     m_closedWhileArmed.clear();
+    m_pictureTooOld.reset();
     m_settledSince.reset();
 }
 
@@ -237,6 +239,7 @@ AlarmReadings AlarmWatch::readings(Instant now) const
     if (const auto asked = m_models.instrument.stopUnheard())
         all.stopUnheard = now - *asked;
     all.picture = m_models.picture.reading(now);
+    all.pictureTooOld = m_pictureTooOld && now - *m_pictureTooOld < momentTold;
     all.pictureSlow = m_pictureSlow;
     all.pictureLimit = m_models.picture.limit();
     all.line = lineLimits(m_models.picture.profile());

@@ -26,6 +26,9 @@ public:
     /// A peer's report is overdue; it counts until the next one comes, and for five seconds, but not beyond the session.
     void noteDeadlineMissed(quint32 peer, const QString& message, Instant now);
 
+    /// A motion command did not leave, since the picture had become too old for it; it need not be by the time of this.
+    void notePictureTooOld(Instant now) { m_pictureTooOld = now; }
+
     /// Motion ended, and the robot has not said yet that it holds, or that another console has armed it.
     bool holdAwaited() const { return m_stopAt.has_value(); }
 
@@ -74,6 +77,7 @@ private:
     Instant m_holdCounts;            ///< what the robot says later than this is about the newest of those stops
     bool m_troubleWhileArmed = false;
     bool m_troubleWhileEngaged = false;                      ///< motion has ended by the time that its cause is looked at
+    std::optional<Instant> m_pictureTooOld;                  ///< when the last check before the wire found that, and motion ended
     std::optional<Instant> m_settledSince;                   ///< since when nothing of that trouble is undecided
     std::map<quint32, std::map<QString, Instant>> m_overdue; ///< by peer and message: since when
     std::map<quint32, Instant> m_carriesSince; ///< by peer: from when on its messages pass, for the last time that they began to

@@ -95,7 +95,9 @@ void CockpitControl::run()
     if (const auto blocked = m_link.blockedPermit()) {
         PermitEvent closed;
         closed.kind = PermitEventKind::GateClosed;
-        closed.permit = *blocked;
+        closed.permit = blocked->permit;
+        if (blocked->byPicture && m_models.permit.phase() == PermitPhase::Engaged && blocked->permit == m_models.permit.state().permit)
+            m_alarms.notePictureTooOld(now);
         apply(closed, now); // else it would go on as engaged, and nothing would move
     }
     m_hand.poll(now);

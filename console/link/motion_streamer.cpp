@@ -9,7 +9,7 @@ void MotionStreamer::run()
 {
     const auto order = m_gate.compose(m_snapshot.read(), std::chrono::steady_clock::now());
     const auto blocked = m_gate.blockedPermit();
-    m_blocked.store(blocked ? quint64{1} << 32 | *blocked : 0, std::memory_order_relaxed);
+    m_blocked.store(blocked ? blockedBit | (blocked->byPicture ? pictureBit : 0) | blocked->permit : 0, std::memory_order_relaxed);
     if (!order)
         return;
     const bool accepted = bind() && send(*order);

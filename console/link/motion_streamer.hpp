@@ -29,13 +29,16 @@ public:
     quint64 sent() const { return m_sent.load(std::memory_order_relaxed); }
     quint64 refused() const { return m_refused.load(std::memory_order_relaxed); }
     /// See MotionGate::blockedPermit().
-    std::optional<quint32> blockedPermit() const
+    std::optional<BlockedPermit> blockedPermit() const
     {
         const quint64 blocked = m_blocked.load(std::memory_order_relaxed);
-        return blocked != 0 ? std::optional(static_cast<quint32>(blocked)) : std::nullopt;
+        return blocked != 0 ? std::optional(BlockedPermit{static_cast<quint32>(blocked), (blocked & pictureBit) != 0}) : std::nullopt;
     }
 
 private:
+    static constexpr quint64 blockedBit = quint64{1} << 32;
+    static constexpr quint64 pictureBit = quint64{1} << 33;
+
     bool bind();
     bool send(const MotionOrder& order);
 
@@ -46,7 +49,7 @@ private:
     std::optional<MotionBinding> m_binding; ///< network thread; nothing while the robot's set is unknown, or does not fit
     std::atomic<quint64> m_sent{0};
     std::atomic<quint64> m_refused{0};
-    std::atomic<quint64> m_blocked{0}; ///< the permit, and a bit above it; 0: none
+    std::atomic<quint64> m_blocked{0}; ///< the permit, and the bits above it; 0: none
 };
 
 } // namespace console

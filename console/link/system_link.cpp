@@ -395,7 +395,7 @@ void SystemLink::publish(const CockpitReport& report)
     m_system->publish(message.value());
 }
 
-std::optional<quint32> SystemLink::blockedPermit() const { return m_motion ? m_motion->blockedPermit() : std::nullopt; }
+std::optional<BlockedPermit> SystemLink::blockedPermit() const { return m_motion ? m_motion->blockedPermit() : std::nullopt; }
 
 quint64 SystemLink::commandsSent() const { return m_motion ? m_motion->sent() : 0; }
 

@@ -95,7 +95,7 @@ public:
     void setMotion(const MotionSnapshot& snapshot);
 
     /// The permit under which nothing moves any more, whatever is asked: see MotionGate.
-    std::optional<quint32> blockedPermit() const;
+    std::optional<BlockedPermit> blockedPermit() const;
     void setPedal(const PedalSnapshot& snapshot);
     void confirmHold(bool holding);
     void publish(const CockpitReport& report);

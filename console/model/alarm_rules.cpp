@@ -189,8 +189,13 @@ void Rules::addPicture()
     if (m_readings.picture.overdue)
         return add(AlarmCondition::PictureStale, priority, false, Text::tr("No picture is shown"),
                    Text::tr("Let go of the pedal and press it again; then have the X-ray system and the line to it looked at."));
-    if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown)
+    if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown) {
+        if (m_readings.pictureTooOld)
+            add(AlarmCondition::PictureStale, priority, false,
+                Text::tr("Picture was older than %1 ms for a moment").arg(milliseconds(m_readings.pictureLimit), 0, 'f', 0),
+                Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."));
         return;
+    }
     const auto text = condition == PictureCondition::Frozen
                           ? Text::tr("Picture FROZEN, older than %1 ms").arg(milliseconds(m_readings.pictureLimit), 0, 'f', 0)
                           : Text::tr("Picture's age is unknown");

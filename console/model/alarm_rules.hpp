@@ -54,7 +54,8 @@ struct AlarmReadings {
     std::optional<Duration> awaitingHold; ///< since the stop or the loss, while the robot has not confirmed its hold
     std::optional<Duration> stopUnheard;  ///< since the person asked, while the robot has not told of a stop
     PictureReading picture;
-    bool pictureSlow = false; ///< and not only for a moment
+    bool pictureTooOld = false; ///< for a moment, which ended motion
+    bool pictureSlow = false;   ///< and not only for a moment
     Duration pictureLimit{};
     LineLimits line;
     bool robotFresh = false;

@@ -14,10 +14,14 @@ std::optional<MotionOrder> MotionGate::compose(const MotionSnapshot& snapshot, I
         m_permit = snapshot.permit;
         m_sequence = 0;
         m_blocked = false;
+        m_blockedByPicture = false;
     }
     const bool screenAlive = now - snapshot.guiTick <= guiLimit;
     const bool pictureYoung = snapshot.shownCapture && now - *snapshot.shownCapture <= snapshot.pictureLimit;
-    m_blocked = m_blocked || !screenAlive || (snapshot.stream == MotionStream::Motion && !pictureYoung);
+    if (!m_blocked) {
+        m_blockedByPicture = screenAlive && snapshot.stream == MotionStream::Motion && !pictureYoung;
+        m_blocked = m_blockedByPicture || !screenAlive;
+    }
 
     MotionOrder order;
     order.permit = m_permit;

@@ -29,6 +29,14 @@ struct MotionOrder {
     HandMotion motion;
 };
 
+/// What the last check before the wire refuses motion under from now on.
+struct BlockedPermit {
+    quint32 permit = 0;
+    bool byPicture = false; ///< which was too old; else the screen stood still
+
+    bool operator==(const BlockedPermit&) const = default;
+};
+
 /// Network thread only. Motion needs a GUI that ran within 100 ms and a picture younger than its limit, whatever the permit says: a screen
 /// that hangs must not move instruments. A permit that failed this once is never used for motion again.
 class MotionGate {
@@ -39,12 +47,16 @@ public:
     std::optional<MotionOrder> compose(const MotionSnapshot& snapshot, Instant now);
 
     /// Motion is refused under this permit from now on: the screen stood still, or its picture was too old.
-    std::optional<quint32> blockedPermit() const { return m_blocked ? std::optional(m_permit) : std::nullopt; }
+    std::optional<BlockedPermit> blockedPermit() const
+    {
+        return m_blocked ? std::optional(BlockedPermit{m_permit, m_blockedByPicture}) : std::nullopt;
+    }
 
 private:
     quint32 m_permit = 0;
     quint32 m_sequence = 0;
     bool m_blocked = false;
+    bool m_blockedByPicture = false;
     bool m_any = false;
 };
 

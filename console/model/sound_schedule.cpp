@@ -27,6 +27,8 @@ quint64 newestSounding(const std::vector<Alarm>& alarms, AlarmPriority priority)
 
 } // namespace
 
+bool SoundSchedule::demandsSound(const std::vector<Alarm>& alarms) { return highestSounding(alarms) != nullptr; }
+
 bool SoundSchedule::acknowledge(AlarmPriority priority, const std::vector<Alarm>& alarms, Instant now)
 {
     const bool tells = std::any_of(alarms.begin(), alarms.end(),

@@ -21,6 +21,9 @@ public:
     /// A person acknowledged one of that priority. True: the burst that sounds told nothing else, and is to be silenced now.
     bool acknowledge(AlarmPriority priority, const std::vector<Alarm>& alarms, Instant now);
 
+    /// Something is present that sounds, or would but for the pause.
+    static bool demandsSound(const std::vector<Alarm>& alarms);
+
 private:
     bool due(AlarmPriority priority, quint64 newest, Instant now) const;
 

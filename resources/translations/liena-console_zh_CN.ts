@@ -371,6 +371,10 @@
         <translation>请让人检查到 X 射线系统的线路；留意细导丝。</translation>
     </message>
     <message>
+        <source>Picture was older than %1 ms for a moment</source>
+        <translation>图像曾短暂超过 %1 ms</translation>
+    </message>
+    <message>
         <source>Picture FROZEN, older than %1 ms</source>
         <translation>图像已冻结，时龄超过 %1 ms</translation>
     </message>
