@@ -17,6 +17,9 @@ struct Text {
 
 QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
+/// As it reads: a difference of such figures is the one that whoever reads them finds.
+double rounded(double value, int decimals) { return number(value, decimals).toDouble(); }
+
 QString span(Duration duration)
 {
     constexpr double minute = 60;
@@ -60,7 +63,7 @@ private:
         const auto& to = m_now.tip->position;
         const double way = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
         const double error = std::hypot(m_before.tip->error, m_now.tip->error);
-        return {name, Text::tr("moved %1 mm (tracker \u00B1%2 mm)").arg(number(way, 1), number(error, 1)), way > error};
+        return {name, Text::tr("moved %1\u00A0mm (tracker \u00B1%2\u00A0mm)").arg(number(way, 1), number(error, 1)), way > error};
     }
 
     AccountLine force() const
@@ -68,16 +71,17 @@ private:
         const auto name = Text::tr("Force");
         if (const auto why = noRobot(); !why.isEmpty())
             return {name, why, true};
-        const double from = m_before.robot->guidewireForce;
-        const double to = m_now.robot->guidewireForce;
-        constexpr double shown = 0.005; // N
-        constexpr double noticeable = 0.05;
+        constexpr int decimals = 2;
+        const double from = rounded(m_before.robot->guidewireForce, decimals);
+        const double to = rounded(m_now.robot->guidewireForce, decimals);
+        constexpr double shown = 0.005;      // N
+        constexpr double noticeable = 0.045; // 0.05, and what a difference of doubles lacks of it
         if (std::abs(to - from) < shown)
-            return {name, Text::tr("%1 N, as before").arg(number(to, 2)), false};
+            return {name, Text::tr("%1\u00A0N, as before").arg(number(to, decimals)), false};
         return {name,
-                Text::tr("%1 N before, %2 N now (%3%4 N)")
-                    .arg(number(from, 2), number(to, 2), to < from ? QStringLiteral("\u2212") : QStringLiteral("+"),
-                         number(std::abs(to - from), 2)),
+                Text::tr("%1\u00A0N before, %2\u00A0N now (%3%4\u00A0N)")
+                    .arg(number(from, decimals), number(to, decimals), to < from ? QStringLiteral("\u2212") : QStringLiteral("+"),
+                         number(std::abs(to - from), decimals)),
                 std::abs(to - from) >= noticeable};
     }
 
@@ -90,9 +94,11 @@ private:
         const double to = m_now.robot->contrastRemaining;
         constexpr double least = 0.05; // mL, of what is shown
         if (to > from + least)
-            return {name, Text::tr("unknown: %1 mL before, %2 mL now; filled up or started anew").arg(number(from, 1), number(to, 1)),
+            return {name,
+                    Text::tr("unknown: %1\u00A0mL before, %2\u00A0mL now; filled up or started anew").arg(number(from, 1), number(to, 1)),
                     true};
-        return {name, Text::tr("%1 mL used, %2 mL left").arg(number(std::max(0.0, from - to), 1), number(to, 1)), from - to >= least};
+        return {name, Text::tr("%1\u00A0mL used, %2\u00A0mL left").arg(number(std::max(0.0, from - to), 1), number(to, 1)),
+                from - to >= least};
     }
 
     AccountLine xrayTime() const
@@ -136,7 +142,7 @@ private:
         addDistance(deeds, Text::tr("isocentre"), from.sourceObjectDistance, to.sourceObjectDistance);
         const double way = std::hypot(to.table[0] - from.table[0], to.table[1] - from.table[1], to.table[2] - from.table[2]);
         if (way >= leastWay)
-            deeds << Text::tr("table moved %1 mm").arg(number(way, 1));
+            deeds << Text::tr("table moved %1\u00A0mm").arg(number(way, 1));
         if (deeds.isEmpty())
             return {name, Text::tr("where they were"), false};
         return {name, deeds.join(Text::tr("; ")), true};
@@ -189,7 +195,7 @@ private:
     static void addAxis(QStringList& deeds, const QString& axis, double from, double to)
     {
         if (std::abs(to - from) >= leastWay)
-            deeds << Text::tr("%1 at %2 mm before, %3 mm now").arg(axis, number(from, 1), number(to, 1));
+            deeds << Text::tr("%1 at %2\u00A0mm before, %3\u00A0mm now").arg(axis, number(from, 1), number(to, 1));
     }
 
     /// From the source; 0 is one that is not known.

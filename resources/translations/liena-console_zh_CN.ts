@@ -1989,32 +1989,32 @@
         <translation>无有效的跟踪器位置</translation>
     </message>
     <message>
-        <source>moved %1 mm (tracker ±%2 mm)</source>
-        <translation>移动 %1 mm（跟踪器 ±%2 mm）</translation>
+        <source>moved %1&#xa0;mm (tracker ±%2&#xa0;mm)</source>
+        <translation>移动 %1&#xa0;mm（跟踪器 ±%2&#xa0;mm）</translation>
     </message>
     <message>
         <source>Force</source>
         <translation>受力</translation>
     </message>
     <message>
-        <source>%1 N, as before</source>
-        <translation>%1 N，与之前相同</translation>
+        <source>%1&#xa0;N, as before</source>
+        <translation>%1&#xa0;N，与之前相同</translation>
     </message>
     <message>
-        <source>%1 N before, %2 N now (%3%4 N)</source>
-        <translation>之前 %1 N，现在 %2 N（%3%4 N）</translation>
+        <source>%1&#xa0;N before, %2&#xa0;N now (%3%4&#xa0;N)</source>
+        <translation>之前 %1&#xa0;N，现在 %2&#xa0;N（%3%4&#xa0;N）</translation>
     </message>
     <message>
         <source>Contrast</source>
         <translation>造影剂</translation>
     </message>
     <message>
-        <source>unknown: %1 mL before, %2 mL now; filled up or started anew</source>
-        <translation>未知：之前 %1 mL，现在 %2 mL；已重新装填或重新启动</translation>
+        <source>unknown: %1&#xa0;mL before, %2&#xa0;mL now; filled up or started anew</source>
+        <translation>未知：之前 %1&#xa0;mL，现在 %2&#xa0;mL；已重新装填或重新启动</translation>
     </message>
     <message>
-        <source>%1 mL used, %2 mL left</source>
-        <translation>已用 %1 mL，剩余 %2 mL</translation>
+        <source>%1&#xa0;mL used, %2&#xa0;mL left</source>
+        <translation>已用 %1&#xa0;mL，剩余 %2&#xa0;mL</translation>
     </message>
     <message>
         <source>X-ray time</source>
@@ -2057,8 +2057,8 @@
         <translation>等中心</translation>
     </message>
     <message>
-        <source>table moved %1 mm</source>
-        <translation>床移动了 %1 mm</translation>
+        <source>table moved %1&#xa0;mm</source>
+        <translation>床移动了 %1&#xa0;mm</translation>
     </message>
     <message>
         <source>where they were</source>
@@ -2129,8 +2129,8 @@
         <translation>导管夹持器</translation>
     </message>
     <message>
-        <source>%1 at %2 mm before, %3 mm now</source>
-        <translation>%1：之前 %2 mm，现在 %3 mm</translation>
+        <source>%1 at %2&#xa0;mm before, %3&#xa0;mm now</source>
+        <translation>%1：之前 %2&#xa0;mm，现在 %3&#xa0;mm</translation>
     </message>
     <message>
         <source>%1 closed</source>

@@ -47,7 +47,7 @@ private Q_SLOTS:
         stage.refresh();
         QVERIFY(stage.card()->isVisible());
         const QString said = stage.card()->accessibleDescription();
-        for (const char* words : {"Interrupted for", "Vascular robot link", "moved 2.3 mm", "1.2 mL used", "3.2 s of beam",
+        for (const char* words : {"Interrupted for", "Vascular robot link", "moved 2.3\u00A0mm", "1.2\u00A0mL used", "3.2 s of beam",
                                   "48 taken, 42 of them", "drives enabled: 4 of 4 before, 0 now"})
             QVERIFY2(said.contains(QString::fromUtf8(words)), qPrintable(said));
         QTest::mouseClick(stage.button(), Qt::LeftButton);

@@ -75,17 +75,18 @@ struct Change {
 const std::vector<Change>& changes()
 {
     static const std::vector<Change> all{
-        {"nothing moved", [](auto&) {}, "Tip", "moved 0.0 mm (tracker \u00B10.4 mm)"},
+        {"nothing moved", [](auto&) {}, "Tip", "moved 0.0\u00A0mm (tracker \u00B10.4\u00A0mm)"},
         {"tip moved",
          [](auto& s) {
              s.tip->position = {11, 22, 32};
          },
-         "Tip", "moved 3.0 mm"},
+         "Tip", "moved 3.0\u00A0mm"},
         {"tracker gone", [](auto& s) { s.tip.reset(); }, "Tip", "unknown: no valid tracker position now"},
-        {"force", [](auto& s) { s.robot->guidewireForce = 0.08; }, "Force", "0.46 N before, 0.08 N now (\u22120.38 N)"},
-        {"force as it was", [](auto&) {}, "Force", "0.46 N, as before"},
-        {"contrast used", [](auto& s) { s.robot->contrastRemaining = 73.7; }, "Contrast", "4.8 mL used, 73.7 mL left"},
-        {"contrast filled up", [](auto& s) { s.robot->contrastRemaining = 100; }, "Contrast", "unknown: 78.5 mL before, 100.0 mL now"},
+        {"force", [](auto& s) { s.robot->guidewireForce = 0.08; }, "Force", "0.46\u00A0N before, 0.08\u00A0N now (\u22120.38\u00A0N)"},
+        {"force as it was", [](auto&) {}, "Force", "0.46\u00A0N, as before"},
+        {"contrast used", [](auto& s) { s.robot->contrastRemaining = 73.7; }, "Contrast", "4.8\u00A0mL used, 73.7\u00A0mL left"},
+        {"contrast filled up", [](auto& s) { s.robot->contrastRemaining = 100; }, "Contrast",
+         "unknown: 78.5\u00A0mL before, 100.0\u00A0mL now"},
         {"beam", [](auto& s) { s.xray->fluoroscopyTime = 103.2; }, "X-ray time", "3.2 s of beam"},
         {"beam counts anew", [](auto& s) { s.xray->fluoroscopyTime = 3; }, "X-ray time", "unknown: the X-ray system counts anew"},
         {"no picture taken", [](auto&) {}, "Pictures", "none was taken meanwhile"},
@@ -103,7 +104,7 @@ const std::vector<Change>& changes()
              s.xray->geometry.secondaryAngle = 12.5;
              s.xray->geometry.sourceDetectorDistance = 1200;
          },
-         "C-arm and table", "CRA/CAU at 0.0\u00B0 before, 12.5\u00B0 now; detector at 1100.0 mm before, 1200.0 mm now"},
+         "C-arm and table", "CRA/CAU at 0.0\u00B0 before, 12.5\u00B0 now; detector at 1100.0\u00A0mm before, 1200.0\u00A0mm now"},
         {"distance not told any more", [](auto& s) { s.xray->geometry.sourceDetectorDistance = 0; }, "C-arm and table",
          "detector: distance unknown now"},
         {"a full turn is none", [](auto& s) { s.xray->geometry.primaryAngle = 360; }, "C-arm and table", "where they were"},
@@ -111,7 +112,7 @@ const std::vector<Change>& changes()
          [](auto& s) {
              s.xray->geometry.table = {3, 0, -4};
          },
-         "C-arm and table", "table moved 5.0 mm"},
+         "C-arm and table", "table moved 5.0\u00A0mm"},
         {"C-arm not told", [](auto& s) { s.xray.reset(); }, "C-arm and table", "unknown: no report of the X-ray system now"},
         {"nothing done", [](auto&) {}, "Patient side", "nothing that the robot's reports tell of"},
         {"robot's state", [](auto& s) { s.robot->state = RobotState::Ready; }, "Patient side", "robot: engaged before, ready now"},
@@ -119,7 +120,8 @@ const std::vector<Change>& changes()
         {"drives not told", [](auto& s) { s.drives.reset(); }, "Patient side", "drives: unknown"},
         {"emergency stop", [](auto& s) { s.robot->emergencyStopToken = 9; }, "Patient side", "emergency stop pressed, in force"},
         {"gripper", [](auto& s) { s.robot->guidewireGripperClosed = true; }, "Patient side", "guidewire gripper closed"},
-        {"pulled by hand", [](auto& s) { s.robot->guidewirePosition = 790; }, "Patient side", "guidewire at 800.0 mm before, 790.0 mm now"},
+        {"pulled by hand", [](auto& s) { s.robot->guidewirePosition = 790; }, "Patient side",
+         "guidewire at 800.0\u00A0mm before, 790.0\u00A0mm now"},
     };
     return all;
 }
@@ -170,6 +172,18 @@ private Q_SLOTS:
         QVERIFY2(said.contains(QString::fromUtf8(one.says)), qPrintable(said));
     }
 
+    void theDifferenceIsThatOfTheFiguresShown()
+    {
+        auto before = known(start);
+        before.robot->guidewireForce = 0.364;
+        Interrupted one(before);
+        auto after = known(one.now);
+        after.robot->guidewireForce = 0.006;
+        one.end(after);
+        QCOMPARE(one.text("Force"), QStringLiteral("0.36\u00A0N before, 0.01\u00A0N now (\u22120.35\u00A0N)"));
+        QVERIFY(one.line("Force").changed);
+    }
+
     void whatIsUnknownIsRemarked()
     {
         Interrupted interrupted(SystemSnapshot{});
@@ -214,7 +228,7 @@ private Q_SLOTS:
         auto after = known(one.now);
         after.tip->position = {10, 20, 31};
         one.end(after);
-        QVERIFY2(one.text("Tip").startsWith(QStringLiteral("moved 1.0 mm")), qPrintable(one.text("Tip")));
+        QVERIFY2(one.text("Tip").startsWith(QStringLiteral("moved 1.0\u00A0mm")), qPrintable(one.text("Tip")));
     }
 
     void aFurtherLossExtendsTheAccount()
@@ -232,7 +246,7 @@ private Q_SLOTS:
         QCOMPARE(one.account.losses(), 2);
         QCOMPARE(one.account.lasted(), Duration(15s));
         QCOMPARE(one.text("Lost"), QStringLiteral("Robot link, X-ray link"));
-        QVERIFY2(one.text("Tip").startsWith(QStringLiteral("moved 2.0 mm")), qPrintable(one.text("Tip")));
+        QVERIFY2(one.text("Tip").startsWith(QStringLiteral("moved 2.0\u00A0mm")), qPrintable(one.text("Tip")));
         QVERIFY(accountHeadline(one.account).startsWith(QStringLiteral("2 losses, interrupted for 15.0 s in all, first at ")));
     }
 
@@ -250,7 +264,7 @@ private Q_SLOTS:
         one.account.note(moved);
         QCOMPARE(one.account.losses(), 1);
         QCOMPARE(one.account.lasted(), Duration(1s));
-        QVERIFY2(one.text("Tip").startsWith(QStringLiteral("moved 0.0 mm")), qPrintable(one.text("Tip")));
+        QVERIFY2(one.text("Tip").startsWith(QStringLiteral("moved 0.0\u00A0mm")), qPrintable(one.text("Tip")));
         QVERIFY(accountHeadline(one.account).startsWith(QStringLiteral("Interrupted for 1.0 s, since ")));
     }
 
