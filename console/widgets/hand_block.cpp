@@ -141,7 +141,7 @@ void HandBlock::paintLamps(QPainter& painter, const QRectF& where) const
               : m_hand.clutch ? Lamp::On
                               : Lamp::Off);
     painter.setPen(colour::secondary);
-    painter.drawText(QRectF(second.right() + cell, second.top(), cell, row), Qt::AlignLeft | Qt::AlignVCenter, tr("acts here"));
+    painter.drawText(QRectF(second.right() + cell, second.top(), cell, row), Qt::AlignLeft | Qt::AlignVCenter, tr("console only"));
 }
 
 QString HandBlock::forceText() const

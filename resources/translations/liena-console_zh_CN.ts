@@ -1880,8 +1880,8 @@
         <translation>离合</translation>
     </message>
     <message>
-        <source>acts here</source>
-        <translation>本端起作用</translation>
+        <source>console only</source>
+        <translation>仅在控制台</translation>
     </message>
     <message>
         <source>none</source>

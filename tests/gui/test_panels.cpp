@@ -341,6 +341,7 @@ private Q_SLOTS:
             return false;
         };
         QVERIFY(show({}, 0ms).contains(QStringLiteral("At the robot")));
+        QVERIFY(painted(block).contains(QStringLiteral("console only"))); // in that column: the clutch is not the robot's
         QVERIFY(looksPressed());
         const QString other = QStringLiteral("Console <2>");
         QString words = show(other, 0ms);
