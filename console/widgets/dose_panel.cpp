@@ -154,7 +154,7 @@ void DosePanel::refresh(Instant now)
     m_product->setText(figure(known(status.value.doseAreaProduct), 2, tr("Gy·cm\u00B2")));
     for (FigureLabel* value : {m_fluoroscopy, m_kerma, m_kermaRate, m_product})
         setInk(value, valueInk(freshness));
-    m_xrayAge->setText(tr("Repeat of the X-ray system, %1").arg(ageText(freshness, status.age(now))));
+    m_xrayAge->setText(tr("Repeated from the X-ray system, %1").arg(ageText(freshness, status.age(now))));
 }
 
 } // namespace console

@@ -1324,7 +1324,7 @@
         <translation>Gy·cm²</translation>
     </message>
     <message>
-        <source>Repeat of the X-ray system, %1</source>
+        <source>Repeated from the X-ray system, %1</source>
         <translation>X 射线系统数据转示，%1</translation>
     </message>
     <message>

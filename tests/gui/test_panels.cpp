@@ -424,6 +424,7 @@ private Q_SLOTS:
         stage.cockpit.openAll();
         stage.refresh();
         const auto* panel = stage.window.findChild<DosePanel*>();
+        QVERIFY(labelWith(*panel, QStringLiteral("Repeated from the X-ray system, ")) != nullptr);
         const auto* caption = labelWith(*panel, QStringLiteral("Air kerma"));
         const auto* value = labelWith(*panel, QStringLiteral("mGy"));
         const auto* above = labelWith(*panel, QStringLiteral("injections"));
