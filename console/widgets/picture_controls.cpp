@@ -30,7 +30,7 @@ PictureControls::PictureControls(DisplayState& display, QWidget* parent)
     buildToolButtons();
     connect(&display, &DisplayState::changed, this, &PictureControls::showSettings);
     connect(&display, &DisplayState::measureModeChanged, this, [this](MeasureMode mode) {
-        m_measure->setText(mode == MeasureMode::Off ? tr("Measure") : word(mode));
+        m_measure->setText(mode == MeasureMode::Off ? tr("Measure") : mode == MeasureMode::Distance ? tr("Distance") : tr("Angle"));
         m_measure->setAccessibleDescription(word(mode));
         m_measure->setInForce(mode != MeasureMode::Off);
     });

@@ -3472,6 +3472,14 @@
         <translation>无、圆形、方形 (H)</translation>
     </message>
     <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
         <source>Distance, angle, off (M)</source>
         <translation>距离、角度、关闭 (M)</translation>
     </message>

@@ -138,7 +138,7 @@ private:
         QTest::mouseClick(image, Qt::LeftButton, {}, middle - QPoint(reach, reach));
         QTest::mouseClick(image, Qt::LeftButton, {}, middle + QPoint(reach, 0));
         const bool taken = take("measured");
-        return m_theatre.click(QStringLiteral("distance")) && m_theatre.click(QStringLiteral("angle")) &&
+        return m_theatre.click(QStringLiteral("Distance")) && m_theatre.click(QStringLiteral("Angle")) &&
                m_theatre.click(QStringLiteral("Reset")) && taken;
     }
 

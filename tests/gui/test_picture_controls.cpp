@@ -91,7 +91,9 @@ private Q_SLOTS:
         QCOMPARE(save.count(), 1);
         named(controls, QStringLiteral("Measure"))->click();
         QCOMPARE(display.measureMode(), MeasureMode::Distance);
+        QCOMPARE(named(controls, QStringLiteral("Measure"))->text(), QStringLiteral("Distance")); // as the labels of the other buttons
         named(controls, QStringLiteral("Measure"))->click();
+        QCOMPARE(named(controls, QStringLiteral("Measure"))->text(), QStringLiteral("Angle"));
         named(controls, QStringLiteral("Measure"))->click();
         QCOMPARE(display.measureMode(), MeasureMode::Off);
     }
