@@ -13,6 +13,7 @@ namespace {
 constexpr double steepest = 89;
 constexpr double closest = 60;
 constexpr double farthest = 5000;
+constexpr double seenShare = 0.94; // of the picture's half, beyond which there is margin
 
 QVector3D outward(double azimuth, double elevation)
 {
@@ -39,6 +40,19 @@ void OrbitCamera::fit(double radius)
 {
     if (std::isfinite(radius) && radius > 0)
         m_distance = std::clamp(1.05 * radius / std::sin(qDegreesToRadians(viewAngle / 2)), closest, farthest);
+}
+
+void OrbitCamera::keepInSight(const std::vector<QVector3D>& fromFocus, QSizeF size)
+{
+    if (size.isEmpty())
+        return;
+    const double half = seenShare * std::tan(qDegreesToRadians(viewAngle / 2)); // of the picture's height, at a depth of 1
+    for (const QVector3D& point : fromFocus) {
+        const double beside = std::abs(QVector3D::dotProduct(point, right())) * size.height() / size.width();
+        const double above = std::abs(QVector3D::dotProduct(point, up()));
+        const double towards = QVector3D::dotProduct(point, outward(m_azimuth, m_elevation));
+        m_distance = std::clamp(std::max(m_distance, towards + std::max(beside, above) / half), closest, farthest);
+    }
 }
 
 QVector3D OrbitCamera::offset() const { return outward(m_azimuth, m_elevation) * static_cast<float>(m_distance); }

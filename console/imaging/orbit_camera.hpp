@@ -6,6 +6,7 @@
 #include <QVector3D>
 
 #include <optional>
+#include <vector>
 
 namespace console {
 
@@ -22,6 +23,9 @@ public:
 
     /// As far away as a ball of this radius, mm, needs to be seen whole.
     void fit(double radius);
+
+    /// Steps back until all of these, given relative to the focus, are seen in a picture of this size with some margin.
+    void keepInSight(const std::vector<QVector3D>& fromFocus, QSizeF size);
 
     double azimuth() const { return m_azimuth; }
     double elevation() const { return m_elevation; }

@@ -18,7 +18,8 @@ constexpr double degreesPerPixel = 0.4;
 constexpr double degreesPerKey = 5;
 constexpr double zoomPerStep = 1.15;
 constexpr int largestTexture = 512;
-constexpr double wholeCArm = 800; // mm from the isocentre to its farthest part
+constexpr double wholeCArm = 800;    // mm from the isocentre to its farthest part
+constexpr double leastVessels = 0.4; // of the pane's height, for which the detector is left out
 
 // The tracker's quaternion turns +z to the tip's direction.
 QVector3D positionOf(const TipPose& pose)
@@ -70,6 +71,7 @@ void SceneView::loadVessels(const QString& path)
     m_state.vessels = result.tree ? std::make_shared<const VesselTree>(std::move(*result.tree)) : nullptr;
     m_focus = focusOf(m_state);
     m_camera = viewOfVessels();
+    takeFirstView();
     describe();
     requestDrawing();
     update();
@@ -102,6 +104,7 @@ void SceneView::showCArm(const std::optional<XrayGeometry>& geometry)
     if (arm == m_state.cArm)
         return;
     m_state.cArm = arm;
+    takeFirstView();
     requestDrawing();
 }
 
@@ -127,6 +130,7 @@ void SceneView::placePicture(const XrayFrame& about)
     if (!m_cArm)
         return;
     m_state.cArm = geometryWith(*m_cArm, m_detectorSize);
+    takeFirstView();
     m_state.pictureGeometry = geometry;
     m_state.pictureGeometry->table = m_state.cArm->table;
 }
@@ -160,8 +164,23 @@ void SceneView::takeDrawing()
     }
 }
 
+// Vessels and detector. It does not follow the C-arm: what turns by itself is no place to look for something.
+void SceneView::takeFirstView()
+{
+    if (m_viewIsChosen || !m_state.vessels)
+        return;
+    const auto pose = m_state.cArm ? poseOf(*m_state.cArm) : std::nullopt;
+    if (pose && m_detectorAtFirst.empty())
+        for (const QVector3D& corner : {pose->corner(-1, -1), pose->corner(1, -1), pose->corner(1, 1), pose->corner(-1, 1)})
+            m_detectorAtFirst.push_back(corner - m_focus);
+    OrbitCamera camera = viewOfVessels();
+    camera.keepInSight(m_detectorAtFirst, size());
+    m_camera = 2 * reachOf(m_state) < leastVessels * camera.heightAt({}) ? viewOfVessels() : camera;
+}
+
 void SceneView::look(const OrbitCamera& camera)
 {
+    m_viewIsChosen = true;
     if (camera == m_camera)
         return;
     m_camera = camera;
@@ -222,6 +241,7 @@ void SceneView::describe()
 void SceneView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    takeFirstView();
     requestDrawing();
 }
 

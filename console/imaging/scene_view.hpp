@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace console {
 
@@ -34,7 +35,8 @@ public:
     /// Where the tip was before an interruption that nobody has read about yet; nothing when there is none, or it was not known.
     void showTipBefore(const std::optional<TipPose>& pose);
 
-    /// Where the C-arm is now; nothing when it is not known. Its detector is as large as the newest picture's.
+    /// Where the C-arm is now; nothing when it is not known. Its detector is as large as the newest picture's. The pane begins with
+    /// vessels and detector in view.
     void showCArm(const std::optional<XrayGeometry>& geometry);
 
     void showPicture(const DisplayPicture& picture);
@@ -81,6 +83,7 @@ private:
     void requestDrawing();
     void takeDrawing();
     void look(const OrbitCamera& camera);
+    void takeFirstView();
     OrbitCamera viewOfVessels() const;
     OrbitCamera viewOfCArm() const;
     void placeWords(TextPlates& plates) const;
@@ -94,6 +97,8 @@ private:
 
     SceneState m_state;
     OrbitCamera m_camera;
+    bool m_viewIsChosen = false;              ///< by a person: nothing else turns it any more
+    std::vector<QVector3D> m_detectorAtFirst; ///< its corners from the focus, where it was when that was first known
     QString m_vesselError;
     QVector3D m_focus;
     QSizeF m_detectorSize;

@@ -52,6 +52,16 @@ XrayGeometry knownGeometry()
     return geometry;
 }
 
+/// A straight vessel that reaches this far up and down from the middle, mm.
+QString treeIn(const QTemporaryDir& folder, int reach)
+{
+    const QString path = folder.filePath(QStringLiteral("tree.swc"));
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write(QStringLiteral("1 2 0 0 -%1 4 -1\n2 2 0 0 0 4 1\n3 2 0 0 %1 3 2\n").arg(reach).toUtf8());
+    return path;
+}
+
 /// Counts the keys that the pane leaves to its window.
 class Hand : public QWidget {
 public:
@@ -76,6 +86,9 @@ private Q_SLOTS:
     void leavesTheHandsKeysToTheHand();
     void showsTheWholeCArm_data();
     void showsTheWholeCArm();
+    void beginsWithVesselsAndDetector_data();
+    void beginsWithVesselsAndDetector();
+    void beginsWithSmallVesselsAlone();
     void drawsNothingWhileHidden();
     void saysThatVesselsAreMissing();
     void endsWhileDrawing();
@@ -202,6 +215,52 @@ void TestSceneView::showsTheWholeCArm()
             QVERIFY2(place && QRectF(QPointF(), QSizeF(size)).contains(*place), qPrintable(QString::number(angle)));
         }
     }
+}
+
+void TestSceneView::beginsWithVesselsAndDetector_data() { showsTheWholeCArm_data(); }
+
+void TestSceneView::beginsWithVesselsAndDetector()
+{
+    QFETCH(QSize, size);
+    const QTemporaryDir folder;
+    SceneView view;
+    view.resize(QSize(600, 200));
+    view.loadVessels(treeIn(folder, 250));
+    const OrbitCamera vessels = view.camera();
+    view.showCArm(knownGeometry());
+    QCOMPARE(view.camera(), vessels); // how large the detector is comes with a picture
+    view.showPicture(pictureFrom(PictureSource::Live));
+    view.resize(size); // the pane takes its place later
+    view.show();
+    const auto pose = poseOf({0, 0, 1100, 750, QSizeF(256, 256), {}});
+    QVERIFY(pose);
+    for (const QVector3D& part : {pose->corner(-1, -1), pose->corner(1, -1), pose->corner(1, 1), pose->corner(-1, 1)}) {
+        const auto place = view.camera().project(part, size);
+        QVERIFY(place && QRectF(QPointF(), QSizeF(size)).adjusted(4, 4, -4, -4).contains(*place));
+    }
+    QVERIFY(500 / view.camera().heightAt({}) > 0.4);
+    const OrbitCamera first = view.camera();
+    XrayGeometry turned = knownGeometry();
+    turned.primaryAngle = 40;
+    view.showCArm(turned);
+    QCOMPARE(view.camera(), first);
+    QTest::keyClick(&view, Qt::Key_Home);
+    QCOMPARE(view.camera(), vessels);
+    view.resize(size + QSize(40, 40));
+    QCOMPARE(view.camera(), vessels); // somebody chose it
+}
+
+/// They are what the pane is for.
+void TestSceneView::beginsWithSmallVesselsAlone()
+{
+    const QTemporaryDir folder;
+    SceneView view;
+    view.resize(pane);
+    view.loadVessels(treeIn(folder, 60));
+    const OrbitCamera vessels = view.camera();
+    view.showCArm(knownGeometry());
+    view.showPicture(pictureFrom(PictureSource::Live));
+    QCOMPARE(view.camera(), vessels);
 }
 
 /// Its window changes, and it stays where it was taken.
