@@ -123,7 +123,7 @@ void AlarmBand::paintChip(QPainter& painter, const QRectF& chip, const Alarm& al
         painter.setPen(lit ? colours.ink : colours.badgeInkDim);
         drawPriorityBars(painter, mark, alarm.priority);
     }
-    painter.drawText(chip.adjusted(pad * 1.5 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, textOf(alarm));
+    painter.drawText(chip.adjusted(pad * 2 + bars, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, textOf(alarm));
 }
 
 /// What is left of the band for the highest alarm's text: the others' chips give way to it, down to how many they are, and what is to be

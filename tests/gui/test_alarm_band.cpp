@@ -191,6 +191,25 @@ private Q_SLOTS:
         QVERIFY2(acknowledge->text().startsWith(QStringLiteral("Acknowledge ended: Vascular robot")), qPrintable(acknowledge->text()));
     }
 
+    /// Its mark has a ground of its own, at which the words do not begin.
+    void theWordsOfAChipAreApartFromItsMark()
+    {
+        Band room(AlarmPriority::High);
+        room.band.setAlarms({alarm(AlarmPriority::High, true), ended(AlarmPriority::Medium)});
+        const auto texts = textsPaintedBy(room.band);
+        const auto words = std::find_if(texts.begin(), texts.end(), [](const ShownText& one) {
+            return one.text.startsWith(QStringLiteral("ENDED"));
+        });
+        QVERIFY(words != texts.end());
+        const QImage image = room.at(0ms);
+        const int row = int(words->ink.center().y());
+        const int first = int(words->ink.left()) - 2;
+        int edge = first;
+        while (edge > 0 && image.pixel(edge, row) == image.pixel(first, row))
+            --edge;
+        QVERIFY2(words->ink.left() - edge >= 7, qPrintable(QString::number(words->ink.left() - edge)));
+    }
+
     /// Behind an acknowledged one of higher priority: the band itself is steady then.
     void whatNobodyAcknowledgedFlashesAsAChipToo_data()
     {
