@@ -10,6 +10,7 @@
 #include <QDateTime>
 #include <QEvent>
 #include <QKeyEvent>
+#include <QMargins>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QScrollBar>
@@ -22,6 +23,8 @@ namespace console {
 namespace colour = theme::colour;
 
 namespace {
+
+int lineHeight(const QFont& font) { return QFontMetrics(font).height() + 4; }
 
 double widestKind(const QFontMetricsF& metrics)
 {
@@ -40,7 +43,7 @@ public:
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const override
     {
-        return {option.rect.width(), QFontMetrics(option.font).height() + 4};
+        return {option.rect.width(), lineHeight(option.font)};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
@@ -146,6 +149,16 @@ void LogLines::showEvent(QShowEvent* event)
         scrollToBottom();
 }
 
+// A line that is cut in half is not read, and looks as if there were no more.
+void LogLines::showWholeLines()
+{
+    const int room = viewport()->height() + viewportMargins().bottom();
+    const int line = lineHeight(font());
+    const QMargins margins(0, 0, 0, room > line ? room % line : 0);
+    if (margins != viewportMargins())
+        setViewportMargins(margins);
+}
+
 // What is read whole below takes its room from the lines; the one that is read stays in view.
 void LogLines::resizeEvent(QResizeEvent* event)
 {
@@ -153,6 +166,7 @@ void LogLines::resizeEvent(QResizeEvent* event)
     const bool readsHere =
         isVisible() && currentIndex().isValid() && QRect(QPoint(), event->oldSize()).intersects(visualRect(currentIndex()));
     QListView::resizeEvent(event);
+    showWholeLines();
     if (follows)
         scrollToBottom();
     if (readsHere)
@@ -181,8 +195,10 @@ void LogLines::focusInEvent(QFocusEvent* event)
 void LogLines::changeEvent(QEvent* event)
 {
     QListView::changeEvent(event);
-    if (event->type() == QEvent::FontChange)
-        scheduleDelayedItemsLayout();
+    if (event->type() != QEvent::FontChange)
+        return;
+    scheduleDelayedItemsLayout();
+    showWholeLines();
 }
 
 } // namespace console

@@ -36,6 +36,7 @@ protected:
 
 private:
     bool atNewest() const;
+    void showWholeLines();
 
     bool m_follows = true;
     QPersistentModelIndex m_marked;

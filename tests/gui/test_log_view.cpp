@@ -9,6 +9,8 @@
 #include <QScrollBar>
 #include <QSignalSpy>
 
+#include <algorithm>
+
 using namespace console;
 using namespace console::test;
 
@@ -241,6 +243,24 @@ private Q_SLOTS:
         auto* bar = stage.lines()->verticalScrollBar();
         QVERIFY(bar->maximum() > 0);
         QTRY_COMPARE(bar->value(), bar->maximum());
+    }
+
+    /// However tall the room for them is, the last one in it is not cut.
+    void showsWholeLinesOnly()
+    {
+        Shown stage;
+        auto& log = stage.cockpit.models.log;
+        for (int i = 0; i < 300; ++i)
+            log.append(LogKind::Note, QString::number(i), 5000);
+        QVERIFY(stage.open());
+        const auto* lines = stage.lines();
+        const auto last = [lines] { return lines->visualRect(lines->model()->index(lines->model()->rowCount() - 1, 0)); };
+        for (const int tall : {1080, 1083, 1086, 1090, 1440}) {
+            stage.window.resize(1920, tall);
+            QTRY_COMPARE(lines->verticalScrollBar()->value(), lines->verticalScrollBar()->maximum());
+            QTRY_COMPARE(lines->viewport()->height() % std::max(1, last().height()), 0);
+            QTRY_VERIFY(last().bottom() < lines->viewport()->height());
+        }
     }
 
     void anOlderLineThatIsChosenStaysInView()
