@@ -75,7 +75,8 @@ QWidget* StartView::makeSteps()
         {tr("F"), tr("Held: X-ray pictures. Then look at the list of conditions in the bar below.")},
         {tr("F8"), tr("Alarm self-test: three colours and three sounds; say whether they were there. Before each arming.")},
         {tr("R"), tr("Held for 1.5 s: arms, when every condition is met. Motion lasts only while the dead-man is held.")},
-        {tr("F12"), tr("Hold. Esc: emergency stop, always, from everywhere on this screen.")},
+        {tr("F12"), tr("Hold: ends motion, from everywhere on this screen.")},
+        {tr("Esc"), tr("Emergency stop, always, from everywhere on this screen.")},
     };
     int row = 0;
     for (const auto& [key, what] : steps) {

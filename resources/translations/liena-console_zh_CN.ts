@@ -5427,8 +5427,16 @@ NOT A MEDICAL DEVICE</source>
         <translation>F12</translation>
     </message>
     <message>
-        <source>Hold. Esc: emergency stop, always, from everywhere on this screen.</source>
-        <translation>保持。Esc：急停，随时有效，在本屏幕任何位置均可。</translation>
+        <source>Hold: ends motion, from everywhere on this screen.</source>
+        <translation>保持：结束运动，在本屏幕任何位置均可。</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Emergency stop, always, from everywhere on this screen.</source>
+        <translation>急停，随时有效，在本屏幕任何位置均可。</translation>
     </message>
 </context>
 <context>

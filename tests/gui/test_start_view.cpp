@@ -57,8 +57,26 @@ private Q_SLOTS:
         QVERIFY(stage.shown());
         const QString words = Started::words(stage.start);
         for (const char* part : {"Not a medical device", "1.2.3", "Dr Wu", "Remote vascular intervention", "9f3c1a", "Keyboard (in use)",
-                                 "nobody has tested it", "--help", "F8", "F2", "Open all", "Esc: emergency stop"})
+                                 "nobody has tested it", "--help", "F8", "F2", "Open all"})
             QVERIFY2(words.contains(QString::fromLatin1(part)), part);
+    }
+
+    /// The most urgent key of all is looked for where keys stand.
+    void theEmergencyStopsKeyHasItsOwnRow()
+    {
+        Started stage;
+        QVERIFY(stage.shown());
+        const QLabel* key = nullptr;
+        const QLabel* words = nullptr;
+        for (const QLabel* label : stage.start->findChildren<QLabel*>()) {
+            if (label->text() == QLatin1String("Esc"))
+                key = label;
+            if (label->text().startsWith(QStringLiteral("Emergency stop")))
+                words = label;
+        }
+        QVERIFY(key && words);
+        QTRY_COMPARE(words->y(), key->y());
+        QVERIFY(words->x() > key->geometry().right());
     }
 
     void whatIsNotKnownIsSaidToBe()
