@@ -3,6 +3,7 @@
 // The console is the whole one, on Qt's offscreen platform; robot, arm and X-ray system are liena-devices in processes of their own. The
 // links' timing is slower than a real one, so that a moment lasts long enough for its picture.
 #include "imaging/live_image_view.hpp"
+#include "imaging/reference_image_view.hpp"
 #include "theatre.hpp"
 #include "widgets/diagnosis_sheet.hpp"
 #include "widgets/theme.hpp"
@@ -33,7 +34,7 @@ public:
     /// False at the first state that is not reached.
     bool work()
     {
-        return idle() && topology() && selfTest() && open() && measured() && armed() && engaged() && roadmap() && frozen() &&
+        return idle() && topology() && open() && selfTest() && measured() && armed() && engaged() && roadmap() && frozen() &&
                interrupted() && lost() && reopened() && review() && views();
     }
 
@@ -102,20 +103,39 @@ private:
         return taken;
     }
 
-    /// The first of its three signals.
-    bool selfTest()
+    /// What each device says by itself, once or every second, has come.
+    bool allReported() const
     {
-        if (!m_theatre.openAll())
-            return false;
-        QTest::keyClick(&m_theatre.window(), Qt::Key_F8);
-        const bool taken = take("self-test");
-        return taken && until([this] { return !m_theatre.models().selfTest.signal(); }) && m_theatre.click(QStringLiteral("Test seen"));
+        const auto& models = m_theatre.models();
+        const auto& instrument = models.instrument;
+        return instrument.robot().known() && instrument.drives().known() && instrument.tip().known() && instrument.travel() &&
+               models.arm.status().known() && models.xray.status().known();
+    }
+
+    /// Live pictures, compared clocks and all else that arming asks for.
+    bool onlyTestIsMissing() const
+    {
+        const auto met = metGuards(m_theatre.models().permit.checklist());
+        return met.count() == guardCount - 1 && !met.test(static_cast<std::size_t>(Guard::AlarmsTested));
     }
 
     bool open()
     {
+        if (!m_theatre.openAll())
+            return false;
         m_theatre.hold(Qt::Key_F);
-        return until([this] { return picture() == PictureCondition::Live; }) && m_theatre.reaches(PermitPhase::Ready) && take("open");
+        return until([this] { return allReported() && onlyTestIsMissing() && picture() == PictureCondition::Live; }) && take("open");
+    }
+
+    /// The first of its three signals.
+    bool selfTest()
+    {
+        QTest::keyClick(&m_theatre.window(), Qt::Key_F8);
+        const bool taken = until([this] { return m_theatre.models().selfTest.signal() == AlarmPriority::High; }) && take("self-test");
+        if (!taken || !until([this] { return !m_theatre.models().selfTest.signal(); }) || !m_theatre.click(QStringLiteral("Test seen")))
+            return false;
+        m_theatre.hold(Qt::Key_F); // not heard before where the keys were elsewhere
+        return m_theatre.reaches(PermitPhase::Ready);
     }
 
     void press(const char* accessibleName)
@@ -160,7 +180,9 @@ private:
             m_theatre.click(QStringLiteral("Roadmap"));
             return m_theatre.models().roadmap.isValid();
         };
-        const bool made = done && until(mapped) && m_theatre.armAndMove() && take("roadmap");
+        const auto* pane = m_theatre.window().findChild<ReferenceImageView*>();
+        const auto isTold = [pane] { return pane != nullptr && pane->told().isEmpty(); }; // of what it was made: that goes by itself
+        const bool made = done && until(mapped) && until(isTold) && m_theatre.armAndMove() && take("roadmap");
         m_theatre.click(QStringLiteral("Hold"));
         m_theatre.releaseAll();
         return made;
