@@ -288,7 +288,7 @@
     </message>
     <message>
         <source>Read the prompt, then re-open the channel.</source>
-        <translation>请阅读诊断提示，然后重新打开通道。</translation>
+        <translation>阅读提示单，然后重新打开通道。</translation>
     </message>
     <message>
         <source>%1: picture link interrupted</source>
@@ -516,7 +516,7 @@
     </message>
     <message>
         <source>The session goes on by TCP, where a lost segment delays commands; have the network looked at.</source>
-        <translation>会话经 TCP 继续，丢失的分段会延迟命令；请检查网络。</translation>
+        <translation>会话经 TCP 继续，丢失的分段会延迟指令；让人检查网络。</translation>
     </message>
     <message>
         <source>Roadmap removed: %1</source>
@@ -540,7 +540,7 @@
     </message>
     <message>
         <source>Read the prompt, then have the channel re-opened at one of the two.</source>
-        <translation>请阅读诊断提示，然后让人在其中一台设备上重新打开通道。</translation>
+        <translation>阅读提示单，然后让人在其中一台设备上重新打开通道。</translation>
     </message>
     <message>
         <source>Pictures are refused: %1</source>
@@ -560,7 +560,7 @@
     </message>
     <message>
         <source>Picture slow, fewer than %1 a second</source>
-        <translation>图像变慢，每秒少于 %1 幅</translation>
+        <translation>图像过慢，每秒少于 %1 幅</translation>
     </message>
     <message>
         <source>Move slowly; have the line to the X-ray system looked at.</source>
@@ -1138,7 +1138,7 @@
     </message>
     <message>
         <source>Save what this sheet says as a file</source>
-        <translation>把此面板的内容保存为文件</translation>
+        <translation>把此提示单的内容保存为文件</translation>
     </message>
     <message>
         <source>Pause the alarm sound: F9</source>
@@ -1694,7 +1694,7 @@
     </message>
     <message>
         <source>No hand control answers</source>
-        <translation>主手无响应</translation>
+        <translation>主手无应答</translation>
     </message>
     <message>
         <source>Window has the keyboard</source>
@@ -1706,7 +1706,7 @@
     </message>
     <message>
         <source>A screen is gone: click into the cockpit</source>
-        <translation>屏幕已断开：请点击驾驶舱</translation>
+        <translation>屏幕已移除：请点击驾驶舱</translation>
     </message>
     <message>
         <source>Dead-man released</source>
@@ -1738,11 +1738,11 @@
     </message>
     <message>
         <source>Force %1 N, accepted</source>
-        <translation>力 %1 N，已接受</translation>
+        <translation>受力 %1 N，已接受</translation>
     </message>
     <message>
         <source>Commands are quick</source>
-        <translation>命令往返及时</translation>
+        <translation>指令往返及时</translation>
     </message>
     <message>
         <source>Round trip not yet measured</source>
@@ -1770,11 +1770,11 @@
     </message>
     <message>
         <source>It is not known how late the robot takes commands</source>
-        <translation>不知机器人接受多迟的命令</translation>
+        <translation>机器人可接受的指令延迟未知</translation>
     </message>
     <message>
         <source>Commands take %1 ms there and back, the robot takes them up to %2 ms</source>
-        <translation>命令往返需 %1 ms，机器人最多接受 %2 ms</translation>
+        <translation>指令往返需 %1 ms，机器人最多接受 %2 ms</translation>
     </message>
     <message>
         <source>Logs are kept</source>
@@ -1786,7 +1786,7 @@
     </message>
     <message>
         <source>Commands take %1 ms there and back, %2</source>
-        <translation>命令往返需 %1 ms，%2</translation>
+        <translation>指令往返需 %1 ms，%2</translation>
     </message>
     <message>
         <source>at most %1 ms to arm</source>
@@ -2038,7 +2038,7 @@
     </message>
     <message>
         <source>C-arm and table</source>
-        <translation>C 形臂与床</translation>
+        <translation>C 臂与床</translation>
     </message>
     <message>
         <source>LAO/RAO</source>
@@ -2388,7 +2388,7 @@
     <name>console::LibraryWords</name>
     <message>
         <source>The attempt ended without a word from the other side.</source>
-        <translation>尝试已结束，对方没有任何答复。</translation>
+        <translation>尝试已结束，对方没有任何应答。</translation>
     </message>
     <message>
         <source>The other device does not find this one in its topology: give both the same topology file.</source>
@@ -2456,7 +2456,7 @@
     </message>
     <message>
         <source>The device&apos;s computer does not answer: its power and cable, or the site&apos;s line.</source>
-        <translation>该设备的计算机没有应答：请检查其电源和网线，或该院区的线路。</translation>
+        <translation>该设备的计算机无应答：请检查其电源和网线，或该院区的线路。</translation>
     </message>
     <message>
         <source>The computer answers and its program is not running: start the program at the patient side.</source>
@@ -2468,7 +2468,7 @@
     </message>
     <message>
         <source>The device accepts connections and says nothing: its program hangs or is overloaded; wait 2 s, then restart it.</source>
-        <translation>该设备接受连接但没有应答：其程序停止响应或过载；请等待 2 s，然后重新启动它。</translation>
+        <translation>该设备接受连接但无应答：其程序停止响应或过载；请等待 2 s，然后重新启动它。</translation>
     </message>
     <message>
         <source>The device answers again: the channel can be re-opened.</source>
@@ -2959,7 +2959,7 @@
     <name>console::Loudspeaker</name>
     <message>
         <source>the sound output does not answer</source>
-        <translation>声音输出无响应</translation>
+        <translation>声音输出无应答</translation>
     </message>
 </context>
 <context>
@@ -3012,7 +3012,7 @@
     </message>
     <message>
         <source>silent</source>
-        <translation>无响应</translation>
+        <translation>无应答</translation>
     </message>
     <message>
         <source>not heard</source>
@@ -3059,15 +3059,15 @@
     </message>
     <message>
         <source>%1 mm @ table plane + %2 cm (geometry)</source>
-        <translation>%1 mm @ 床面平面 + %2 cm（几何）</translation>
+        <translation>%1 mm @ 床面 + %2 cm（几何）</translation>
     </message>
     <message>
         <source>%1 px (uncalibrated: no table plane)</source>
-        <translation>%1 px（未校准：无床面平面）</translation>
+        <translation>%1 px（未校准：无床面）</translation>
     </message>
     <message>
         <source>lengths by geometry: table plane + %1 cm</source>
-        <translation>几何长度：床面平面 + %1 cm</translation>
+        <translation>几何长度：床面 + %1 cm</translation>
     </message>
     <message>
         <source>lengths by geometry: isocentre plane</source>
@@ -3288,7 +3288,7 @@
     </message>
     <message>
         <source>for a moment the picture was too old, or this console stood still</source>
-        <translation>影像曾一度过旧，或本控制台曾停顿</translation>
+        <translation>图像曾一度过旧，或本控制台曾停顿</translation>
     </message>
     <message>
         <source>the robot withdrew its permit</source>
@@ -3296,7 +3296,7 @@
     </message>
     <message>
         <source>the robot did not answer the request to arm</source>
-        <translation>机器人未答复解锁请求</translation>
+        <translation>机器人未应答解锁请求</translation>
     </message>
 </context>
 <context>
@@ -3323,7 +3323,7 @@
     </message>
     <message>
         <source>Waiting for the robot&apos;s answer</source>
-        <translation>正在等待机器人答复</translation>
+        <translation>正在等待机器人应答</translation>
     </message>
     <message>
         <source>Keep holding</source>
@@ -3386,7 +3386,7 @@
     </message>
     <message>
         <source>O: isocentre or table plane</source>
-        <translation>O：等中心平面或床面平面</translation>
+        <translation>O：等中心平面或床面</translation>
     </message>
 </context>
 <context>
@@ -3516,7 +3516,7 @@
     </message>
     <message>
         <source>no run has ended yet: there is no last image</source>
-        <translation>尚无曝光结束：没有末帧</translation>
+        <translation>尚无序列结束：没有末帧</translation>
     </message>
     <message>
         <source>there is no picture to save yet</source>
@@ -3532,7 +3532,7 @@
     </message>
     <message>
         <source>no roadmap: no run has shown contrast yet; give contrast while the pedal is down</source>
-        <translation>无路图：还没有哪次曝光显示造影剂；请在踩下踏板时注射造影剂</translation>
+        <translation>无路图：还没有哪个序列显示造影剂；请在踩下踏板时注射造影剂</translation>
     </message>
     <message>
         <source>no roadmap: it was removed, and no contrast was given since</source>
@@ -3540,7 +3540,7 @@
     </message>
     <message>
         <source>roadmap made of %1 pictures of run %2</source>
-        <translation>路图由曝光 %2 的 %1 帧图像制成</translation>
+        <translation>路图由序列 %2 的 %1 帧图像制成</translation>
     </message>
     <message>
         <source>no picture of that moment is kept any more</source>
@@ -3638,7 +3638,7 @@
     </message>
     <message>
         <source>frame %1  run %2</source>
-        <translation>帧 %1  曝光 %2</translation>
+        <translation>帧 %1  序列 %2</translation>
     </message>
     <message>
         <source>ZOOM %1×</source>
@@ -3941,7 +3941,7 @@
     </message>
     <message>
         <source>How long F9 silences alarms. A new high alarm ends it; 120 s is the site&apos;s limit.</source>
-        <translation>F9 使报警静音的时长。新的高优先级报警会结束暂停；120 s 为本机构的上限。</translation>
+        <translation>F9 使报警静音的时长。新的高优先级报警会结束暂停；120 s 为院区上限。</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -4025,7 +4025,7 @@
     </message>
     <message>
         <source>Pictures per second while the pedal is down; the dose grows with them. A recorded run keeps its own rate.</source>
-        <translation>踩下踏板时每秒的图像数；越多剂量越高。已记录的序列保持其自身的帧率。</translation>
+        <translation>踩下踏板时每秒的图像数；越多剂量越高。录制的序列保持其自身的帧率。</translation>
     </message>
     <message>
         <source>%1 /s</source>
@@ -4037,7 +4037,7 @@
     </message>
     <message>
         <source>How you call the people there; the prompt of a lost link shows it.</source>
-        <translation>如何呼叫那里的人员；链路丢失的提示会显示它。</translation>
+        <translation>如何呼叫那里的人员；链路丢失的提示单会显示它。</translation>
     </message>
     <message>
         <source>name and telephone number</source>
@@ -4065,7 +4065,7 @@
     </message>
     <message>
         <source>What is held when a run ends. A mean of its last pictures has less noise, and what moved is blurred in it. It says how many went in; those of another exposure or place do not.</source>
-        <translation>曝光结束时保持的图像。最后几帧的平均噪声较低，但运动部分会模糊。图像上注明实际参与平均的帧数；曝光条件或位置不同的帧不参与。</translation>
+        <translation>序列结束时保持的图像。最后几帧的平均噪声较低，但运动部分会模糊。图像上注明实际参与平均的帧数；曝光条件或位置不同的帧不参与。</translation>
     </message>
     <message>
         <source>%1 cm</source>
@@ -4355,7 +4355,7 @@
     </message>
     <message>
         <source>The device&apos;s computer does not answer; others there do</source>
-        <translation>该设备的计算机无响应；当地其他计算机有响应</translation>
+        <translation>该设备的计算机无应答；同院区其他计算机有应答</translation>
     </message>
     <message>
         <source>Power and network cable of that device</source>
@@ -4363,19 +4363,19 @@
     </message>
     <message>
         <source>The device&apos;s computer does not answer; others there do not either</source>
-        <translation>该设备的计算机无响应；当地其他计算机也无响应</translation>
+        <translation>该设备的计算机无应答；同院区其他计算机也无应答</translation>
     </message>
     <message>
         <source>The site&apos;s network line</source>
-        <translation>检查当地的网络线路</translation>
+        <translation>检查该院区的网络线路</translation>
     </message>
     <message>
         <source>The device&apos;s computer does not answer</source>
-        <translation>该设备的计算机无响应</translation>
+        <translation>该设备的计算机无应答</translation>
     </message>
     <message>
         <source>Power and network cable of that device, or the site&apos;s line</source>
-        <translation>检查该设备的电源和网线，或当地的线路</translation>
+        <translation>检查该设备的电源和网线，或该院区的线路</translation>
     </message>
     <message>
         <source>Not known yet: run the checks</source>
@@ -4403,7 +4403,7 @@
     </message>
     <message>
         <source>The computer answers, its program is not running</source>
-        <translation>计算机有响应，其程序未在运行</translation>
+        <translation>计算机有应答，但其程序没有运行</translation>
     </message>
     <message>
         <source>Restart the program at the patient side</source>
@@ -4411,7 +4411,7 @@
     </message>
     <message>
         <source>The device answered but its identity was refused</source>
-        <translation>设备有响应，但其身份被拒绝</translation>
+        <translation>设备有应答，但其身份被拒绝</translation>
     </message>
     <message>
         <source>Do not bypass this: call service</source>
@@ -4427,7 +4427,7 @@
     </message>
     <message>
         <source>The device answers again</source>
-        <translation>设备已恢复响应</translation>
+        <translation>该设备重新应答</translation>
     </message>
     <message>
         <source>Re-open the channel</source>
@@ -4693,7 +4693,7 @@
     </message>
     <message>
         <source>No reference picture yet. The last image of a run is held here, and the last minute can be reviewed.</source>
-        <translation>尚无参考图像。每次曝光的末帧保持在此，最近一分钟可以回放。</translation>
+        <translation>尚无参考图像。每个序列的末帧保持在此，最近一分钟可以回放。</translation>
     </message>
     <message>
         <source>%1; the picture was taken at %2. It is not the live picture.</source>
@@ -4724,7 +4724,7 @@
     </message>
     <message>
         <source>The last picture of the run</source>
-        <translation>本次曝光的最后一幅图像</translation>
+        <translation>本序列的最后一幅图像</translation>
     </message>
     <message>
         <source>Review</source>
@@ -4784,7 +4784,7 @@
     </message>
     <message>
         <source>The live picture under the vessels that the last run with contrast filled</source>
-        <translation>实时图像，叠加最近一次造影曝光中充盈的血管</translation>
+        <translation>实时图像，叠加最近一个造影序列中充盈的血管</translation>
     </message>
     <message>
         <source>Strength of the roadmap&apos;s vessels</source>
@@ -4807,7 +4807,7 @@
     </message>
     <message>
         <source>Vessels of %1, run %2</source>
-        <translation>%1 的血管，曝光 %2</translation>
+        <translation>%1 的血管，序列 %2</translation>
     </message>
     <message>
         <source>the C-arm turned</source>
@@ -4827,7 +4827,7 @@
     </message>
     <message>
         <source>the table moved</source>
-        <translation>检查床移动了</translation>
+        <translation>床移动了</translation>
     </message>
     <message>
         <source>the patient moved</source>
@@ -4890,7 +4890,7 @@
     </message>
     <message>
         <source>Drives off</source>
-        <translation>驱动器关闭</translation>
+        <translation>驱动器未启用</translation>
     </message>
     <message>
         <source>Drives enabled</source>
@@ -4986,7 +4986,7 @@
     </message>
     <message>
         <source>Vessels, tracked tip and C-arm. 4 6 8 2 turn, plus and minus zoom, Home shows the vessels, End the C-arm.</source>
-        <translation>血管、所跟踪的头端和 C 形臂。4 6 8 2 旋转，加减号缩放，Home 显示血管，End 显示 C 形臂。</translation>
+        <translation>血管、所跟踪的头端和 C 臂。4 6 8 2 旋转，加减号缩放，Home 显示血管，End 显示 C 臂。</translation>
     </message>
     <message>
         <source>BEFORE</source>
@@ -5276,7 +5276,7 @@
     </message>
     <message>
         <source>%1: %2 is overdue</source>
-        <translation>%1：%2 逾时未到</translation>
+        <translation>%1：%2逾时未到</translation>
     </message>
     <message>
         <source>%1: %2 message(s) %3 dropped: %4</source>
@@ -5483,7 +5483,7 @@ NOT A MEDICAL DEVICE</source>
     </message>
     <message>
         <source>Local time</source>
-        <translation>当地时间</translation>
+        <translation>本地时间</translation>
     </message>
     <message>
         <source>Status strip</source>
@@ -5640,7 +5640,7 @@ NOT A MEDICAL DEVICE</source>
     <name>console::TopologyCanvas</name>
     <message>
         <source>no site given</source>
-        <translation>未给出地点</translation>
+        <translation>未给出院区</translation>
     </message>
     <message>
         <source>%1 side</source>
@@ -5820,7 +5820,7 @@ known here</source>
     </message>
     <message>
         <source>its watchdog does not answer</source>
-        <translation>其看门狗无响应</translation>
+        <translation>其看门狗无应答</translation>
     </message>
 </context>
 <context>
