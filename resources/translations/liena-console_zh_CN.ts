@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>%1 of %2 is not shown: it is no device of that kind</source>
-        <translation>不显示 %2 的 %1：它不是该类设备</translation>
+        <translation>不显示 %2 的 %1：该设备并非此类设备</translation>
     </message>
 </context>
 <context>
@@ -60,7 +60,7 @@
     </message>
     <message>
         <source>Parts used, and their licences as named by Debian 12</source>
-        <translation>所用组成部分及 Debian 12 所称的许可证</translation>
+        <translation>所用组成部分及其许可证（按 Debian 12 的名称）</translation>
     </message>
     <message>
         <source>Leave About</source>
@@ -131,7 +131,7 @@
     </message>
     <message>
         <source>Sound stays on %1 s</source>
-        <translation>报警声保持 %1 s</translation>
+        <translation>报警声持续 %1 s</translation>
     </message>
     <message>
         <source>Pause sound (F9)</source>
@@ -260,7 +260,7 @@
     </message>
     <message>
         <source>Give both sides the same files; do not arm.</source>
-        <translation>请让两端使用相同的文件；不要解锁。</translation>
+        <translation>让两端使用相同的文件；不要解锁。</translation>
     </message>
     <message>
         <source>%1: %2 overdue</source>
@@ -268,7 +268,7 @@
     </message>
     <message>
         <source>Look at that device; what is shown of it is old.</source>
-        <translation>请查看该设备；所显示的是其旧数据。</translation>
+        <translation>查看该设备；所显示的是其旧数据。</translation>
     </message>
     <message>
         <source>%1: clock uncertain, ages unknown</source>
@@ -276,7 +276,7 @@
     </message>
     <message>
         <source>Wait; arming is refused until the clocks are compared.</source>
-        <translation>请等待；时钟比对完成前拒绝解锁。</translation>
+        <translation>等待时钟比对；完成前拒绝解锁。</translation>
     </message>
     <message>
         <source>%1: picture link lost, stand-by</source>
@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Check the line before you arm.</source>
-        <translation>解锁前请检查线路。</translation>
+        <translation>解锁前检查线路。</translation>
     </message>
     <message>
         <source>%1: commands take %2 ms there and back</source>
@@ -340,11 +340,11 @@
     </message>
     <message>
         <source>Move slowly and wait for the picture, or stop; have the line looked at.</source>
-        <translation>请慢动并等待图像跟上，或停止；请让人检查线路。</translation>
+        <translation>缓慢操作并等待图像跟上，或停止；让人检查线路。</translation>
     </message>
     <message>
         <source>Move slowly and wait for the picture.</source>
-        <translation>请慢动并等待图像跟上。</translation>
+        <translation>缓慢操作并等待图像跟上。</translation>
     </message>
     <message>
         <source>Robot&apos;s hold NOT CONFIRMED</source>
@@ -360,7 +360,7 @@
     </message>
     <message>
         <source>Settle why it was pressed before it is reset.</source>
-        <translation>复位前请查明按下急停的原因。</translation>
+        <translation>复位前查明按下急停的原因。</translation>
     </message>
     <message>
         <source>Picture %1</source>
@@ -368,7 +368,7 @@
     </message>
     <message>
         <source>Have the line to the X-ray system looked at; mind fine wires.</source>
-        <translation>请让人检查到 X 射线系统的线路；留意细导丝。</translation>
+        <translation>让人检查到 X 射线系统的线路；留意细导丝。</translation>
     </message>
     <message>
         <source>Picture was older than %1 ms for a moment</source>
@@ -396,11 +396,11 @@
     </message>
     <message>
         <source>Do not push on; look at the picture and retract a little.</source>
-        <translation>不要继续推送；请查看图像并稍稍后撤。</translation>
+        <translation>不要继续推送；查看图像并稍稍后撤。</translation>
     </message>
     <message>
         <source>Advance no further; look at the tip.</source>
-        <translation>不要再推进；请查看头端。</translation>
+        <translation>不要再推进；查看头端。</translation>
     </message>
     <message>
         <source>Robot: %1</source>
@@ -412,11 +412,11 @@
     </message>
     <message>
         <source>Do not arm; have the drives looked at.</source>
-        <translation>不要解锁；请让人检查驱动器。</translation>
+        <translation>不要解锁；让人检查驱动器。</translation>
     </message>
     <message>
         <source>Move the other way.</source>
-        <translation>请向反方向移动。</translation>
+        <translation>向反方向移动。</translation>
     </message>
     <message>
         <source>Hard limit reached</source>
@@ -436,11 +436,11 @@
     </message>
     <message>
         <source>Contrast EMPTY during an injection</source>
-        <translation>注射期间造影剂已用空</translation>
+        <translation>注射期间造影剂耗尽</translation>
     </message>
     <message>
         <source>Have the patient side refill the injector and look for air.</source>
-        <translation>请患者端重新装填注射器并检查有无空气。</translation>
+        <translation>让患者端重新装填注射器并检查有无空气。</translation>
     </message>
     <message>
         <source>Contrast %1 mL, below one injection</source>
@@ -448,7 +448,7 @@
     </message>
     <message>
         <source>Have the patient side refill the injector.</source>
-        <translation>请患者端重新装填注射器。</translation>
+        <translation>让患者端重新装填注射器。</translation>
     </message>
     <message>
         <source>Air kerma has reached %1 Gy</source>
@@ -456,7 +456,7 @@
     </message>
     <message>
         <source>Weigh the dose against what is still to do.</source>
-        <translation>请权衡剂量与尚需完成的操作。</translation>
+        <translation>权衡剂量与尚需完成的操作。</translation>
     </message>
     <message>
         <source>Console paints %1 of %2 pictures a second</source>
@@ -464,7 +464,7 @@
     </message>
     <message>
         <source>Close other programs on this computer; mind fast motion.</source>
-        <translation>请关闭本机其他程序；快速运动时要小心。</translation>
+        <translation>关闭本机其他程序；快速运动时要小心。</translation>
     </message>
     <message>
         <source>Recording: %1</source>
@@ -472,7 +472,7 @@
     </message>
     <message>
         <source>Make room on the disk, or have the computer looked at.</source>
-        <translation>请腾出磁盘空间，或让人检查计算机。</translation>
+        <translation>腾出磁盘空间，或让人检查计算机。</translation>
     </message>
     <message>
         <source>No alarm sound: %1</source>
@@ -480,7 +480,7 @@
     </message>
     <message>
         <source>Keep this band in view; connect a loudspeaker.</source>
-        <translation>请始终留意本报警栏；接上扬声器。</translation>
+        <translation>始终留意本报警栏；接上扬声器。</translation>
     </message>
     <message>
         <source>No alarm if this program hangs: %1</source>
@@ -488,7 +488,7 @@
     </message>
     <message>
         <source>Watch the liveness mark; start the console anew before the next procedure.</source>
-        <translation>请留意图像活动标记；下一台手术前重新启动控制台。</translation>
+        <translation>留意图像活动标记；下一台手术前重新启动控制台。</translation>
     </message>
     <message>
         <source>, </source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>Use the stop at the patient side now. This console goes on asking.</source>
-        <translation>请立即使用患者端的急停。本控制台将继续发送请求。</translation>
+        <translation>立即使用患者端的急停。本控制台将继续发送请求。</translation>
     </message>
     <message>
         <source>Fluoroscopy has reached %1 min</source>
@@ -548,7 +548,7 @@
     </message>
     <message>
         <source>Let go of the pedal; have the X-ray system and this console looked at.</source>
-        <translation>松开踏板；请让人检查 X 射线系统和本控制台。</translation>
+        <translation>松开踏板；让人检查 X 射线系统和本控制台。</translation>
     </message>
     <message>
         <source>No picture is shown</source>
@@ -556,7 +556,7 @@
     </message>
     <message>
         <source>Let go of the pedal and press it again; then have the X-ray system and the line to it looked at.</source>
-        <translation>松开踏板并重新踩下；若仍无图像，请让人检查 X 射线系统及其线路。</translation>
+        <translation>松开踏板并重新踩下；若仍无图像，让人检查 X 射线系统及其线路。</translation>
     </message>
     <message>
         <source>Picture slow, fewer than %1 a second</source>
@@ -564,7 +564,7 @@
     </message>
     <message>
         <source>Move slowly; have the line to the X-ray system looked at.</source>
-        <translation>请缓慢移动；请人检查通往 X 射线系统的线路。</translation>
+        <translation>缓慢操作；让人检查到 X 射线系统的线路。</translation>
     </message>
 </context>
 <context>
@@ -588,6 +588,14 @@
     <message>
         <source>alarm sound is there</source>
         <translation>报警声可用</translation>
+    </message>
+    <message>
+        <source>its watchdog has no sound</source>
+        <translation>其看门狗没有声音</translation>
+    </message>
+    <message>
+        <source>the watchdog has sound</source>
+        <translation>看门狗有声音</translation>
     </message>
     <message>
         <source>no watchdog was named</source>
@@ -1176,7 +1184,7 @@
     <name>console::DisplayMeasurement</name>
     <message>
         <source>two words are expected: a level and its light in cd/m², or ambient and its light</source>
-        <translation>应为两个词：灰阶及其亮度 (cd/m²)，或 ambient 及其亮度</translation>
+        <translation>应有两项：灰阶及其亮度 (cd/m²)，或 ambient 及其亮度</translation>
     </message>
     <message>
         <source>the light is not a number from 0 to 100000 cd/m²</source>
@@ -1235,15 +1243,15 @@
     </message>
     <message>
         <source>no shutter</source>
-        <translation>无遮光器</translation>
+        <translation>无电子遮光</translation>
     </message>
     <message>
         <source>round shutter</source>
-        <translation>圆形遮光器</translation>
+        <translation>圆形电子遮光</translation>
     </message>
     <message>
         <source>square shutter</source>
-        <translation>方形遮光器</translation>
+        <translation>方形电子遮光</translation>
     </message>
     <message>
         <source>unsharp mask</source>
@@ -1325,7 +1333,7 @@
     </message>
     <message>
         <source>Repeated from the X-ray system, %1</source>
-        <translation>X 射线系统数据转示，%1</translation>
+        <translation>X 射线系统数据转发，%1</translation>
     </message>
     <message>
         <source>≈ %1 injections · %2 mL/s</source>
@@ -1638,7 +1646,7 @@
     </message>
     <message>
         <source>Robot&apos;s commands differ (F4)</source>
-        <translation>机器人的指令不同（F4）</translation>
+        <translation>机器人的指令不同 (F4)</translation>
     </message>
     <message>
         <source>System not confirmed</source>
@@ -1762,7 +1770,7 @@
     </message>
     <message>
         <source>Patient side not heard</source>
-        <translation>患者端是否允许未知</translation>
+        <translation>未收到患者端消息</translation>
     </message>
     <message>
         <source>Alarm log is not kept</source>
@@ -2560,7 +2568,7 @@
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -2814,7 +2822,7 @@
     </message>
     <message>
         <source>▶ is before the last line up to the picture in review.</source>
-        <translation>▶ 位于截至回放图像的最后一行之前。</translation>
+        <translation>▶ 标出截至回放图像时刻的最后一行。</translation>
     </message>
     <message>
         <source>No picture of this moment is kept: the last 60 s are.</source>
@@ -3280,7 +3288,7 @@
     </message>
     <message>
         <source>Hold was asked for, or the window lost the hand</source>
-        <translation>有人要求保持，或窗口失去了主手</translation>
+        <translation>有人要求保持，或窗口失去主手输入</translation>
     </message>
     <message>
         <source>this console stood still for longer than 100 ms</source>
@@ -3465,7 +3473,7 @@
     </message>
     <message>
         <source>Shutter</source>
-        <translation>遮光器</translation>
+        <translation>电子遮光</translation>
     </message>
     <message>
         <source>None, round, square (H)</source>
@@ -3610,7 +3618,7 @@
     </message>
     <message>
         <source>SHUTTER</source>
-        <translation>遮光器</translation>
+        <translation>电子遮光</translation>
     </message>
     <message>
         <source>display calibrated</source>
@@ -3696,7 +3704,7 @@
     <name>console::PictureReduction</name>
     <message>
         <source>REDUCED</source>
-        <translation>已降帧</translation>
+        <translation>已降级</translation>
     </message>
     <message>
         <source>RE-ENCODED</source>
@@ -3704,7 +3712,7 @@
     </message>
     <message>
         <source>%1 %2 of %3 /s</source>
-        <translation>%1 %2，原为 %3 /s</translation>
+        <translation>%1 %2，要求 %3 /s</translation>
     </message>
     <message>
         <source>raw</source>
@@ -3750,7 +3758,7 @@
     </message>
     <message>
         <source>way to here</source>
-        <translation>到此的途程</translation>
+        <translation>传到本端</translation>
     </message>
     <message>
         <source>waiting</source>
@@ -4395,7 +4403,7 @@
     </message>
     <message>
         <source>Network up, no way to the hospital</source>
-        <translation>网络正常，但不通往医院</translation>
+        <translation>网络正常，但无法到达医院</translation>
     </message>
     <message>
         <source>Gateway and VPN</source>
@@ -4631,7 +4639,7 @@
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1 said last: %2</source>
@@ -5025,7 +5033,7 @@
     </message>
     <message>
         <source>The screen %1 is gone; the cockpit is on %2. The hand has no keys until you click into the cockpit or press F1.</source>
-        <translation>屏幕 %1 已移除；驾驶舱在 %2 上。在您点击驾驶舱或按 F1 之前，主手没有按键。</translation>
+        <translation>屏幕 %1 已移除；驾驶舱在 %2 上。在您点击驾驶舱或按 F1 之前，主手操作键无效。</translation>
     </message>
     <message>
         <source>The screen %1 is gone; what was on it is in the cockpit.</source>
@@ -5115,7 +5123,7 @@
     </message>
     <message>
         <source>Topology, conditions for motion, plots, trends and log. It moves nothing; the hand has no keys in it.</source>
-        <translation>拓扑、运动条件、曲线、趋势和日志。它不引起任何运动；主手在其中没有按键。</translation>
+        <translation>拓扑、运动条件、曲线、趋势和日志。它不引起任何运动；主手操作键在此屏幕上无效。</translation>
     </message>
     <message>
         <source>no further screen is there</source>
@@ -5166,7 +5174,7 @@
     </message>
     <message>
         <source> (Bluetooth)</source>
-        <translation>（Bluetooth）</translation>
+        <translation>（蓝牙）</translation>
     </message>
 </context>
 <context>
@@ -5212,7 +5220,7 @@
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -5601,7 +5609,7 @@ NOT A MEDICAL DEVICE</source>
     </message>
     <message>
         <source>EMERGENCY STOP NOT SENT: %1. Use the stop at the patient side.</source>
-        <translation>急停未发出：%1。请使用患者端的急停。</translation>
+        <translation>急停未发出：%1。使用患者端的急停。</translation>
     </message>
     <message>
         <source>emergency stop reset</source>
