@@ -176,6 +176,8 @@ void SpnavLine::finishAttempt()
     m_mouse = opened == Opened::Mouse;
     if (m_mouse)
         Q_EMIT came();
+    if (m_open)
+        take(); // what came while it was opened, a mouse that was plugged in, too, waits in the library and wakes nobody
 }
 
 void SpnavLine::listen()
@@ -191,19 +193,21 @@ void SpnavLine::take()
             return;
 }
 
-/// The library neither tells the end of the connection nor waits for the rest of an event: both are looked at first.
+/// The library neither tells the end of the connection nor waits for the rest of an event: both are looked at first. What it kept of its own
+/// comes first.
 bool SpnavLine::takeOne()
 {
     std::array<char, eventSize> ahead{};
     const auto waiting = ::recv(spnav_fd(), ahead.data(), ahead.size(), MSG_PEEK | MSG_DONTWAIT);
-    if (waiting < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
-        return false;
+    const bool nothing = waiting < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
     spnav_event event{};
-    if (waiting != static_cast<ssize_t>(eventSize)) {
+    if (!nothing && waiting != static_cast<ssize_t>(eventSize)) {
         close();
         return false;
     }
     const int kind = spnav_poll_event(&event);
+    if (kind == 0)
+        return false;
     const bool hand = kind == SPNAV_EVENT_MOTION || kind == SPNAV_EVENT_BUTTON;
     // Another set of mice, or one that was not known of: begun anew, and to be seen let go.
     if (kind == SPNAV_EVENT_DEV || (hand && !m_mouse)) {

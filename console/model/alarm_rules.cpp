@@ -107,7 +107,7 @@ void Rules::addLoss(const AlarmLinkReading& link)
         add(condition, Priority::High, true,
             link.images ? Text::tr("%1: picture link interrupted").arg(link.title) : Text::tr("%1: link interrupted").arg(link.title),
             Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."), link.peer);
-    else if (link.closedWhileArmed)
+    else if (link.closedWhileArmed && m_readings.armed)
         add(condition, Priority::High, true,
             link.images ? Text::tr("%1: picture link closed while armed").arg(link.title)
                         : Text::tr("%1: link closed while armed").arg(link.title),
@@ -190,7 +190,7 @@ void Rules::addPicture()
         return add(AlarmCondition::PictureStale, priority, false, Text::tr("No picture is shown"),
                    Text::tr("Let go of the pedal and press it again; then have the X-ray system and the line to it looked at."));
     if (condition != PictureCondition::Frozen && condition != PictureCondition::Unknown) {
-        if (m_readings.pictureTooOld)
+        if (m_readings.pictureTooOld && m_readings.armed)
             add(AlarmCondition::PictureStale, priority, false,
                 Text::tr("Picture was older than %1 ms for a moment").arg(milliseconds(m_readings.pictureLimit), 0, 'f', 0),
                 Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."));

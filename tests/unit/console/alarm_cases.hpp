@@ -61,8 +61,27 @@ inline const std::vector<AlarmCase>& alarmCases()
              r.links[0].images = true;
          },
          C::ImageLost, High, Medium, true},
+        {"link closed while armed",
+         [](auto& r) {
+             r.links[0].state = LinkState::Closed;
+             r.links[0].closedWhileArmed = true;
+         },
+         C::LinkLost, High, std::nullopt, true},
+        {"picture link closed while armed",
+         [](auto& r) {
+             r.links[0].state = LinkState::Closed;
+             r.links[0].closedWhileArmed = true;
+             r.links[0].images = true;
+         },
+         C::ImageLost, High, std::nullopt, true},
         {"hold not confirmed", [](auto& r) { r.awaitingHold = 201ms; }, C::HoldNotConfirmed, High, Medium, true},
         {"picture frozen", [](auto& r) { r.picture.condition = PictureCondition::Frozen; }, C::PictureStale, High, Low, false},
+        {"picture too old for a moment",
+         [](auto& r) {
+             r.picture.condition = PictureCondition::Live;
+             r.pictureTooOld = true;
+         },
+         C::PictureStale, High, std::nullopt, false},
         {"no picture", [](auto& r) { r.picture.overdue = true; }, C::PictureStale, High, Low, false},
         {"picture reduced",
          [](auto& r) {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <utility>
 
 namespace console::test {
 
@@ -59,6 +60,7 @@ public:
     }
 
     bool mousePlugged = true;
+    bool plugWhileAsked = false; ///< the mouse comes between the next question for it and the answer that there is none
 
 private:
     void accept()
@@ -89,6 +91,12 @@ private:
         while (m_shaken && m_client->bytesAvailable() >= qint64(sizeof(Packet))) {
             Packet packet{};
             m_client->read(reinterpret_cast<char*>(packet.data()), sizeof packet);
+            if ((packet[0] & 0xffff) == deviceType && std::exchange(plugWhileAsked, false)) {
+                packet[7] = -1; // of before
+                plug(true);
+                send(packet);
+                continue;
+            }
             const bool unknown = (packet[0] & 0xffff) == deviceType && !mousePlugged;
             packet[7] = unknown ? -1 : 0;
             send(packet);

@@ -21,9 +21,10 @@ struct Mouse {
     std::unique_ptr<SpaceMouseMaster> master;
     Instant now = Instant{} + 1h;
 
-    explicit Mouse(int protocol = 1, bool plugged = true) : daemon(protocol)
+    explicit Mouse(int protocol = 1, bool plugged = true, bool plugWhileAsked = false) : daemon(protocol)
     {
         daemon.mousePlugged = plugged;
+        daemon.plugWhileAsked = plugWhileAsked;
         daemon.begin();
         master = std::make_unique<SpaceMouseMaster>();
         master->setListening(true);
@@ -209,6 +210,13 @@ private Q_SLOTS:
         QCOMPARE(mouse.life(), MasterLife::Gone);
         mouse.daemon.plug(true);
         QVERIFY(mouse.becomes(MasterLife::Alive));
+    }
+
+    void aMouseThatComesWhileTheLineOpensIsFound()
+    {
+        Mouse mouse(1, false, true);
+        QVERIFY(mouse.becomes(MasterLife::Alive));
+        QCOMPARE(mouse.daemon.connections(), 2);
     }
 
     void anOldDaemonIsRefusedAndSaid()
