@@ -69,7 +69,8 @@ QString DisplayChain::process(const XrayFrame& frame, const DisplaySettings& set
     picture.about.pixels = {};
     picture.treatment = {};
     const bool goesOn = continues(frame);
-    // Its edges go on from those of the picture before only where a person saw that one in them.
+    // Its edges go on from those of the picture before only where a person saw that one in them. A jump in brightness begins nothing anew
+    // here: what moves into view makes one, too.
     if (!m_automatic || !hasSameValues(m_last->about, frame) || !comesNext(m_last->about, frame))
         m_autoWindow.reset();
     m_automatic.reset();

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace console {
 
@@ -138,15 +139,19 @@ GreyWindow AutoWindow::next(const cv::Mat& stored, const Shutter& shutter)
     const GreyWindow wanted = percentileWindow(stored, shutter);
     if (!wanted.isKnown())
         return m_window;
-    if (!m_window.isKnown()) {
-        m_window = wanted;
-        return m_window;
-    }
-    const double step = largestStep * m_window.width;
     const double wantedLow = wanted.centre - wanted.width / 2;
     const double wantedHigh = wanted.centre + wanted.width / 2;
     const double oldLow = m_window.centre - m_window.width / 2;
     const double oldHigh = m_window.centre + m_window.width / 2;
+    const bool beside = wantedLow >= oldHigh || wantedHigh <= oldLow;
+    const bool besideAgain = std::exchange(m_wasBeside, beside) && beside;
+    if (!m_window.isKnown() || besideAgain) {
+        m_wasBeside = false;
+        m_window = wanted;
+        return m_window;
+    }
+    // Of the wider one: from a narrow window, as a flat picture has it, steps of its own width would take minutes.
+    const double step = largestStep * std::max(m_window.width, wanted.width);
     const double low = oldLow + std::clamp(wantedLow - oldLow, -step, step);
     const double high = std::max(oldHigh + std::clamp(wantedHigh - oldHigh, -step, step), low + 2);
     m_window = {(low + high) / 2, high - low};

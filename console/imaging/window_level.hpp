@@ -56,15 +56,17 @@ private:
     int m_fractionBits = 0;
 };
 
-/// The window for pictures that come without one: from the 1st to the 99th percentile of the picture. Its edges move by at most 5 % of the
-/// width from one frame to the next, so that a moving instrument does not make the whole picture flicker.
+/// The window for pictures that come without one: from the 1st to the 99th percentile of the picture. From one frame to the next its edges
+/// move by at most 5 % of the present or the wanted width, whichever is larger, so that a moving instrument does not make the whole picture
+/// flicker. Two pictures in a row of which it would show nothing but black or white begin it anew; one alone may be a pulse that failed.
 class AutoWindow {
 public:
     GreyWindow next(const cv::Mat& stored, const Shutter& shutter = {});
-    void reset() { m_window = {}; }
+    void reset() { *this = AutoWindow(); }
 
 private:
     GreyWindow m_window;
+    bool m_wasBeside = false; ///< the last picture's values lay wholly outside
 };
 
 /// From the 1st to the 99th percentile of this one picture, inside the shutter.

@@ -4,9 +4,23 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <limits>
 
 using namespace console;
+
+namespace {
+
+/// Every value from `low` to `high`, as often as every other one.
+cv::Mat ramp(int low, int high)
+{
+    cv::Mat stored(100, 100, CV_16UC1);
+    for (int i = 0; i < 10000; ++i)
+        stored.at<std::uint16_t>(i / 100, i % 100) = static_cast<std::uint16_t>(low + (high - low) * i / 9999);
+    return stored;
+}
+
+} // namespace
 
 class TestWindowLevel : public QObject {
     Q_OBJECT
@@ -20,6 +34,9 @@ private Q_SLOTS:
     void knowsWhichWindowsMeanSomething();
     void findsPercentiles();
     void autoWindowMovesByAtMostFivePercentPerFrame();
+    void autoWindowIsRightSoonAfterAnyFirstPicture_data();
+    void autoWindowIsRightSoonAfterAnyFirstPicture();
+    void onePictureThatFailedMovesAutoWindowLittle();
     void autoWindowSurvivesFlatPictures();
 };
 
@@ -134,18 +151,14 @@ void TestWindowLevel::findsPercentiles()
 
 void TestWindowLevel::autoWindowMovesByAtMostFivePercentPerFrame()
 {
-    cv::Mat dark(100, 100, CV_16UC1);
-    cv::Mat bright(100, 100, CV_16UC1);
-    for (int i = 0; i < 10000; ++i) {
-        dark.at<std::uint16_t>(i / 100, i % 100) = static_cast<std::uint16_t>(i / 10);
-        bright.at<std::uint16_t>(i / 100, i % 100) = static_cast<std::uint16_t>(3000 + i / 10);
-    }
+    const cv::Mat dark = ramp(0, 1000);
+    const cv::Mat bright = ramp(900, 2100); // something of it is seen in the window of the other
     AutoWindow window;
     GreyWindow before = window.next(dark);
     QCOMPARE(before, percentileWindow(dark));
-    for (int frame = 0; frame < 20; ++frame) {
+    for (int frame = 0; frame < 15; ++frame) {
         const GreyWindow now = window.next(bright);
-        const double step = 0.05 * before.width + 1e-9;
+        const double step = 0.05 * std::max(before.width, percentileWindow(bright).width) + 1e-9;
         QVERIFY(std::abs((now.centre - now.width / 2) - (before.centre - before.width / 2)) <= step);
         QVERIFY(std::abs((now.centre + now.width / 2) - (before.centre + before.width / 2)) <= step);
         QVERIFY(now.centre > before.centre);
@@ -156,6 +169,54 @@ void TestWindowLevel::autoWindowMovesByAtMostFivePercentPerFrame()
     QVERIFY(std::abs(before.centre - percentileWindow(bright).centre) < 1);
     window.reset();
     QCOMPARE(window.next(dark), percentileWindow(dark));
+}
+
+void TestWindowLevel::autoWindowIsRightSoonAfterAnyFirstPicture_data()
+{
+    QTest::addColumn<int>("firstLow");
+    QTest::addColumn<int>("firstHigh");
+    QTest::addColumn<int>("low");
+    QTest::addColumn<int>("high");
+    QTest::newRow("black") << 0 << 0 << 800 << 3000;
+    QTest::newRow("dark") << 90 << 130 << 800 << 3000;
+    QTest::newRow("dark, before a flat one") << 90 << 130 << 3000 << 3100;
+    QTest::newRow("bright, before a flat one") << 4000 << 4095 << 100 << 140;
+    QTest::newRow("flat, among the values that follow") << 1000 << 1000 << 800 << 3000;
+    QTest::newRow("narrow, at the edge of what follows") << 700 << 900 << 800 << 3000;
+    QTest::newRow("wide") << 0 << 4095 << 800 << 3000;
+}
+
+/// Until then it is white or black: 30 pictures are two seconds.
+void TestWindowLevel::autoWindowIsRightSoonAfterAnyFirstPicture()
+{
+    QFETCH(int, firstLow);
+    QFETCH(int, firstHigh);
+    QFETCH(int, low);
+    QFETCH(int, high);
+    const cv::Mat first = ramp(firstLow, firstHigh);
+    const cv::Mat settled = ramp(low, high);
+    const GreyWindow wanted = percentileWindow(settled);
+    AutoWindow window;
+    QCOMPARE(window.next(first), percentileWindow(first));
+    GreyWindow now;
+    for (int frame = 0; frame < 30; ++frame)
+        now = window.next(settled);
+    QVERIFY2(std::abs(now.centre - wanted.centre) < 1 && std::abs(now.width - wanted.width) < 1,
+             qPrintable(QStringLiteral("C %1  W %2").arg(now.centre).arg(now.width)));
+}
+
+void TestWindowLevel::onePictureThatFailedMovesAutoWindowLittle()
+{
+    const cv::Mat good = ramp(800, 3000);
+    const GreyWindow usual = percentileWindow(good);
+    AutoWindow window;
+    (void)window.next(good);
+    for (int round = 0; round < 3; ++round) {
+        const GreyWindow failed = window.next(ramp(0, 20));
+        QVERIFY(std::abs(failed.centre - usual.centre) <= 0.05 * usual.width + 1e-9);
+        const GreyWindow next = window.next(good);
+        QVERIFY(std::abs(next.centre - usual.centre) < 1 && std::abs(next.width - usual.width) < 1);
+    }
 }
 
 void TestWindowLevel::autoWindowSurvivesFlatPictures()
