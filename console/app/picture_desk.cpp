@@ -17,12 +17,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace console {
 
 namespace {
 
 constexpr double zoomStep = 1.25;
+constexpr int conditionMs = 100;
 
 QString folderFor(const QString& named)
 {
@@ -86,6 +88,8 @@ void PictureDesk::build(CockpitWindow& window)
     connectReference();
     connectRoadmap();
     connectSaving();
+    connect(&m_clock, &QTimer::timeout, this, &PictureDesk::followCondition);
+    m_clock.start(conditionMs);
 }
 
 void PictureDesk::connectLive()
@@ -107,10 +111,7 @@ void PictureDesk::connectLive()
 
 void PictureDesk::connectReference()
 {
-    connect(m_live, &LiveImageView::conditionChanged, this, [this](PictureCondition condition) {
-        if (condition == PictureCondition::Held)
-            m_hold.endRun();
-    });
+    connect(&m_models.picture, &PictureState::runEnded, &m_hold, &ImageHold::endRun);
     connect(&m_hold, &ImageHold::held, this, [this](const DisplayPicture& picture) {
         m_held = picture;
         if (!m_review.isOpen() && !m_models.roadmap.isWanted())
@@ -167,7 +168,6 @@ void PictureDesk::connectRoadmap()
         for (auto* view : references())
             view->followTable();
     });
-    connect(m_live, &LiveImageView::conditionChanged, this, [this] { showVessels(); });
     connect(&roadmap, &RoadmapState::changed, this, [this] {
         if (!m_models.roadmap.reason().isEmpty()) {
             m_roadmapRemoved = true;
@@ -248,6 +248,17 @@ void PictureDesk::mapPicture(const DisplayPicture& live)
     DisplayPicture picture = live;
     picture.role = PictureRole::Roadmap;
     showReference(picture);
+}
+
+/// By the clock: while the cockpit's window is minimised its live pane is not painted, and the copies of the reference pane are in sight.
+void PictureDesk::followCondition()
+{
+    const auto condition = m_models.picture.reading(std::chrono::steady_clock::now()).condition;
+    if (std::exchange(m_condition, condition) == condition)
+        return;
+    if (condition == PictureCondition::Held)
+        m_hold.endRun(); // of a picture that nobody expected
+    showVessels();
 }
 
 void PictureDesk::showVessels()

@@ -13,6 +13,7 @@
 
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 
 #include <optional>
 #include <vector>
@@ -58,6 +59,7 @@ private:
     void connectReference();
     void connectRoadmap();
     void connectSaving();
+    void followCondition();
     void showHold();
     void showReview();
     void reviewAt(Instant moment);
@@ -88,6 +90,8 @@ private:
     PictureSaver m_saver;
     DisplayState m_display;
     std::optional<DisplayPicture> m_held;
+    PictureCondition m_condition = PictureCondition::Live; ///< of the live picture, as the reference panes were told
+    QTimer m_clock;
     QImage m_vessels;                          ///< of the roadmap that is wanted
     bool m_roadmapRemoved = false;             ///< and none was made since
     quint32 m_displacementSeen = 0;            ///< frame

@@ -39,7 +39,7 @@ void ImageHold::take(const DisplayPicture& picture)
 
 void ImageHold::endRun()
 {
-    if (!m_last)
+    if (!m_last || m_heldNs)
         return;
     m_heldNs = m_last->about.captureNs;
     tell();

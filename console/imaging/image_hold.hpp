@@ -28,7 +28,7 @@ public:
     /// Each live picture; the first of another run ends the one before it.
     void take(const DisplayPicture& picture);
 
-    /// The pedal is up: the picture that stands there is the run's last.
+    /// The pedal is up: the picture that stands there is the run's last. Said once more before another picture comes, it changes nothing.
     void endRun();
 
     /// After each report that the table has noted, since a missing one says nothing.

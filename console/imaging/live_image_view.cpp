@@ -6,8 +6,6 @@
 
 #include <QPainter>
 
-#include <utility>
-
 namespace console {
 
 namespace {
@@ -78,9 +76,7 @@ void LiveImageView::paintEvent(QPaintEvent*)
     if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
         describe(reading);
     m_paintedReduction = reading.reduction;
-    if (std::exchange(m_paintedCondition, reading.condition) != reading.condition)
-        QMetaObject::invokeMethod(
-            this, [this, condition = reading.condition] { Q_EMIT conditionChanged(condition); }, Qt::QueuedConnection);
+    m_paintedCondition = reading.condition;
 }
 
 void LiveImageView::paintCondition(QPainter& painter, const PictureReading& reading)

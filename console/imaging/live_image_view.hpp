@@ -44,8 +44,6 @@ Q_SIGNALS:
     /// Once for each new picture, when it stands on the screen; no age while the clocks' offset is unknown.
     void picturePainted(quint32 frame, std::optional<double> ageMs);
 
-    void conditionChanged(console::PictureCondition condition);
-
 protected:
     const DisplayPicture* shown() const override { return m_picture ? &*m_picture : nullptr; }
     void paintEvent(QPaintEvent* event) override;

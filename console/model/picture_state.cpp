@@ -51,8 +51,11 @@ void PictureState::expect(double perSecond, Instant now)
     if (m_expected <= 0)
         m_refusedSince = false;
     const double before = expectedRate();
+    const bool ends = m_expected > 0 && perSecond <= 0;
     m_expected = std::max(perSecond, 0.0);
     noteRate(before, now);
+    if (ends)
+        Q_EMIT runEnded();
 }
 
 /// What the X-ray system says that it sends of what it acquires.

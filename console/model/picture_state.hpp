@@ -140,6 +140,9 @@ Q_SIGNALS:
 
     /// With the first picture that is reduced otherwise than the one before it, or no longer.
     void reductionChanged(const console::PictureReduction& reduction);
+
+    /// Nothing is expected any more; also when nothing of the run was painted.
+    void runEnded();
     void profileChanged();
 
 private:

@@ -1,108 +1,15 @@
 // Tests of the picture panes in the cockpit's window, with the chain behind them: live, hold, review, saving, and whose keys are whose.
-#include "app/picture_desk.hpp"
-#include "imaging/live_image_view.hpp"
-#include "imaging/reference_image_view.hpp"
 #include "imaging/scene_view.hpp"
-#include "sample_frames.hpp"
-#include "widgets/cockpit_window.hpp"
+#include "picture_desk_stage.hpp"
 #include "widgets/review_controls.hpp"
-#include "widgets/small_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QSignalSpy>
 #include <QSlider>
-#include <QTemporaryDir>
-#include <QtTest>
 
 using namespace console;
 
-namespace {
-
-constexpr QSize frameSize(256, 256);
-
-struct Desk {
-    explicit Desk(const QString& display = {}) : options(optionsWith(display)), desk(options, models), window(models)
-    {
-        models.picture.setLinkUp(true);
-        models.picture.expect(15, std::chrono::steady_clock::now());
-        desk.build(window);
-        window.resize(1366, 768);
-        window.show();
-        live = window.findChild<LiveImageView*>();
-        reference = window.findChild<ReferenceImageView*>();
-    }
-
-    Options optionsWith(const QString& display) const
-    {
-        Options made;
-        made.pictures = folder.filePath(QStringLiteral("saved"));
-        made.display = display;
-        made.patient = QStringLiteral("Anna Invented");
-        made.patientId = QStringLiteral("PID-4711");
-        return made;
-    }
-
-    bool send(quint32 number, quint32 run = 1)
-    {
-        auto frame = samples::frame(number, frameSize, 12, PixelEncoding::Raw);
-        frame->acquisition = run;
-        return send(frame);
-    }
-
-    /// Contrast comes in a vessel after the sixth picture; the X-ray system's clock has been set back by `back`.
-    bool sendContrast(quint32 run, std::chrono::nanoseconds back = {})
-    {
-        for (quint32 number = 1; number <= 12; ++number) {
-            auto values = samples::storedValues(frameSize, 12);
-            values.back() = std::uint16_t(number); // no two pulses give the same picture
-            if (number > 6)
-                for (int at = 120 * frameSize.width(); at < 128 * frameSize.width(); ++at)
-                    values[std::size_t(at)] = std::uint16_t(values[std::size_t(at)] * 0.85);
-            const auto plain = samples::frame(100 * run + number, frameSize, 12, PixelEncoding::Raw);
-            const auto frame = samples::withBytes(*plain, samples::encode(values, frameSize, 12, PixelEncoding::Raw, 0));
-            frame->acquisition = run;
-            frame->captureNs -= quint64(back.count());
-            if (!send(frame))
-                return false;
-        }
-        return true;
-    }
-
-    void moveTable(double to)
-    {
-        AcquisitionStatus status;
-        status.geometry.table = {to, 0, 0};
-        models.xray.receive(status, std::chrono::steady_clock::now());
-    }
-
-    bool send(const std::shared_ptr<XrayFrame>& frame)
-    {
-        frame->arrival = std::chrono::steady_clock::now();
-        desk.pipeline().showFrame(frame);
-        const quint64 before = models.picture.paintedCount();
-        return QTest::qWaitFor([&] { return models.picture.paintedCount() > before; });
-    }
-
-    SmallButton* button(const QString& name) const
-    {
-        for (SmallButton* button : window.findChildren<SmallButton*>())
-            if (button->accessibleName() == name)
-                return button;
-        return nullptr;
-    }
-
-    void click(const QString& name) const { QTest::mouseClick(button(name), Qt::LeftButton); }
-
-    QTemporaryDir folder;
-    ConsoleModels models;
-    Options options;
-    PictureDesk desk;
-    CockpitWindow window;
-    LiveImageView* live = nullptr;
-    ReferenceImageView* reference = nullptr;
-};
-
-} // namespace
+using Desk = console::test::PictureDeskStage;
 
 class TestPictureDesk : public QObject {
     Q_OBJECT
@@ -140,7 +47,7 @@ private Q_SLOTS:
         desk.desk.setHoldPictures(4);
         desk.moveTable(0);
         for (quint32 number = 1; number <= 3; ++number) {
-            const auto frame = samples::frame(number, frameSize, 12, PixelEncoding::Raw);
+            const auto frame = samples::frame(number, Desk::frameSize, 12, PixelEncoding::Raw);
             frame->ageAtArrival = Duration::zero(); // taken after the first report
             QVERIFY(desk.send(frame));
         }
@@ -151,6 +58,39 @@ private Q_SLOTS:
         QCOMPARE(desk.live->picture()->meanOf, 1);
         QCOMPARE(desk.live->picture()->role, PictureRole::Live);
         QCOMPARE(desk.models.picture.paintedCount(), quint64(3));
+    }
+
+    /// As while the cockpit's window is minimised.
+    void holdsThoughTheLivePaneIsNotPainted()
+    {
+        Desk desk;
+        desk.window.hide();
+        for (quint32 number = 1; number <= 2; ++number) {
+            desk.desk.pipeline().showFrame(samples::frame(number, Desk::frameSize, 12, PixelEncoding::Raw));
+            QTRY_COMPARE(desk.desk.pipeline().counts().shown, quint64(number));
+        }
+        desk.models.picture.expect(0, std::chrono::steady_clock::now());
+        QTRY_VERIFY(desk.reference->picture());
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Hold);
+        QCOMPARE(desk.reference->picture()->about.frame, 2U);
+        QCOMPARE(desk.models.picture.paintedCount(), quint64(0));
+    }
+
+    /// The same, with the reference pane on a further screen in sight.
+    void aRoadmapSaysWhatThePictureIsThoughTheLivePaneIsNotPainted()
+    {
+        Desk desk;
+        desk.moveTable(0);
+        QVERIFY(desk.sendContrast(1));
+        desk.click(QStringLiteral("Roadmap"));
+        const std::unique_ptr<ReferenceImageView> copy(desk.desk.makeReferenceCopy());
+        QVERIFY(copy->picture() && copy->picture()->role == PictureRole::Roadmap);
+        desk.window.hide();
+        const auto copySays = [&copy](const char* words) { return copy->accessibleDescription().startsWith(QString::fromLatin1(words)); };
+        QTRY_VERIFY2(copySays("ROADMAP  SIMULATED  FROZEN"), qPrintable(copy->accessibleDescription()));
+        desk.models.picture.expect(0, std::chrono::steady_clock::now());
+        QTRY_VERIFY2(copySays("ROADMAP  SIMULATED  LAST IMAGE HOLD"), qPrintable(copy->accessibleDescription()));
+        QCOMPARE(copy->picture()->role, PictureRole::Roadmap); // the hold takes no roadmap's place
     }
 
     void reviewsBesideTheLivePicture()

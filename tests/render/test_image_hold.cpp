@@ -100,6 +100,19 @@ private Q_SLOTS:
         QVERIFY(greyOf(1020) != greyOf(1080));
     }
 
+    void anEndThatIsSaidTwiceIsOne()
+    {
+        Stage stage(1);
+        stage.showRun();
+        stage.hold.endRun();
+        stage.hold.endRun();
+        QCOMPARE(stage.held.size(), std::size_t(1));
+        stage.show(5, 1000, 2);
+        stage.hold.endRun();
+        QCOMPARE(stage.held.size(), std::size_t(2));
+        QCOMPARE(stage.held.back().about.acquisition, 2U);
+    }
+
     void itSaysHowManyThereReallyWere()
     {
         Stage stage(8);
