@@ -145,6 +145,7 @@ QString HandDesk::missing() const
 /// In the log: which master is in use, and what became of it. That the keys go to and fro between window and prompt is no news.
 void HandDesk::note()
 {
+    noteRemarks();
     const auto* master = m_models.hand.masterInUse();
     if (master == nullptr || master->life == MasterLife::Unheard)
         return;
@@ -154,6 +155,18 @@ void HandDesk::note()
     m_noted = line;
     const bool good = master->life == MasterLife::Alive || master->life == MasterLife::Unreleased;
     m_models.log.append(good ? LogKind::Note : LogKind::Trouble, line, QDateTime::currentMSecsSinceEpoch());
+}
+
+/// Each note once, of every master: that a pad is refused, or that the daemon of mice is too old.
+void HandDesk::noteRemarks()
+{
+    for (const auto& master : m_models.hand.masters()) {
+        if (master.note.isEmpty() || m_remarks.contains(master.note))
+            continue;
+        m_remarks << master.note;
+        const auto kind = master.life == MasterLife::Gone ? LogKind::Trouble : LogKind::Note;
+        m_models.log.append(kind, tr("%1: %2").arg(master.name, master.note), QDateTime::currentMSecsSinceEpoch());
+    }
 }
 
 } // namespace console

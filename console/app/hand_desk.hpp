@@ -7,6 +7,7 @@
 #include "model/console_models.hpp"
 
 #include <QObject>
+#include <QStringList>
 
 #include <memory>
 #include <vector>
@@ -60,6 +61,7 @@ private:
     RobotForce robotForce(Instant now) const;
     void stepScale(int steps);
     void note();
+    void noteRemarks();
 
     const Options& m_options;
     ConsoleModels& m_models;
@@ -69,7 +71,8 @@ private:
     double m_scale = 1;
     double m_scaleBefore = 1;
     std::optional<Instant> m_scaleChanged;
-    QString m_noted; ///< what the log last says of the master in use
+    QString m_noted;       ///< what the log last says of the master in use
+    QStringList m_remarks; ///< the notes of masters that are in the log
 };
 
 } // namespace console

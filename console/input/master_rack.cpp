@@ -127,8 +127,9 @@ std::vector<MasterStatus> MasterRack::statuses(Instant now)
             place.since = now;
         place.life = life;
         const bool used = place.device == m_use;
-        if (life != MasterLife::Gone || used)
-            result.push_back({place.device->kind(), place.device->name(), life, *place.since, used, place.device->note()});
+        const QString note = place.device->note(); // else nobody would hear why it is not there
+        if (life != MasterLife::Gone || used || !note.isEmpty())
+            result.push_back({place.device->kind(), place.device->name(), life, *place.since, used, note});
     }
     std::stable_partition(result.begin(), result.end(), [](const MasterStatus& status) { return status.inUse; });
     return result;

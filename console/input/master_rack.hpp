@@ -40,7 +40,7 @@ public:
     /// For the one in use; the others feel nothing.
     void feel(const RobotForce& force, Instant now);
 
-    /// The one in use first, then those that are there.
+    /// The one in use first, then those that are there or say why they are not.
     std::vector<MasterStatus> statuses(Instant now);
 
 Q_SIGNALS:

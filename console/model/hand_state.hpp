@@ -44,7 +44,7 @@ public:
     explicit HandState(QObject* parent = nullptr);
 
     const HandReading& reading() const { return m_reading; }
-    const std::vector<MasterStatus>& masters() const { return m_masters; } ///< the one in use, and all others that are there
+    const std::vector<MasterStatus>& masters() const { return m_masters; } ///< the one in use, and all that are there or say why not
     const MasterStatus* masterInUse() const;
     quint64 commandsSent() const { return m_commandsSent; } ///< motion commands accepted for sending
 

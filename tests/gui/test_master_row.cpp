@@ -149,6 +149,20 @@ private Q_SLOTS:
         QCOMPARE(chosen.count(), 0);
     }
 
+    void aMasterThatIsNotThereSaysWhyAndCannotBeChosen()
+    {
+        MasterStage stage;
+        QVERIFY(stage.ready());
+        const QString why = QStringLiteral("there, and not used: X (Bluetooth)");
+        stage.cockpit.models.hand.setMasters({{MasterKind::Keyboard, QStringLiteral("Keyboard"), MasterLife::Alive, {}, true, {}},
+                                              {MasterKind::GamePad, QStringLiteral("Game pad"), MasterLife::Gone, {}, false, why}});
+        stage.refresh();
+        const auto* chip = stage.chip(MasterKind::GamePad);
+        QVERIFY(chip != nullptr && !chip->isEnabled());
+        QCOMPARE(chip->toolTip(), why);
+        QCOMPARE(chip->accessibleDescription(), why);
+    }
+
     void theForceToTheHandIsShownOnlyWhereThereIsOne()
     {
         MasterStage stage;

@@ -12,6 +12,7 @@ public:
     MasterKind kind() const override { return m_kind; }
     QString name() const override { return QStringLiteral("Test master"); }
     QString legend() const override { return QStringLiteral("held by a test"); }
+    QString note() const override { return remark; }
 
     void plug(bool in)
     {
@@ -21,6 +22,7 @@ public:
     }
 
     HandControls controls; ///< what the next poll takes
+    QString remark;
 
 protected:
     void take(Instant) override { tell(controls); }

@@ -307,6 +307,24 @@ private Q_SLOTS:
                                       [](const LogLine& line) { return line.text == QLatin1String("hand: Test master, gone"); });
         QVERIFY(said);
     }
+
+    void theLogSaysOnceWhyAMasterIsNotThere()
+    {
+        Stage stage;
+        const auto said = [&stage](const QString& text) {
+            const auto& lines = stage.cockpit.models.log.lines();
+            return std::count_if(lines.begin(), lines.end(), [&](const LogLine& line) { return line.text == text; });
+        };
+        stage.pad.plug(false);
+        for (const auto* remark : {"refused", "refused too", "refused"}) {
+            stage.pad.remark = QString::fromLatin1(remark);
+            for (int i = 0; i < 3; ++i)
+                stage.turn();
+            QCOMPARE(stage.cockpit.models.hand.masters().back().note, stage.pad.remark);
+        }
+        QCOMPARE(said(QStringLiteral("Test master: refused")), 1);
+        QCOMPARE(said(QStringLiteral("Test master: refused too")), 1);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestHandDesk)

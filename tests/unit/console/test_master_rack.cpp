@@ -374,6 +374,21 @@ private Q_SLOTS:
         QVERIFY(stage.rack.choose(MasterKind::Keyboard, PermitPhase::Hold, stage.now));
         QCOMPARE(stage.rack.statuses(stage.now).size(), std::size_t(1));
     }
+
+    void showsAMasterThatSaysWhyItIsNotThere()
+    {
+        Rack stage;
+        stage.pad.remark = QStringLiteral("there, and not used: X (Bluetooth)");
+        stage.turn();
+        const auto shown = stage.rack.statuses(stage.now);
+        QCOMPARE(shown.size(), std::size_t(2));
+        QVERIFY(shown[0].inUse && shown[0].kind == MasterKind::Keyboard);
+        QCOMPARE(shown[1].life, MasterLife::Gone);
+        QCOMPARE(shown[1].note, stage.pad.remark);
+        QVERIFY(!stage.rack.choose(MasterKind::GamePad, PermitPhase::Standby, stage.now));
+        stage.pad.remark.clear();
+        QCOMPARE(stage.rack.statuses(stage.now).size(), std::size_t(1));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestMasterRack)
