@@ -217,7 +217,12 @@ bool DisplayChain::draw(const DisplaySettings& settings, DisplayPicture& picture
     picture.image = m_pool.next({last.cols, last.rows});
     if (!m_table.apply(last, picture.image))
         return false;
-    applyShutter(picture.image, Shutter(settings.shutter, picture.image.size()));
+    picture.presentation = m_table.presentation(last);
+    if (picture.isCalibrated && picture.presentation.isNull())
+        return false;
+    const Shutter shutter(settings.shutter, picture.image.size());
+    applyShutter(picture.image, shutter);
+    applyShutter(picture.presentation, shutter);
     m_pool.keep(picture.image);
     picture.times.window = present() - begun;
     return true;

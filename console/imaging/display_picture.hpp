@@ -28,8 +28,9 @@ struct StageTimes {
 };
 
 struct DisplayPicture {
-    QImage image;    ///< Format_RGB32, one pixel for each of the frame's
-    XrayFrame about; ///< without its pixels
+    QImage image;        ///< Format_RGB32, one pixel for each of the frame's
+    QImage presentation; ///< the same in P-values (PS3.14) where `image` has a calibrated display's levels; else null
+    XrayFrame about;     ///< without its pixels
     PictureRole role = PictureRole::Live;
     int meanOf = 1; ///< pictures, of which `about` is the last; 1: it is no mean
     GreyWindow window;
@@ -38,6 +39,9 @@ struct DisplayPicture {
     PictureTreatment treatment;
     bool isCalibrated = false; ///< to the display's measured light
     StageTimes times;
+
+    /// As another display should show it, too.
+    const QImage& pValues() const { return presentation.isNull() ? image : presentation; }
 
     bool isSameFrameAs(const DisplayPicture& other) const
     {

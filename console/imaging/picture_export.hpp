@@ -45,10 +45,11 @@ struct CaptureSeries {
     static CaptureSeries begin();
 };
 
-/// The picture as it is displayed, 8 bits a sample, DICOM PS3.3 A.8.1: grey, or RGB where a roadmap's vessels are painted into it. What it
-/// is and what was measured on it stands in its pixels and in its attributes; the letters of the sides, the scale bar, frame, run and
-/// window stand in its pixels as on every pane. Of the patient the attributes say that nobody has checked the name. A picture that is not
-/// from the X-ray system's live beam is marked as one for quality control.
+/// The picture as it is displayed, 8 bits a sample, DICOM PS3.3 A.8.1: P-values (PS3.14) whatever display it is seen on, so that a
+/// workstation applies its own curve and no other; RGB where a roadmap's vessels are painted into it. What it is and what was measured on
+/// it stands in its pixels and in its attributes; the letters of the sides, the scale bar, frame, run and window stand in its pixels as on
+/// every pane. Of the patient the attributes say that nobody has checked the name. A picture that is not from the X-ray system's live beam
+/// is marked as one for quality control.
 QString saveSecondaryCapture(const Snapshot& snapshot, const QString& path, const CaptureSeries& series = CaptureSeries::begin());
 
 } // namespace console

@@ -51,11 +51,16 @@ void ReferenceImageView::setOpacity(double opacity)
 DisplayPicture ReferenceImageView::pictureWithVessels() const
 {
     DisplayPicture picture = *m_picture;
-    if (picture.role == PictureRole::Roadmap && !m_vessels.isNull()) {
-        QPainter painter(&picture.image);
+    if (picture.role != PictureRole::Roadmap || m_vessels.isNull())
+        return picture;
+    for (QImage* image : {&picture.image, &picture.presentation}) {
+        if (image->isNull())
+            continue;
+        image->convertTo(QImage::Format_RGB32); // the vessels are not grey
+        QPainter painter(image);
         painter.setRenderHint(QPainter::SmoothPixmapTransform);
         painter.setOpacity(m_opacity);
-        painter.drawImage(picture.image.rect(), m_vessels);
+        painter.drawImage(image->rect(), m_vessels);
     }
     return picture;
 }

@@ -66,8 +66,9 @@ void paintResult(QPainter& painter, const Measurement& measurement, const QRect&
 // colours: in grey the painted vessels of a roadmap could not be told from the patient's.
 QImage withMarks(const Snapshot& snapshot)
 {
-    const bool isGrey = snapshot.picture.image.allGray();
-    QImage image = snapshot.picture.image.convertToFormat(QImage::Format_RGB32);
+    const QImage& values = snapshot.picture.pValues();
+    const bool isGrey = values.allGray();
+    QImage image = values.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
     const QFont font = captureFont(image);
     paintMarks(painter, snapshot, image.rect(), font);
@@ -153,9 +154,8 @@ void putFacts(DcmDataset& dataset, const Snapshot& snapshot)
     QStringList comments{exportWords(snapshot), snapshot.measurement.text(), snapshot.measurement.depthText()};
     comments.removeAll(QString());
     put(dataset, DCM_ImageComments, comments.join(QStringLiteral("  ")));
-    const QString values = picture.isCalibrated ? Text::tr("  values are driving levels of a calibrated display, not P-values") : QString();
     const QString mean = picture.meanOf > 1 ? meanWords(picture) + QStringLiteral("  ") : QString();
-    put(dataset, DCM_DerivationDescription, mean + windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture) + values);
+    put(dataset, DCM_DerivationDescription, mean + windowLine(picture) + QStringLiteral("  ") + treatmentLine(picture));
     put(dataset, DCM_BurnedInAnnotation, QStringLiteral("YES"));
     put(dataset, DCM_QualityControlImage, about.source == PictureSource::Live ? QStringLiteral("NO") : QStringLiteral("YES"));
     putLossy(dataset, about);

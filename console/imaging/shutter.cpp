@@ -10,6 +10,17 @@ namespace {
 
 constexpr double rectangleMargin = 0.05; ///< of the edge, on each side: where collimators leave a bright rim
 
+template <typename Pixel>
+void blacken(QImage& image, const Shutter& shutter, Pixel black)
+{
+    for (int row = 0; row < image.height(); ++row) {
+        auto* pixels = reinterpret_cast<Pixel*>(image.scanLine(row));
+        const Shutter::Opening opening = shutter.opening(row);
+        std::fill(pixels, pixels + opening.first, black);
+        std::fill(pixels + opening.end, pixels + image.width(), black);
+    }
+}
+
 } // namespace
 
 Shutter::Shutter(ShutterShape shape, QSize picture) : m_shape(shape), m_picture(picture) {}
@@ -38,12 +49,10 @@ void applyShutter(QImage& image, const Shutter& shutter)
 {
     if (shutter.isOpen())
         return;
-    for (int row = 0; row < image.height(); ++row) {
-        auto* pixels = reinterpret_cast<QRgb*>(image.scanLine(row));
-        const Shutter::Opening opening = shutter.opening(row);
-        std::fill(pixels, pixels + opening.first, qRgb(0, 0, 0));
-        std::fill(pixels + opening.end, pixels + image.width(), qRgb(0, 0, 0));
-    }
+    if (image.format() == QImage::Format_Grayscale8)
+        blacken<uchar>(image, shutter, 0);
+    else
+        blacken<QRgb>(image, shutter, qRgb(0, 0, 0));
 }
 
 } // namespace console

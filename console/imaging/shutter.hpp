@@ -28,7 +28,8 @@ private:
     QSize m_picture;
 };
 
-/// Everything outside is black whatever the polarity: Shutter Presentation Value (0018,1622) of 0. `image` has the format RGB32.
+/// Everything outside is black whatever the polarity: Shutter Presentation Value (0018,1622) of 0. `image` has the format RGB32 or
+/// Grayscale8.
 void applyShutter(QImage& image, const Shutter& shutter);
 
 } // namespace console

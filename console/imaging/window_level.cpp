@@ -18,15 +18,24 @@ constexpr double largestGrey = 255;
 
 std::uint8_t rounded(double grey) { return static_cast<std::uint8_t>(std::clamp(std::floor(grey + 0.5), 0.0, largestGrey)); }
 
-template <typename Stored>
-void mapRows(const cv::Mat& stored, const std::vector<QRgb>& table, QImage& image)
+template <typename Stored, typename Shown>
+void mapRows(const cv::Mat& stored, const std::vector<Shown>& table, QImage& image)
 {
     for (int row = 0; row < stored.rows; ++row) {
         const Stored* from = stored.ptr<Stored>(row);
-        auto* to = reinterpret_cast<QRgb*>(image.scanLine(row));
+        auto* to = reinterpret_cast<Shown*>(image.scanLine(row));
         for (int column = 0; column < stored.cols; ++column)
             to[column] = table[from[column]];
     }
+}
+
+template <typename Shown>
+void mapAll(const cv::Mat& stored, const std::vector<Shown>& table, QImage& image)
+{
+    if (stored.type() == CV_8UC1)
+        mapRows<std::uint8_t>(stored, table, image);
+    else
+        mapRows<std::uint16_t>(stored, table, image);
 }
 
 // Every fourth pixel of every second row is enough for a percentile, and an eighth of the time.
@@ -97,6 +106,9 @@ void WindowLevelTable::compute()
         const int grey = displayValue(place * step, m_tone, m_greyScale);
         m_pixels[static_cast<std::size_t>(place)] = qRgb(grey, grey, grey);
     }
+    m_presentation.resize(m_greyScale.isCalibrated() ? m_pixels.size() : 0);
+    for (std::size_t place = 0; place < m_presentation.size(); ++place)
+        m_presentation[place] = displayValue(static_cast<double>(place) * step, m_tone);
 }
 
 bool WindowLevelTable::apply(const cv::Mat& stored, QImage& image) const
@@ -107,11 +119,18 @@ bool WindowLevelTable::apply(const cv::Mat& stored, QImage& image) const
         image = QImage(stored.cols, stored.rows, QImage::Format_RGB32);
     if (image.isNull())
         return false;
-    if (stored.type() == CV_8UC1)
-        mapRows<std::uint8_t>(stored, m_pixels, image);
-    else
-        mapRows<std::uint16_t>(stored, m_pixels, image);
+    mapAll(stored, m_pixels, image);
     return true;
+}
+
+QImage WindowLevelTable::presentation(const cv::Mat& stored) const
+{
+    if (m_presentation.empty() || stored.empty() || (stored.type() != CV_8UC1 && stored.type() != CV_16UC1))
+        return {};
+    QImage image(stored.cols, stored.rows, QImage::Format_Grayscale8);
+    if (!image.isNull())
+        mapAll(stored, m_presentation, image);
+    return image;
 }
 
 QImage WindowLevelTable::apply(const cv::Mat& stored) const

@@ -47,10 +47,15 @@ public:
     bool apply(const cv::Mat& stored, QImage& image) const;
     QImage apply(const cv::Mat& stored) const;
 
+    /// The P-values (PS3.14) that a calibrated display's levels are made of, Format_Grayscale8. Null without a calibration, where apply()
+    /// gives them, for what that refuses, and without memory.
+    QImage presentation(const cv::Mat& stored) const;
+
 private:
     void compute();
 
     std::vector<QRgb> m_pixels;
+    std::vector<std::uint8_t> m_presentation; ///< empty without a calibration
     GreyScale m_greyScale;
     Tone m_tone;
     int m_fractionBits = 0;

@@ -3574,10 +3574,6 @@
         <translation>无法写入 %1：没有图像或内存不足。请再次保存。</translation>
     </message>
     <message>
-        <source>  values are driving levels of a calibrated display, not P-values</source>
-        <translation>  数值为已校准显示器的驱动电平，并非 P 值</translation>
-    </message>
-    <message>
         <source>%1 cannot be written: there is no picture. Save again when one is shown.</source>
         <translation>无法写入 %1：没有图像。请在显示图像后再次保存。</translation>
     </message>

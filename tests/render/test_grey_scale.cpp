@@ -97,17 +97,23 @@ void TestGreyScale::tellsTheTableOfAMeasuredDisplay()
     cv::Mat stored(1, 256, CV_8UC1);
     for (int value = 0; value < 256; ++value)
         stored.at<std::uint8_t>(0, value) = static_cast<std::uint8_t>(value);
+    QVERIFY(table.presentation(stored).isNull());
     const GreyScale scale(gammaDisplay(0.3));
     table.setGreyScale(scale);
     QVERIFY(table.isCalibrated());
     const QImage shown = table.apply(stored);
     for (int value = 0; value < 256; ++value)
         QVERIFY(std::abs(qGray(shown.pixel(value, 0)) - scale.level(value / 255.0)) <= 0.5 + 1e-9);
+    const QImage values = table.presentation(stored);
+    QCOMPARE(values.format(), QImage::Format_Grayscale8);
+    for (int value = 0; value < 256; ++value)
+        QCOMPARE(qGray(values.pixel(value, 0)), value); // whatever the display is
     // INVERSE turns the P-values round, before the display: not the levels.
     table.prepare({{128, 256}, VoiFunction::Linear, Polarity::LowIsWhite});
     const QImage inverse = table.apply(stored);
     for (int value = 0; value < 256; ++value)
         QCOMPARE(inverse.pixel(255 - value, 0), shown.pixel(value, 0));
+    QCOMPARE(qGray(table.presentation(stored).pixel(255, 0)), 0);
 }
 
 void TestGreyScale::readsMeasurement()

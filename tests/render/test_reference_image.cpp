@@ -215,6 +215,11 @@ void TestReferenceImage::vesselsLieOverRoadmapsOnly()
     QVERIFY(std::abs(colourAt(0.7).blue() - (100 + pane_colours::roadmap.blue()) / 2) <= 2);
     const DisplayPicture saved = view.pictureWithVessels();
     QVERIFY(saved.image.pixelColor(size.width() * 3 / 4, size.height() / 2) != QColor(100, 100, 100));
+    QVERIFY(saved.presentation.isNull());
+    DisplayPicture calibrated = pictureWith(PictureRole::Roadmap, 1);
+    calibrated.presentation = calibrated.image.convertToFormat(QImage::Format_Grayscale8);
+    view.showPicture(calibrated);
+    QCOMPARE(view.pictureWithVessels().presentation, saved.image); // they are in what is exported, too
     QCOMPARE(view.picture()->image.pixelColor(size.width() * 3 / 4, size.height() / 2), QColor(100, 100, 100));
     for (const PictureRole role : {PictureRole::Hold, PictureRole::Review}) {
         view.showPicture(pictureWith(role, 1));

@@ -1,4 +1,5 @@
 // Tests of what a saved DICOM picture says of its pixels.
+#include "chain_run.hpp"
 #include "imaging/pane_colours.hpp"
 #include "imaging/picture_marks.hpp"
 #include "saved_picture.hpp"
@@ -19,6 +20,7 @@ private Q_SLOTS:
     void saysOfHowManyPicturesItIsTheMean();
     void carriesSidesScaleAndWindowInItsPixels_data();
     void carriesSidesScaleAndWindowInItsPixels();
+    void isTheSameOnACalibratedDisplay();
 };
 
 void TestSecondaryCapture::saysWhatWasLostOnTheWay_data()
@@ -158,6 +160,35 @@ void TestSecondaryCapture::carriesSidesScaleAndWindowInItsPixels()
         QCOMPARE(saved.copy(bar), marked.copy(bar));
         QVERIFY(saved.copy(bar) != bare.copy(bar));
     }
+}
+
+/// A workstation applies the grey scale of its own display to what is saved.
+void TestSecondaryCapture::isTheSameOnACalibratedDisplay()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("a.dcm"));
+    const auto frame = samples::frame(1, size, 12, PixelEncoding::Raw);
+    DisplaySettings settings;
+    settings.inverted = true;
+    settings.edge = 30;
+    settings.shutter = ShutterShape::Circle;
+    samples::ChainRun plain;
+    samples::ChainRun calibrated;
+    calibrated.chain.setGreyScale(GreyScale(DisplayMeasurement{0.2, {{0, 0.4}, {128, 60}, {255, 350}}}));
+    const DisplayPicture usual = plain.show(*frame, settings);
+    DisplayPicture shown = calibrated.show(*frame, settings);
+    QVERIFY(shown.isCalibrated && shown.image != usual.image);
+    QCOMPARE(saveSecondaryCapture({usual}, path), QString());
+    const QByteArray pixels = pixelsOf(path);
+    QCOMPARE(saveSecondaryCapture({shown}, path), QString());
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toLocal8Bit().constData()).good());
+    QVERIFY(!valueOf(*file.getDataset(), DCM_DerivationDescription).contains(QStringLiteral("levels")));
+    QCOMPARE(valueOf(*file.getDataset(), DCM_PhotometricInterpretation), QStringLiteral("MONOCHROME2"));
+    shown.isCalibrated = false; // that is said in the pixels, of the pane where it was seen
+    QCOMPARE(saveSecondaryCapture({shown}, path), QString());
+    QVERIFY(!pixels.isEmpty());
+    QCOMPARE(pixelsOf(path), pixels);
 }
 
 /// All other pictures stay grey, whatever colour their words have.
