@@ -47,6 +47,14 @@ bool hasSameValues(const XrayFrame& before, const XrayFrame& now)
            before.intensity == now.intensity && before.photometric == now.photometric;
 }
 
+/// What was lost on the way of one is in no picture that says it lost nothing, or less.
+bool hasSameLoss(const XrayFrame& before, const XrayFrame& now)
+{
+    if (!before.isLossy() && !now.isLossy())
+        return true;
+    return before.encoding == now.encoding && before.quality == now.quality;
+}
+
 /// Taken after the other, and so soon that what is seen goes on.
 bool comesNext(const XrayFrame& before, const XrayFrame& now)
 {
@@ -95,7 +103,7 @@ bool DisplayChain::continues(const XrayFrame& frame) const
     if (!m_last)
         return false;
     const XrayFrame& before = m_last->about;
-    return hasSameValues(before, frame) && sameProjection(before.geometry, frame.geometry, resting) &&
+    return hasSameValues(before, frame) && hasSameLoss(before, frame) && sameProjection(before.geometry, frame.geometry, resting) &&
            before.imagerPixelSpacing == frame.imagerPixelSpacing && before.rows == frame.rows && before.columns == frame.columns &&
            before.mask == frame.mask && comesNext(before, frame) && sameBrightness(m_brightness, brightnessOf(m_stored));
 }

@@ -21,6 +21,16 @@ DisplaySettings filtered(int strength)
     return settings;
 }
 
+/// flatFrame() of 1000 in JPEG-LS with that largest error.
+std::shared_ptr<XrayFrame> jpegLsFrame(quint32 number, int error)
+{
+    const std::vector<std::uint16_t> values(static_cast<std::size_t>(size.width() * size.height()), 1000);
+    auto made = samples::withBytes(*flatFrame(number, 1000), samples::encode(values, size, 12, PixelEncoding::JpegLs, error));
+    made->encoding = PixelEncoding::JpegLs;
+    made->quality = error;
+    return made;
+}
+
 } // namespace
 
 class TestDisplayChain : public QObject {
@@ -263,19 +273,24 @@ void TestDisplayChain::blamesTheLatencyOnlyWhereItBoundsTheFilter()
 void TestDisplayChain::beginsFilterAnew_data()
 {
     QTest::addColumn<QString>("what");
+    QTest::addColumn<bool>("anew");
     for (const char* what :
-         {"nothing", "acquisition", "angle", "table side of the beam", "zoom", "gain", "gap", "time runs back", "source"})
-        QTest::newRow(what) << QString::fromLatin1(what);
+         {"acquisition", "angle", "table side of the beam", "zoom", "gain", "gap", "time runs back", "source", "lossy", "other quality"})
+        QTest::newRow(what) << QString::fromLatin1(what) << true;
+    for (const char* what : {"nothing", "lossless encoding", "same quality"})
+        QTest::newRow(what) << QString::fromLatin1(what) << false;
 }
 
 void TestDisplayChain::beginsFilterAnew()
 {
     QFETCH(QString, what);
+    QFETCH(bool, anew);
     Run run;
+    const bool wasLossy = what.endsWith(QStringLiteral("quality"));
     for (quint32 number = 1; number < 20; ++number)
-        run.show(*flatFrame(number, 1000), filtered(100));
+        run.show(wasLossy ? *jpegLsFrame(number, 2) : *flatFrame(number, 1000), filtered(100));
     // 50 more than before: little against the brightness, and a filter that went on would show less of it than the whole.
-    const auto frame = flatFrame(20, what == QStringLiteral("gain") ? 1200 : 1000);
+    auto frame = flatFrame(20, what == QStringLiteral("gain") ? 1200 : 1000);
     if (what == QStringLiteral("acquisition"))
         frame->acquisition = 2;
     else if (what == QStringLiteral("angle"))
@@ -290,8 +305,15 @@ void TestDisplayChain::beginsFilterAnew()
         frame->captureNs -= 5'000'000'000ULL;
     else if (what == QStringLiteral("source"))
         frame->source = PictureSource::Recorded;
+    else if (what == QStringLiteral("lossless encoding"))
+        frame = jpegLsFrame(20, 0);
+    else if (what == QStringLiteral("lossy") || what == QStringLiteral("same quality"))
+        frame = jpegLsFrame(20, 2);
+    else if (what == QStringLiteral("other quality"))
+        frame = jpegLsFrame(20, 1);
     const DisplayPicture picture = run.show(*frame, filtered(100));
-    QCOMPARE(picture.treatment.k == 1.0, what != QStringLiteral("nothing"));
+    QCOMPARE(run.refusal, QString());
+    QCOMPARE(picture.treatment.k == 1.0, anew);
 }
 
 void TestDisplayChain::redrawsWithoutFilteringTwice()
