@@ -86,7 +86,7 @@ private:
 
     // Of the writing thread, from its start on.
     int m_descriptor = -1;
-    Place m_written; ///< of the newest file
+    Place m_written;                       ///< of the newest file
     std::deque<AlarmLogEntry> m_unwritten; ///< taken over, and not written yet
     std::deque<AlarmLogEntry> m_unsynced;  ///< written, and not known to be on the disk
     Place m_synced;                        ///< of the newest file: what is known to be there

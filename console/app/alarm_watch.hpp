@@ -81,7 +81,7 @@ private:
     std::optional<Instant> m_settledSince;                   ///< since when nothing of that trouble is undecided
     std::map<quint32, std::map<QString, Instant>> m_overdue; ///< by peer and message: since when
     std::map<quint32, Instant> m_carriesSince; ///< by peer: from when on its messages pass, for the last time that they began to
-    std::set<quint32> m_closedWhileArmed;                    ///< peers
+    std::set<quint32> m_closedWhileArmed;      ///< peers
     std::map<quint32, LineQuality> m_lines;
     std::map<quint64, OfOthers> m_ofOthers; ///< by incident
     std::deque<Counted> m_counted;          ///< of the last two seconds

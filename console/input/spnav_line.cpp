@@ -193,8 +193,8 @@ void SpnavLine::take()
             return;
 }
 
-/// The library neither tells the end of the connection nor waits for the rest of an event: both are looked at first. What it kept of its own
-/// comes first.
+/// The library neither tells the end of the connection nor waits for the rest of an event: both are looked at first. What it kept of its
+/// own comes first.
 bool SpnavLine::takeOne()
 {
     std::array<char, eventSize> ahead{};

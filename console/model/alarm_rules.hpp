@@ -24,8 +24,8 @@ struct AlarmLinkReading {
     bool lossy = false;
     bool packetsLost = false;
     bool clockUncertain = false;
-    QString deadlineMissed; ///< the message that is overdue; empty
-    bool images = false;    ///< it carries the live picture
+    QString deadlineMissed;        ///< the message that is overdue; empty
+    bool images = false;           ///< it carries the live picture
     bool closedWhileArmed = false; ///< and is not open again; whoever closed it
     bool systemDiffers = false;
     std::optional<Duration> commandRoundTrip; ///< the robot's link only: there and back, as heartbeats measure it

@@ -31,8 +31,8 @@ bool SoundSchedule::demandsSound(const std::vector<Alarm>& alarms) { return high
 
 bool SoundSchedule::acknowledge(AlarmPriority priority, const std::vector<Alarm>& alarms, Instant now)
 {
-    const bool tells = std::any_of(alarms.begin(), alarms.end(),
-                                   [priority](const Alarm& alarm) { return alarm.sounds() && alarm.priority == priority; });
+    const bool tells =
+        std::any_of(alarms.begin(), alarms.end(), [priority](const Alarm& alarm) { return alarm.sounds() && alarm.priority == priority; });
     if (m_current != priority || tells)
         return false;
     m_current.reset();

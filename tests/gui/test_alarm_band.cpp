@@ -197,9 +197,8 @@ private Q_SLOTS:
         Band room(AlarmPriority::High);
         room.band.setAlarms({alarm(AlarmPriority::High, true), ended(AlarmPriority::Medium)});
         const auto texts = textsPaintedBy(room.band);
-        const auto words = std::find_if(texts.begin(), texts.end(), [](const ShownText& one) {
-            return one.text.startsWith(QStringLiteral("ENDED"));
-        });
+        const auto words =
+            std::find_if(texts.begin(), texts.end(), [](const ShownText& one) { return one.text.startsWith(QStringLiteral("ENDED")); });
         QVERIFY(words != texts.end());
         const QImage image = room.at(0ms);
         const int row = int(words->ink.center().y());

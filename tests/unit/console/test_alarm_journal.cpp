@@ -36,7 +36,7 @@ extern "C" int fdatasync(int descriptor)
             errno = EIO;
         return -1;
     }
-    struct stat file{};
+    struct stat file {};
     if (::fstat(descriptor, &file) == 0)
         kept = file.st_size;
     return static_cast<int>(::syscall(SYS_fdatasync, descriptor));

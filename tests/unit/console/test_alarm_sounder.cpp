@@ -63,8 +63,9 @@ private Q_SLOTS:
         ConsoleModels models;
         InventedVoice voice;
         const AlarmSounder sounder(models, voice);
-        models.alarms.update({report(AlarmCondition::ForceStop, AlarmPriority::High), report(AlarmCondition::SoftLimit, AlarmPriority::Low)},
-                             Instant{} + 1h, 0);
+        models.alarms.update(
+            {report(AlarmCondition::ForceStop, AlarmPriority::High), report(AlarmCondition::SoftLimit, AlarmPriority::Low)}, Instant{} + 1h,
+            0);
         models.alarms.acknowledge(models.alarms.alarms().back().id, 0);
         QCOMPARE(voice.heard, QStringList{QStringLiteral("high")});
     }
