@@ -8,13 +8,6 @@
 
 namespace console {
 
-namespace {
-
-constexpr int between = 2;
-constexpr int valueMargin = 4; // six pixels to either of its buttons
-
-} // namespace
-
 PictureControls::PictureControls(DisplayState& display, QWidget* parent)
     : QWidget(parent), m_display(display), m_rows(new QBoxLayout(QBoxLayout::LeftToRight, this))
 {
@@ -25,7 +18,7 @@ PictureControls::PictureControls(DisplayState& display, QWidget* parent)
     QBoxLayout* looks = new QHBoxLayout;
     QBoxLayout* tools = new QHBoxLayout;
     for (QBoxLayout* row : {looks, tools}) {
-        row->setSpacing(between);
+        row->setSpacing(2);
         m_rows->addLayout(row, row == looks ? 1 : 0);
     }
     m_row = looks;
@@ -65,7 +58,6 @@ QLabel* PictureControls::addStepper(const QString& name, const std::function<voi
     SmallButton* less = addButton(QStringLiteral("\u2212"), tr("Less %1").arg(name), tr("Less %1").arg(name));
     QLabel* label = plainLabel({}, theme::TextRole::Caption, this);
     label->setAlignment(Qt::AlignCenter);
-    label->setContentsMargins(valueMargin, 0, valueMargin, 0);
     m_row->addWidget(label);
     SmallButton* more = addButton(QStringLiteral("+"), tr("More %1").arg(name), tr("More %1").arg(name));
     connect(less, &QPushButton::clicked, this, [step] { step(-1); });

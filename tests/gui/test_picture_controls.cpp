@@ -172,30 +172,6 @@ private Q_SLOTS:
         QTRY_COMPARE(notWhole(reference), QStringList());
     }
 
-    void aValueStandsApartFromItsButtons()
-    {
-        DisplayState display;
-        PicturePane live(new QWidget, new PictureControls(display));
-        display.stepNoiseReduction(2);
-        live.resize(1136, 1136);
-        live.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&live));
-        for (const char* name : {"zoom", "noise reduction", "edge enhancement"}) {
-            const auto* less = named(live, QStringLiteral("Less %1").arg(QLatin1String(name)));
-            const auto* more = named(live, QStringLiteral("More %1").arg(QLatin1String(name)));
-            QVERIFY(less && more);
-            const QLabel* value = nullptr;
-            for (const QLabel* label : live.findChildren<QLabel*>())
-                if (label->isVisible() && label->x() > less->x() && label->x() < more->x() && label->parent() == less->parent())
-                    value = label;
-            QVERIFY(value);
-            const QRect text = value->contentsRect().translated(value->pos());
-            QTRY_VERIFY(text.width() >= value->fontMetrics().horizontalAdvance(value->text()));
-            QVERIFY2(text.left() - less->geometry().right() > 6, name);
-            QVERIFY2(more->geometry().left() - text.right() > 6, name);
-        }
-    }
-
     void theVesselsStrengthIsSteppedByTheKeyboard()
     {
         ReviewControls controls;
