@@ -22,15 +22,6 @@ constexpr double widestName = 320; ///< at the reference; what a device calls it
 
 bool lost(MasterLife life) { return life == MasterLife::Gone || life == MasterLife::Silent; }
 
-/// Of the words that the master in use may have beside its name, but for how long it is gone: what stands beside them stays where it is.
-double widestLife(const QFont& font)
-{
-    double widest = 0;
-    for (const auto life : {MasterLife::Gone, MasterLife::Silent, MasterLife::Unheard, MasterLife::Unreleased, MasterLife::Alive})
-        widest = std::max(widest, figuresWidth(font, word(life)));
-    return widest;
-}
-
 QString lifeWords(const MasterStatus& status, Instant now)
 {
     const auto life = word(status.life);
@@ -69,8 +60,7 @@ QSize MasterChip::sizeHint() const
 {
     const QFontMetrics metrics(font());
     const int least = theme::touchSide(this);
-    const double words = std::max(figuresWidth(font(), m_words), m_status.inUse ? widestLife(font()) : 0.0);
-    const int width = metrics.height() + metrics.horizontalAdvance(name()) + int(words) + theme::px(this, 34);
+    const int width = metrics.height() + metrics.horizontalAdvance(name()) + int(figuresWidth(font(), m_words)) + theme::px(this, 34);
     return {std::max(width, least), std::max(metrics.height() + theme::px(this, 6), least)};
 }
 

@@ -91,21 +91,6 @@ private Q_SLOTS:
             QVERIFY2(alive > 2 * bright(life), qPrintable(word(life)));
     }
 
-    /// The window has the keyboard or has it not: what stands beside the chip is read in the same place.
-    void theChipInUseIsAsWideWhateverItsLife()
-    {
-        MasterStage stage;
-        QVERIFY(stage.ready());
-        stage.refresh();
-        const int wide = stage.chips().front()->sizeHint().width();
-        for (const auto life : {MasterLife::Unheard, MasterLife::Unreleased, MasterLife::Alive}) {
-            stage.cockpit.models.hand.setMasters({{MasterKind::Keyboard, word(MasterKind::Keyboard), life, {}, true, {}}});
-            stage.refresh();
-            QCOMPARE(stage.chips().front()->status().life, life);
-            QCOMPARE(stage.chips().front()->sizeHint().width(), wide);
-        }
-    }
-
     void aClickChoosesAnotherMaster()
     {
         MasterStage stage;
