@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -41,14 +42,17 @@ void PictureCanvas::paintOver(QPainter& painter, const QImage& layer, double opa
 }
 
 // Above the facts and what was refused, so that it covers neither, nor what stands in the middle of the picture.
-QRegion PictureCanvas::paintTold(QPainter& painter) const
+QRegion PictureCanvas::paintTold(QPainter& painter, const QRect& below) const
 {
     if (m_told.isEmpty())
         return {};
     const QFont font = overlayFont();
     const QRect area = shown() ? viewport().target() : rect();
     const int gap = font.pixelSize() / 2;
-    return paintWrapped(painter, font, m_told, area.adjusted(4 * gap, 0, -4 * gap, -17 * gap), Qt::AlignHCenter | Qt::AlignBottom);
+    QRect room = area.adjusted(4 * gap, 0, -4 * gap, -17 * gap);
+    if (!below.isEmpty())
+        room.setBottom(std::min(room.bottom(), below.top() - gap));
+    return paintWrapped(painter, font, m_told, room, Qt::AlignHCenter | Qt::AlignBottom);
 }
 
 QRegion PictureCanvas::paintToldAt(QPainter& painter, QPoint corner) const

@@ -6,6 +6,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace console {
 
 namespace {
@@ -69,9 +71,10 @@ void LiveImageView::paintEvent(QPaintEvent*)
     notePainted();
     const PictureReading reading = m_state.reading(m_clock());
     paintCondition(painter, reading);
-    const PictureOverlay overlay(pictureRect(), *m_picture, reading, m_paintedPictures, m_refusal, overlayFont(), viewport().zoom());
+    const PictureOverlay overlay(pictureRect(), *m_picture, reading, m_paintedPictures, overlayFont(), viewport().zoom());
     overlay.paint(painter);
-    m_overlay = overlay.region() + paintMeasurement(painter) + paintTold(painter);
+    const QRect refused = paintRefusal(painter, overlay.footTop());
+    m_overlay = overlay.region() + refused + paintMeasurement(painter) + paintTold(painter, refused);
     m_liveness = overlay.livenessRect();
     if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
         describe(reading);
@@ -138,6 +141,18 @@ void LiveImageView::paintNothingYet(QPainter& painter)
     painter.setPen(pane_colours::secondary);
     const QString advice = m_refusal.isEmpty() ? tr("Open the link to the X-ray system and press its pedal.") : m_refusal;
     painter.drawText(rect().adjusted(40, height() / 2 + 8, -40, 0), Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, advice);
+}
+
+/// Whole, in as many rows as it needs, and always at the same height above the foot.
+QRect LiveImageView::paintRefusal(QPainter& painter, int footTop) const
+{
+    if (m_refusal.isEmpty())
+        return {};
+    const QFont font = overlayFont();
+    const int gap = font.pixelSize() / 2;
+    QRect room = pictureRect().adjusted(4 * gap, 0, -4 * gap, -13 * gap);
+    room.setBottom(std::min(room.bottom(), footTop - gap));
+    return paintWrapped(painter, font, m_refusal, room, Qt::AlignHCenter | Qt::AlignBottom);
 }
 
 void LiveImageView::describe(const PictureReading& reading)

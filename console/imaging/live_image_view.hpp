@@ -53,6 +53,7 @@ private:
     void notePainted();
     void paintCondition(QPainter& painter, const PictureReading& reading);
     void paintNothingYet(QPainter& painter);
+    QRect paintRefusal(QPainter& painter, int footTop) const;
     void describe(const PictureReading& reading);
     static QString conditionWords(const PictureReading& reading);
 

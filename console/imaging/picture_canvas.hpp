@@ -67,7 +67,7 @@ protected:
     /// Over the picture, what fits on it whatever its resolution; `opacity` 0 to 1.
     void paintOver(QPainter& painter, const QImage& layer, double opacity) const;
     QRegion paintMeasurement(QPainter& painter) const;
-    QRegion paintTold(QPainter& painter) const; ///< at the foot of the pane
+    QRegion paintTold(QPainter& painter, const QRect& below = {}) const; ///< at the foot of the pane, above `below` where that is not empty
 
     /// With its upper left corner there: beneath words at the picture's edge, so that the middle stays free.
     QRegion paintToldAt(QPainter& painter, QPoint corner) const;

@@ -5,7 +5,6 @@
 #include "imaging/pane_colours.hpp"
 
 #include <QCoreApplication>
-#include <QFontMetrics>
 #include <QPainter>
 #include <QStringList>
 
@@ -76,16 +75,14 @@ QString ageLine(const PictureReading& reading)
 }
 
 PictureOverlay::PictureOverlay(QRect area, const DisplayPicture& picture, const PictureReading& reading, quint64 paintedPictures,
-                               const QString& refusal, const QFont& font, double zoom)
+                               const QFont& font, double zoom)
     : m_area(area), m_plates(font), m_gap(m_plates.gap()), m_paintedPictures(paintedPictures)
 {
     placeHead(picture, reading);
     placeReduction(reductionOf(picture.about), reading.condition != PictureCondition::Held);
     placeSides(m_plates, area, picture);
     placeCondition(reading);
-    m_scaleBar = placeScale(m_plates, area, picture, 1 / zoom);
-    placeFacts(m_plates, area, m_scaleBar, picture, zoom);
-    placeRefusal(refusal);
+    placeFoot(picture, zoom);
 }
 
 void PictureOverlay::placeHead(const DisplayPicture& picture, const PictureReading& reading)
@@ -176,12 +173,14 @@ void PictureOverlay::placeCondition(const PictureReading& reading)
                  Qt::AlignHCenter | Qt::AlignTop);
 }
 
-void PictureOverlay::placeRefusal(const QString& refusal)
+void PictureOverlay::placeFoot(const DisplayPicture& picture, double zoom)
 {
-    if (refusal.isEmpty())
-        return;
-    const QString line = QFontMetrics(m_plates.font()).elidedText(refusal, Qt::ElideRight, m_area.width() - 6 * m_gap);
-    m_plates.add(line, {m_area.center().x(), m_area.bottom() - 12 * m_gap}, Qt::AlignHCenter | Qt::AlignBottom);
+    const std::size_t above = m_plates.plates().size();
+    m_scaleBar = placeScale(m_plates, m_area, picture, 1 / zoom);
+    placeFacts(m_plates, m_area, m_scaleBar, picture, zoom);
+    m_footTop = m_scaleBar.isEmpty() ? m_area.bottom() : m_scaleBar.top();
+    for (std::size_t place = above; place < m_plates.plates().size(); ++place)
+        m_footTop = std::min(m_footTop, m_plates.plates()[place].rect.top());
 }
 
 QRegion PictureOverlay::region() const

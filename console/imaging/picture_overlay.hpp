@@ -25,8 +25,8 @@ QString ageLine(const PictureReading& reading);
 /// Lays the overlay out in `area`, the picture's rectangle on the screen.
 class PictureOverlay {
 public:
-    PictureOverlay(QRect area, const DisplayPicture& picture, const PictureReading& reading, quint64 paintedPictures,
-                   const QString& refusal, const QFont& font, double zoom = 1);
+    PictureOverlay(QRect area, const DisplayPicture& picture, const PictureReading& reading, quint64 paintedPictures, const QFont& font,
+                   double zoom = 1);
 
     void paint(QPainter& painter) const;
 
@@ -35,18 +35,22 @@ public:
 
     QRect livenessRect() const { return m_liveness; }
 
+    /// The highest row of what stands at the foot.
+    int footTop() const { return m_footTop; }
+
 private:
     void placeHead(const DisplayPicture& picture, const PictureReading& reading);
     QRect placeAge(const PictureReading& reading, const QRect& source);
     QRect placeRow(const QStringList& parts, const QStringList& widest, const QFont& font, QPoint corner);
     void placeReduction(const PictureReduction& reduction, bool isExpected);
     void placeCondition(const PictureReading& reading);
-    void placeRefusal(const QString& refusal);
+    void placeFoot(const DisplayPicture& picture, double zoom);
 
     QRect m_area;
     TextPlates m_plates;
     int m_gap;
     int m_headEnd = 0; ///< the lowest row of what stands at the top
+    int m_footTop = 0;
     quint64 m_paintedPictures;
     QRect m_liveness;
     QRect m_scaleBar;

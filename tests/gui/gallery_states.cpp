@@ -141,6 +141,18 @@ void map(InventedCockpit& c, CockpitWindow& w, bool turned)
         raise(c, wrong);
 }
 
+/// For the reason that takes the most words, and a picture was saved meanwhile.
+void refuse(InventedCockpit& c, CockpitWindow& w)
+{
+    auto* live = w.findChild<LiveImageView*>();
+    live->showPicture(inventedPicture(*c.models.picture.newest(), PictureRole::Live));
+    live->grab(); // what is refused comes after a picture that was painted
+    const auto why = QCoreApplication::translate("console::FrameDecoder", "the JPEG-LS picture is %1 x %2, the message says %3 x %4");
+    live->showRefusal(4711, why.arg(1024).arg(1024).arg(512).arg(512));
+    const auto path = QStringLiteral("/home/operator/Pictures/liena/liena_2026-03-02T12-03-41.250_live_run3_frame4710");
+    live->tell(QCoreApplication::translate("console::PictureDesk", "picture saved: %1").arg(path));
+}
+
 /// A distance, by two clicks.
 void measure(InventedCockpit& c, CockpitWindow& w)
 {
@@ -201,6 +213,7 @@ std::vector<GalleryState> galleryStates()
         {"roadmap", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), arm(c), map(c, w, false); }},
         {"noroadmap", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), arm(c), map(c, w, true); }},
         {"measuring", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), c.testAlarms(), measure(c, w); }},
+        {"refused", [](InventedCockpit& c, CockpitWindow& w) { c.openAll(), arm(c), refuse(c, w); }},
         {"log",
          [](InventedCockpit& c, CockpitWindow& w) {
              c.openAll(), c.testAlarms(), c.logEvents();

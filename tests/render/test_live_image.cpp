@@ -45,6 +45,7 @@ private Q_SLOTS:
     void showsNoScaleAndNoSidesWithoutGeometry();
     void showsHonestTextWithoutPicture();
     void showsRefusalUntilNextPicture();
+    void saysTheWholeOfARefusal();
     void saysWhatAReducedPictureLost_data();
     void saysWhatAReducedPictureLost();
     void saysBelowALengthWhatItIsWorth();
@@ -160,6 +161,32 @@ void TestLiveImage::showsRefusalUntilNextPicture()
     QVERIFY(pane.send(3));
     pane.grab();
     QVERIFY(!(marks - pane.view.overlayRegion()).isEmpty());
+}
+
+/// In as many rows as it needs: none over what stands at the foot, and what is told of a button above them.
+void TestLiveImage::saysTheWholeOfARefusal()
+{
+    LivePane pane;
+    QVERIFY(pane.send(1));
+    pane.grab();
+    const QRegion usual = pane.view.overlayRegion();
+    const auto added = [&] {
+        pane.grab();
+        return (pane.view.overlayRegion() - usual).boundingRect();
+    };
+    pane.view.showRefusal(2, QStringLiteral("short"));
+    const QRect one = added();
+    QVERIFY(!one.isEmpty() && !usual.intersects(one));
+    pane.view.showRefusal(2, QStringLiteral("the reason is a long one ").repeated(6));
+    const QRect many = added();
+    QVERIFY(many.height() > 3 * one.height() / 2);
+    QCOMPARE(many.bottom(), one.bottom());
+    QVERIFY(pane.view.pictureRect().contains(many) && !usual.intersects(many));
+    pane.view.tell(QStringLiteral("picture saved"));
+    pane.grab();
+    const QRegion told = pane.view.overlayRegion() - usual - many;
+    QVERIFY(!told.isEmpty());
+    QVERIFY(told.boundingRect().bottom() < many.top());
 }
 
 void TestLiveImage::saysWhatAReducedPictureLost_data()

@@ -140,7 +140,7 @@ void TestPictureMarks::neverClipsNorCoversReduction()
         QImage image(where.adjusted(-200, -200, 200, 200).size(), QImage::Format_RGB32);
         image.fill(Qt::black);
         QPainter painter(&image);
-        PictureOverlay(where, picture, reading, 1, {}, font).paint(painter);
+        PictureOverlay(where, picture, reading, 1, font).paint(painter);
         painter.end();
         words.push_back(cautionPixels(image));
         QVERIFY(pixelCount(words.back()) > 50);
@@ -217,7 +217,7 @@ void TestPictureMarks::noFigureMovesAnother()
         QImage image(area, QImage::Format_RGB32);
         image.fill(Qt::black);
         QPainter painter(&image);
-        const PictureOverlay overlay(image.rect(), picture, reading, 1, {}, bodyFont());
+        const PictureOverlay overlay(image.rect(), picture, reading, 1, bodyFont());
         overlay.paint(painter);
         QVERIFY(region.isEmpty() || region == overlay.region());
         QVERIFY(QRect(QPoint(), area).contains(overlay.region().boundingRect()));
@@ -239,7 +239,7 @@ void TestPictureMarks::frozenSecondsStandStill()
     QRegion region;
     for (const int tenths : {4, 11, 108, 1111}) {
         reading.frozenFor = std::chrono::milliseconds(100 * tenths);
-        const PictureOverlay overlay(QRect(0, 0, 600, 600), picture, reading, 1, {}, bodyFont());
+        const PictureOverlay overlay(QRect(0, 0, 600, 600), picture, reading, 1, bodyFont());
         QVERIFY(region.isEmpty() || region == overlay.region());
         region = overlay.region();
     }
@@ -256,7 +256,7 @@ void TestPictureMarks::wordsThatTellAHoldAreLarge()
         picture.about = *samples::frame(1, frameSize, 8, PixelEncoding::Raw);
         PictureReading reading;
         reading.condition = condition;
-        const PictureOverlay overlay(QRect(0, 0, 520, 520), picture, reading, 1, {}, bodyFont());
+        const PictureOverlay overlay(QRect(0, 0, 520, 520), picture, reading, 1, bodyFont());
         int rows = 0;
         for (int y = 80; y < 200; ++y)
             rows += overlay.region().contains(QPoint(360, y)) ? 1 : 0;
