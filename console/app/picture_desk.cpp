@@ -142,7 +142,7 @@ void PictureDesk::joinLog(LogView& log)
     auto* picture = makeReferenceCopy();
     picture->setFocusPolicy(Qt::NoFocus); // to look at; what is done with a picture is done in its pane
     picture->setAttribute(Qt::WA_TransparentForMouseEvents);
-    log.setReview([this](Instant moment) { return m_ring.frameOf(moment).picture; }, picture);
+    log.setReview([this](Instant moment) { return m_ring.frameOf(moment).picture; }, [this] { return m_ring.span(); }, picture);
     connect(&log, &LogView::reviewRequested, this, &PictureDesk::reviewAt);
     connect(&log, &LogView::reviewStepRequested, &m_review, &CineReview::step);
     connect(&log, &LogView::reviewPlayRequested, &m_review, &CineReview::setPlaying);

@@ -75,12 +75,10 @@ std::size_t CineRing::bytes() const
     return m_bytes;
 }
 
-std::chrono::nanoseconds CineRing::span() const
+Duration CineRing::span() const
 {
     const std::lock_guard lock(m_mutex);
-    if (m_frames.empty() || m_frames.back()->captureNs < m_frames.front()->captureNs)
-        return {};
-    return std::chrono::nanoseconds(m_frames.back()->captureNs - m_frames.front()->captureNs);
+    return m_frames.empty() ? Duration::zero() : m_frames.back()->arrival - m_frames.front()->arrival;
 }
 
 } // namespace console

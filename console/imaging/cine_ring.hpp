@@ -52,8 +52,8 @@ public:
 
     std::size_t bytes() const;
 
-    /// From the oldest frame to the newest, by the times of their pulses.
-    std::chrono::nanoseconds span() const;
+    /// From the oldest frame to the newest, by their arrivals.
+    Duration span() const;
 
 private:
     void dropOldest();

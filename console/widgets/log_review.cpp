@@ -47,11 +47,13 @@ SheetButton* LogReview::addButton(const QString& text, const QString& accessible
     return button;
 }
 
-void LogReview::showLine(std::optional<MomentPicture> picture)
+void LogReview::showLine(std::optional<MomentPicture> picture, Duration kept)
 {
-    if (m_picture == picture)
+    const auto whole = std::chrono::floor<std::chrono::seconds>(kept); // never more than there is
+    if (m_picture == picture && m_kept == whole)
         return;
     m_picture = picture;
+    m_kept = whole;
     renew();
 }
 
@@ -81,8 +83,11 @@ QString LogReview::reason() const
 {
     if (!m_picture || mayReview())
         return {};
-    return *m_picture == MomentPicture::Gone ? tr("No picture of this moment is kept: the last 60 s are.")
-                                             : tr("No picture came at this moment, nor shortly before it.");
+    if (*m_picture == MomentPicture::NotTaken)
+        return tr("No picture came at this moment, nor shortly before it.");
+    // How many seconds fit into the memory depends on the pictures.
+    return m_kept.count() > 0 ? tr("No picture of this moment is kept: the last %1 s of pictures are.").arg(m_kept.count())
+                              : tr("No picture of this moment is kept.");
 }
 
 } // namespace console

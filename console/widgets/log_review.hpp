@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include <chrono>
 #include <optional>
 
 class QLabel;
@@ -19,8 +20,8 @@ class LogReview : public QWidget {
 public:
     explicit LogReview(QWidget* parent = nullptr);
 
-    /// What there is of the chosen line's moment; nothing: no line is chosen.
-    void showLine(std::optional<MomentPicture> picture);
+    /// What there is of the chosen line's moment; nothing: no line is chosen. `kept`: from the oldest picture to the newest.
+    void showLine(std::optional<MomentPicture> picture, Duration kept);
 
     /// Stepping and playing are there in a review only.
     void showReview(bool open, bool playing);
@@ -47,6 +48,7 @@ private:
     SheetButton* m_on;
     QLabel* m_note;
     std::optional<MomentPicture> m_picture;
+    std::chrono::seconds m_kept{}; ///< whole ones
     bool m_open = false;
     bool m_playing = false;
 };

@@ -222,9 +222,10 @@ void LogView::showWhole()
     refreshReview();
 }
 
-void LogView::setReview(std::function<MomentPicture(Instant)> keeps, QWidget* picture)
+void LogView::setReview(std::function<MomentPicture(Instant)> keeps, std::function<Duration()> kept, QWidget* picture)
 {
     m_keeps = std::move(keeps);
+    m_kept = std::move(kept);
     m_picture = picture;
     m_middle->insertWidget(0, m_picture, 2);
     m_picture->setVisible(m_reviewed.has_value());
@@ -238,9 +239,9 @@ void LogView::refreshReview()
         return;
     const auto line = m_lines->currentIndex();
     if (!line.isValid())
-        return m_review->showLine(std::nullopt);
+        return m_review->showLine(std::nullopt, m_kept());
     const auto moment = momentOf(line);
-    m_review->showLine(moment ? m_keeps(*moment) : MomentPicture::Gone);
+    m_review->showLine(moment ? m_keeps(*moment) : MomentPicture::Gone, m_kept());
 }
 
 void LogView::reviewLine(const QModelIndex& line)

@@ -38,9 +38,10 @@ public:
     /// Names a file for a log, `events` or `alarms`, that is written now.
     void setPathSuggestion(std::function<QString(const QString& log)> suggest);
 
-    /// Lets a person go from a line to its picture; without it there is no button for that. `keeps` says what is kept of a moment;
-    /// `picture` is the view's from now on, stands beside the lines while there is a review, and is to show that.
-    void setReview(std::function<MomentPicture(Instant)> keeps, QWidget* picture);
+    /// Lets a person go from a line to its picture; without it there is no button for that. `keeps` says what is kept of a moment,
+    /// `kept` of how long a time; `picture` is the view's from now on, stands beside the lines while there is a review, and is to show
+    /// that.
+    void setReview(std::function<MomentPicture(Instant)> keeps, std::function<Duration()> kept, QWidget* picture);
 
     /// Until when the picture in review was the newest, for the mark before the last line until then; nothing: there is no review, and no
     /// mark.
@@ -86,6 +87,7 @@ private:
     Log m_log = Log::Events;
     std::function<QString(const QString&)> m_suggest;
     std::function<MomentPicture(Instant)> m_keeps;
+    std::function<Duration()> m_kept;
     std::optional<Instant> m_reviewed;
     std::array<QPushButton*, 2> m_logs{};
     std::vector<QPushButton*> m_kinds;

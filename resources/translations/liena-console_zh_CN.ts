@@ -2825,12 +2825,16 @@
         <translation>▶ 标出截至回放图像时刻的最后一行。</translation>
     </message>
     <message>
-        <source>No picture of this moment is kept: the last 60 s are.</source>
-        <translation>未保留此刻的图像：只保留最近 60 s。</translation>
-    </message>
-    <message>
         <source>No picture came at this moment, nor shortly before it.</source>
         <translation>此刻及之前不久没有图像到达。</translation>
+    </message>
+    <message>
+        <source>No picture of this moment is kept: the last %1 s of pictures are.</source>
+        <translation>未保留此刻的图像：只保留最近 %1 s 的图像。</translation>
+    </message>
+    <message>
+        <source>No picture of this moment is kept.</source>
+        <translation>未保留此刻的图像。</translation>
     </message>
 </context>
 <context>

@@ -5,12 +5,14 @@
 #include "sample_frames.hpp"
 #include "widgets/cockpit_window.hpp"
 #include "widgets/log_lines.hpp"
+#include "widgets/log_review.hpp"
 #include "widgets/log_view.hpp"
 #include "widgets/sheet_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QKeyEvent>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QSet>
 #include <QSignalSpy>
 #include <QtTest>
@@ -262,7 +264,29 @@ private Q_SLOTS:
         stage.log->showLog(LogView::Log::Alarms);
         stage.choose(QStringLiteral("then"));
         QVERIFY(!stage.review()->isEnabled());
-        QVERIFY(stage.says(QStringLiteral("No picture of this moment is kept: the last 60 s are.")));
+        QVERIFY(stage.says(QStringLiteral("No picture of this moment is kept")));
+    }
+
+    /// A minute, or as much as fits into the memory.
+    void aLineWhosePictureIsGoneSaysHowMuchIsKept()
+    {
+        Stage stage;
+        const auto old = samples::frame(50, {256, 256}, 12, PixelEncoding::Raw);
+        old->arrival = std::chrono::steady_clock::now() - std::chrono::milliseconds(5500);
+        stage.desk.pipeline().showFrame(old);
+        QTRY_COMPARE(stage.models.picture.paintedCount(), quint64(1));
+        QVERIFY(stage.begin());
+        stage.log->showLog(LogView::Log::Alarms);
+        stage.choose(QStringLiteral("then"));
+        const QRegularExpression words(QStringLiteral("^No picture of this moment is kept: the last (\\d+) s of pictures are\\.$"));
+        const int kept = words.match(stage.review()->accessibleDescription()).captured(1).toInt();
+        QVERIFY2(kept >= 5 && kept <= 60, qPrintable(stage.review()->accessibleDescription()));
+        LogReview alone;
+        alone.showLine(MomentPicture::Gone, std::chrono::milliseconds(37'900));
+        const auto* note = alone.findChild<QLabel*>();
+        QCOMPARE(note->text(), QStringLiteral("No picture of this moment is kept: the last 37 s of pictures are."));
+        alone.showLine(MomentPicture::Gone, Duration::zero());
+        QCOMPARE(note->text(), QStringLiteral("No picture of this moment is kept."));
     }
 
     /// A repeated Enter has one wish, and Enter never goes on to the hand.
