@@ -143,8 +143,9 @@ SpnavLine::Opened SpnavLine::openNow()
 
 void SpnavLine::attempt()
 {
-    if (m_open || m_attempt)
+    if (m_mouse || m_attempt)
         return;
+    close(); // what a daemon without a mouse told while the line opened, that one was plugged in, may be lost: it is asked again
     m_attempt = std::make_shared<Attempt>();
     m_opening.setFuture(m_attempt->promise.future());
     std::thread([attempt = m_attempt] {
@@ -176,8 +177,6 @@ void SpnavLine::finishAttempt()
     m_mouse = opened == Opened::Mouse;
     if (m_mouse)
         Q_EMIT came();
-    if (m_open)
-        take(); // what came while it was opened, a mouse that was plugged in, too, waits in the library and wakes nobody
 }
 
 void SpnavLine::listen()
@@ -193,21 +192,19 @@ void SpnavLine::take()
             return;
 }
 
-/// The library neither tells the end of the connection nor waits for the rest of an event: both are looked at first. What it kept of its
-/// own comes first.
+/// The library neither tells the end of the connection nor waits for the rest of an event: both are looked at first.
 bool SpnavLine::takeOne()
 {
     std::array<char, eventSize> ahead{};
     const auto waiting = ::recv(spnav_fd(), ahead.data(), ahead.size(), MSG_PEEK | MSG_DONTWAIT);
-    const bool nothing = waiting < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    if (waiting < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
+        return false;
     spnav_event event{};
-    if (!nothing && waiting != static_cast<ssize_t>(eventSize)) {
+    if (waiting != static_cast<ssize_t>(eventSize)) {
         close();
         return false;
     }
     const int kind = spnav_poll_event(&event);
-    if (kind == 0)
-        return false;
     const bool hand = kind == SPNAV_EVENT_MOTION || kind == SPNAV_EVENT_BUTTON;
     // Another set of mice, or one that was not known of: begun anew, and to be seen let go.
     if (kind == SPNAV_EVENT_DEV || (hand && !m_mouse)) {

@@ -3028,7 +3028,7 @@
     </message>
     <message>
         <source>not heard</source>
-        <translation>未收到数据</translation>
+        <translation>未获焦点</translation>
     </message>
     <message>
         <source>let go first</source>
