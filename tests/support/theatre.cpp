@@ -194,10 +194,16 @@ bool Theatre::readyOnce(const Hand& hand)
         return false;
     acknowledgeAlarms();
     readAccount();
+    const auto run = [this] {
+        const auto& newest = models().picture.newest();
+        return newest ? std::optional(newest->acquisition) : std::nullopt;
+    };
+    const auto before = run();
     hold(Qt::Key_F); // pictures must be live for a second, which passes while the alarms are tested
     testAlarms();
     hold(Qt::Key_F); // unheard before where the keys were elsewhere: a click on the test gives them back to the hand
-    return reaches(PermitPhase::Ready);
+    // What was still on its way of the run before is live as that was, until the first picture of this one.
+    return QTest::qWaitFor([&] { return run() != before; }, patience) && reaches(PermitPhase::Ready);
 }
 
 bool Theatre::armOnce(const Hand& hand)
