@@ -202,8 +202,12 @@ bool Theatre::readyOnce(const Hand& hand)
     hold(Qt::Key_F); // pictures must be live for a second, which passes while the alarms are tested
     testAlarms();
     hold(Qt::Key_F); // unheard before where the keys were elsewhere: a click on the test gives them back to the hand
-    // What was still on its way of the run before is live as that was, until the first picture of this one.
-    return QTest::qWaitFor([&] { return run() != before; }, patience) && reaches(PermitPhase::Ready);
+    // What was still on its way of the run before is live as that was, until the first picture of this one and the next look at it.
+    if (!QTest::qWaitFor([&] { return run() != before; }, patience))
+        return false;
+    const auto begun = std::chrono::steady_clock::now();
+    const auto isReady = [&] { return phase() == PermitPhase::Ready && models().permit.state().since > begun; };
+    return QTest::qWaitFor(isReady, patience);
 }
 
 bool Theatre::armOnce(const Hand& hand)

@@ -301,9 +301,9 @@ private Q_SLOTS:
         letGoOfThePedal(stage);
         QCOMPARE(conditionOf(stage), PictureCondition::Held);
         const auto live = [&models] { return models.permit.checklist().at(std::size_t(Guard::PictureLive)); };
+        QTRY_COMPARE_WITH_TIMEOUT(live().text, QStringLiteral("Picture: LAST IMAGE HOLD"), patience);
         // All but this one.
         QTRY_VERIFY2_WITH_TIMEOUT(models.permit.unmetCount() == 1 && !live().met, qPrintable(theatre.story()), patience);
-        QCOMPARE(live().text, QStringLiteral("Picture: LAST IMAGE HOLD"));
         QVERIFY(stage.settles()); // whatever of the run was still on its way is painted
         const auto painted = models.picture.paintedCount();
         playOldPictures(stage);
