@@ -208,7 +208,7 @@ void Rules::addForce()
         return;
     const double force = std::abs(m_readings.force);
     const auto text = Text::tr("Guidewire force %1 N").arg(m_readings.force, 0, 'f', 2);
-    if (force >= m_readings.limits.forceStop || m_readings.faultCode == 1)
+    if (force >= m_readings.limits.forceStop || m_readings.faultCode == forceStopped)
         add(AlarmCondition::ForceStop, whenArmed(Priority::High, Priority::Medium), true, Text::tr("FORCE STOP: %1").arg(text),
             Text::tr("Do not push on; look at the picture and retract a little."));
     else if (force >= m_readings.limits.forceWarn && m_readings.armed)
@@ -217,8 +217,8 @@ void Rules::addForce()
 
 void Rules::addDrives()
 {
-    // Whatever a robot has a code for, but for the force stop, which is an alarm of its own, and lost commands, which are a hold.
-    const bool fault = m_readings.faultCode != 0 && m_readings.faultCode != 1 && m_readings.faultCode != 4;
+    const quint16 code = m_readings.faultCode;
+    const bool fault = code != noFault && code != forceStopped && code != commandsLost;
     const bool unhealthy = m_readings.drivesKnown && !m_readings.drivesHealthy;
     const auto remedy = Text::tr("Do not arm; have the drives looked at.");
     if (m_readings.armFault)
@@ -227,11 +227,11 @@ void Rules::addDrives()
     if (!m_readings.robotFresh || (!fault && !unhealthy && !m_readings.driveOff))
         return;
     add(AlarmCondition::DriveFault, whenArmed(Priority::High, Priority::Medium), true,
-        fault                 ? Text::tr("Robot: %1").arg(faultText(m_readings.faultCode))
+        fault                 ? Text::tr("Robot: %1").arg(faultText(code))
         : m_readings.driveOff ? Text::tr("Robot: a drive is off")
                               : Text::tr("Robot: drives are not healthy"),
         remedy);
-    addCauses(fault ? quint64{1} << std::min<quint16>(m_readings.faultCode, 63) : 1);
+    addCauses(fault ? quint64{1} << std::min<quint16>(code, 63) : 1);
 }
 
 void Rules::addLimits()

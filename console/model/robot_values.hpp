@@ -33,7 +33,11 @@ enum LimitSwitch : quint16 {
 inline constexpr quint16 softLimits = GuidewireSoftLow | GuidewireSoftHigh | CatheterSoftLow | CatheterSoftHigh;
 inline constexpr quint16 hardLimits = GuidewireHardLow | GuidewireHardHigh | CatheterHardLow | CatheterHardHigh;
 
-/// Codes of RobotStatus::faultCode; others are shown by number.
+/// Codes of RobotStatus::faultCode that are no fault: a force stop is an alarm of its own, and lost commands are a hold. Whatever else a
+/// robot has a code for is one.
+inline constexpr quint16 noFault = 0, forceStopped = 1, commandsLost = 4;
+
+/// Of RobotStatus::faultCode; what has no name here is shown by number.
 QString faultText(quint16 code);
 
 struct RobotStatus {
