@@ -62,6 +62,8 @@ void ReceptionTask::process()
                        });
     if (!m_closed && !m_paused && !m_reading) {
         m_reading = true;
+        if (std::exchange(m_concluded, false) && m_lane != 0 && m_decoder->buffered() == 0)
+            m_channel->acknowledge();
         readOn();
     }
 }
@@ -98,6 +100,7 @@ protocol::HeaderVerdict ReceptionTask::judge(const protocol::DatagramHeader& hea
 bool ReceptionTask::conclude(const protocol::DatagramHeader& header, protocol::Reassembler::Outcome outcome,
                              std::span<const std::byte> body)
 {
+    m_concluded = !m_reassembler.hasPartial();
     if (const auto* violation = std::get_if<protocol::Reassembler::Violation>(&outcome))
         m_sink->violated(m_lane, violation->what);
     else if (const auto* passed = std::get_if<protocol::Reassembler::OverBudget>(&outcome))

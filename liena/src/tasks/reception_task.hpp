@@ -79,6 +79,7 @@ private:
     LaneSink* m_sink;
     std::size_t m_maximum = 0; ///< of the datagram that was judged last
     std::uint64_t m_bytesReceived = 0;
+    bool m_concluded = false; ///< the last message is whole, and not acknowledged for that yet
     bool m_paused = false;
     bool m_reading = false;
     bool m_closed = false;

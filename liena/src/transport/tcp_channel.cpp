@@ -70,13 +70,6 @@ std::optional<int> largestSendBuffer()
     return largest;
 }
 
-/// What was read is acknowledged now, and what comes next is not acknowledged by reading it (tcp(7), TCP_QUICKACK).
-void acknowledge(int socket)
-{
-    set(socket, IPPROTO_TCP, TCP_QUICKACK, 1);
-    set(socket, IPPROTO_TCP, TCP_QUICKACK, 0);
-}
-
 } // namespace
 
 TcpChannel::TcpChannel(tcp::socket socket)
@@ -110,6 +103,16 @@ void TcpChannel::expectPrompt()
 {
     m_expectsPrompt = true;
     m_end.keepBuffers();
+}
+
+/// tcp(7), TCP_QUICKACK: 1 sends an acknowledgement that is due; 0 leaves the next one to what is answered.
+void TcpChannel::acknowledge()
+{
+    if (m_closed)
+        return;
+    set(m_descriptor, IPPROTO_TCP, TCP_QUICKACK, 1);
+    if (m_expectsPrompt)
+        set(m_descriptor, IPPROTO_TCP, TCP_QUICKACK, 0);
 }
 
 void TcpChannel::mark(std::uint8_t dscp)
@@ -314,7 +317,7 @@ void TcpChannel::settle(Way& way, const Step& done)
 void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
 {
     if (m_expectsPrompt && &way == &m_reading)
-        acknowledge(m_descriptor);
+        acknowledge();
     if (&way == &m_writing && need == StreamEnd::Need::Writable) {
         m_waited = true;
         fitBuffer();

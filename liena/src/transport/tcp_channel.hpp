@@ -94,6 +94,9 @@ public:
     /// network stack.
     void expectPrompt();
 
+    /// What was read is acknowledged now, and not with what comes next or 40 ms later, which the sender would take for a slow path.
+    void acknowledge();
+
     /// Sends no faster than this, in bursts of at most so many bytes. Not while a write is in flight.
     void pace(double bytesPerSecond, std::size_t burst);
 
