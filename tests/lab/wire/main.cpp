@@ -4,21 +4,25 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
+#include <string>
+#include <vector>
 
 int main(int argc, char** argv)
 {
     using namespace liena::lab;
-    if (argc < 3) {
-        std::fputs("usage: lab_wire SEED NAMESPACE-DESCRIPTOR...\nStarted by `lab`; obeys lines on its input.\n", stderr);
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const bool longFrames = !words.empty() && words.front() == "--long-frames";
+    const std::size_t first = longFrames ? 1 : 0;
+    if (words.size() < first + 2) {
+        std::fputs("usage: lab_wire [--long-frames] SEED NAMESPACE-DESCRIPTOR...\nStarted by `lab`; obeys lines on its input.\n", stderr);
         return 2;
     }
     try {
         std::vector<Tap> taps;
-        for (int i = 2; i < argc; ++i)
-            taps.emplace_back(std::atoi(argv[i]), static_cast<std::size_t>(i - 2));
-        Wire wire(std::move(taps), std::strtoull(argv[1], nullptr, 10));
+        for (std::size_t i = first + 1; i < words.size(); ++i)
+            taps.emplace_back(std::stoi(words[i]), i - first - 1, longFrames ? Frames::Long : Frames::Single);
+        Wire wire(std::move(taps), std::stoull(words[first]));
         std::puts("0 ready");
         std::fflush(stdout);
         wire.run(STDIN_FILENO, STDOUT_FILENO);

@@ -11,6 +11,10 @@ namespace liena::lab {
 
 using MacAddress = std::array<std::uint8_t, 6>;
 
+/// What stands on the cable: every packet by itself, or as a network card takes and gives them: up to 64 KiB of one TCP stream in one
+/// frame, which the card cuts and puts together. That costs a program a tenth.
+enum class Frames : std::uint8_t { Single, Long };
+
 /// The address of the device at a port, from 0.
 MacAddress macOfPort(std::size_t port);
 
@@ -18,7 +22,7 @@ MacAddress macOfPort(std::size_t port);
 class Tap {
 public:
     /// Makes `eth0` in the namespace that `namespaceDescriptor` refers to. Throws std::system_error.
-    Tap(int namespaceDescriptor, std::size_t port);
+    Tap(int namespaceDescriptor, std::size_t port, Frames frames);
     ~Tap();
     Tap(Tap&& other) noexcept;
     Tap(const Tap&) = delete;
@@ -27,7 +31,10 @@ public:
 
     int descriptor() const { return m_descriptor; }
 
-    /// One frame; 0 when none waits.
+    /// Bytes in front of each frame's Ethernet header, which belong to it when it is read and written (virtio_net.h); 0 for single packets.
+    std::size_t prefix() const;
+
+    /// One frame with its prefix; 0 when none waits.
     std::size_t read(std::span<std::byte> buffer);
 
     /// A frame that the device does not take (it is down) is gone, as on a real wire.
@@ -37,6 +44,10 @@ public:
 
 private:
     int m_descriptor = -1;
+    Frames m_frames;
 };
+
+/// What a frame, prefix and all, takes of a cable when it is cut into packets, each with headers of its own.
+std::size_t lengthOnTheCable(std::span<const std::byte> frame, std::size_t prefix);
 
 } // namespace liena::lab

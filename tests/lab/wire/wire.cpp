@@ -7,19 +7,20 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 #include <utility>
 
 namespace liena::lab {
 
 namespace {
 
-constexpr std::size_t longestFrame = 16 * 1024;
+constexpr std::size_t longestFrame = 66 * 1024;
 constexpr int framesPerTurn = 64;
 constexpr std::size_t ethernetHeader = 14;
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 
-Protocol protocolOf(const std::vector<std::byte>& frame)
+Protocol protocolOf(std::span<const std::byte> frame)
 {
     constexpr std::size_t protocolByte = ethernetHeader + 9;
     const bool ipv4 = frame.size() > protocolByte && frame[12] == std::byte{0x08} && frame[13] == std::byte{0x00};
@@ -31,7 +32,7 @@ Protocol protocolOf(const std::vector<std::byte>& frame)
 }
 
 /// Nothing for a frame to all or to nobody we know.
-std::optional<std::size_t> targetOf(const std::vector<std::byte>& frame, std::size_t ports)
+std::optional<std::size_t> targetOf(std::span<const std::byte> frame, std::size_t ports)
 {
     for (std::size_t port = 0; port < ports; ++port) {
         const auto mac = macOfPort(port);
@@ -145,8 +146,9 @@ void Wire::readFrames(std::size_t port)
         if (size == 0)
             return;
         const auto frame = std::make_shared<std::vector<std::byte>>(m_buffer.begin(), m_buffer.begin() + static_cast<std::ptrdiff_t>(size));
-        const auto protocol = protocolOf(*frame);
-        const auto target = targetOf(*frame, m_taps.size());
+        const auto bare = std::span<const std::byte>(*frame).subspan(std::min(size, m_taps[port].prefix()));
+        const auto protocol = protocolOf(bare);
+        const auto target = targetOf(bare, m_taps.size());
         const auto now = steadyNow();
         for (std::size_t to = 0; to < m_taps.size(); ++to)
             if (to != port && (!target || *target == to))
@@ -188,7 +190,8 @@ void Wire::enqueue(std::size_t to, const Frame& frame, SteadyTime now)
         return m_taps[to].write(*frame);
     if (port.queued + frame->size() > port.queueLimit)
         return;
-    const auto length = Nanoseconds(static_cast<std::int64_t>(static_cast<double>(frame->size()) * 8e9 / static_cast<double>(port.rate)));
+    const auto onTheCable = lengthOnTheCable(*frame, m_taps[to].prefix());
+    const auto length = Nanoseconds(static_cast<std::int64_t>(static_cast<double>(onTheCable) * 8e9 / static_cast<double>(port.rate)));
     port.free = std::max(port.free, now) + length;
     port.queued += frame->size();
     m_waiting.push({port.free, m_order++, to, true, frame});
