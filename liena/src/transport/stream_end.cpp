@@ -271,8 +271,11 @@ void StreamEnd::limitBursts(std::size_t bytes)
     if (bytes == m_burst)
         return;
     m_burst = bytes;
-    if (m_tls != nullptr && bytes != 0)
-        SSL_set_max_send_fragment(m_tls.get(), static_cast<long>(std::min<std::size_t>(bytes, SSL3_RT_MAX_PLAIN_LENGTH)));
+    if (m_tls != nullptr && bytes != 0) {
+        const auto record = static_cast<long>(std::min<std::size_t>(bytes, SSL3_RT_MAX_PLAIN_LENGTH));
+        SSL_set_max_send_fragment(m_tls.get(), record);
+        SSL_set_split_send_fragment(m_tls.get(), record); // the former lowers this one, and does not raise it again
+    }
     m_wire.burst = m_tls != nullptr && bytes != 0 ? bytes + recordOverhead : bytes;
 }
 

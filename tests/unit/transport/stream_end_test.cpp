@@ -1,4 +1,4 @@
-// What a peer whose certificate is good can do to the reading end of a TLS connection.
+// One end of a TLS connection: what a peer whose certificate is good can do to it, and how long its records are.
 #include "support/test_authority.hpp"
 #include "support/tls_link.hpp"
 #include "transport/stream_end.hpp"
@@ -14,8 +14,11 @@
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <span>
+#include <vector>
 
 using namespace liena;
 using namespace liena::test;
@@ -118,6 +121,38 @@ struct Connection {
         return near->write(parts, 0, 65536).bytes == text.size();
     }
 
+    /// Of those that bring so many bytes to the far end, which it does not open: so many bytes in it.
+    std::size_t longestRecord(std::size_t bytes)
+    {
+        constexpr std::size_t header = 5;
+        constexpr std::size_t sealing = 17; // of TLS 1.3: the type and the tag
+        std::size_t longest = 0;
+        for (std::size_t opened = 0; opened < bytes;) {
+            std::array<std::uint8_t, header> head{};
+            if (!receive(head))
+                return 0;
+            std::vector<std::uint8_t> body(std::size_t{head[3]} * 256 + head[4]);
+            if (!receive(body))
+                return 0;
+            opened += body.size() - sealing;
+            longest = std::max(longest, body.size() - sealing);
+        }
+        return longest;
+    }
+
+    bool receive(std::span<std::uint8_t> whole)
+    {
+        for (std::size_t got = 0; got < whole.size();) {
+            if (!waitFor(farSocket.number(), POLLIN, std::chrono::seconds(10)))
+                return false;
+            const auto more = ::recv(farSocket.number(), whole.data() + got, whole.size() - got, 0);
+            if (more <= 0)
+                return false;
+            got += static_cast<std::size_t>(more);
+        }
+        return true;
+    }
+
     StreamEnd::Step read() { return far->read({{}, buffer}, buffer.size()); }
 };
 
@@ -186,6 +221,20 @@ private Q_SLOTS:
         for (int i = 0; i < 10; ++i)
             QVERIFY(exchanged());
         QCOMPARE(buffers - before, std::size_t{0});
+    }
+
+    /// Paths become faster as well as slower.
+    void recordIsAsLongAsABurst()
+    {
+        Connection connection;
+        QVERIFY(connection.shakeHands());
+        const std::vector<std::byte> image(65536);
+        for (const std::size_t burst : {2874, 16384, 5728, 16384}) {
+            connection.near->limitBursts(burst);
+            const std::array parts{std::span<const std::byte>(image)};
+            QCOMPARE(connection.near->write(parts, 0, image.size()).bytes, image.size());
+            QCOMPARE(connection.longestRecord(image.size()), burst);
+        }
     }
 
     void whoWritesIntoARefusalHearsItsReason()
