@@ -98,7 +98,7 @@ def explanation(medians, kind, link_name):
     exception = what_is_no_target(link)
     parts = [NEIGHBOURS if kind == "neighbour" else "", f"64-byte commands at {COMMAND_RATE} Hz, one-way latency in µs since they were due.", "" if link.loss else segment_limits(link), exception,
              f"Frames: p50 in ms, and beside raw TCP's{'' if exception else f' (target {FRAME_RATIO})'}.",
-             f"Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %."]
+             "" if spread is None else f"Spread of raw TCP's p99 without frames over the rounds: {number(spread)} %."]
     return " ".join(filter(None, parts))
 
 

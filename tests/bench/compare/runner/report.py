@@ -31,7 +31,7 @@ def machine(comparison):
     stalls = comparison.stalls
     stalled = (f"median {statistics.median(stalls):.1f} ms, worst {max(stalls):.1f} ms" if stalls else "not known")
     return (f"{os.cpu_count()} processors, {platform.system()} {platform.release()}, load {os.getloadavg()[1]:.1f} (5 minutes, these "
-            f"programs included); {chosen.rounds} rounds of {chosen.seconds:g} s"
+            f"programs included); {chosen.rounds} round{'s' if chosen.rounds > 1 else ''} of {chosen.seconds:g} s"
             f"{', both ends under SCHED_FIFO' if chosen.real_time else ''}. Largest stall of a 1 ms timer before a round: {stalled}.")
 
 
