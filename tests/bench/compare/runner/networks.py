@@ -73,7 +73,7 @@ class WiredPair(Namespaces):
     def __init__(self, link, wire, urgency):
         super().__init__()
         descriptors = [os.open(f"/run/netns/{name}", os.O_RDONLY) for name in self.names]
-        # Where each packet may have a fate of its own, each is a frame; else as network cards have them, which costs a tenth of the time.
+        # Where each packet may have a fate of its own, each is a frame; else as network cards have them, with fewer calls.
         form = [] if link.loss else ["--long-frames"]
         self.wire = subprocess.Popen([*urgency, str(wire), *form, "1", *map(str, descriptors)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                      text=True, pass_fds=descriptors)
