@@ -1,10 +1,13 @@
 // The wire's decisions and orders: seeded, and as often as they are told to be.
 #include "wire/orders.hpp"
+#include "wire/tap.hpp"
 
 #include <QtTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 using namespace liena::lab;
@@ -58,6 +61,8 @@ private slots:
     void readsOrders();
     void refusesOrders_data();
     void refusesOrders();
+    void countsALongFrameAsItsPackets_data();
+    void countsALongFrameAsItsPackets();
 };
 
 void WireTest::decidesTheSameWithTheSameSeed()
@@ -181,6 +186,31 @@ void WireTest::refusesOrders()
 {
     QFETCH(QString, line);
     QVERIFY(std::holds_alternative<BadOrder>(parseWireOrder(line.toStdString(), 2)));
+}
+
+void WireTest::countsALongFrameAsItsPackets_data()
+{
+    QTest::addColumn<int>("kind"); // in front of a frame: 0 for a single packet, 1 for TCP over IPv4
+    QTest::addColumn<quint64>("body");
+    QTest::addColumn<quint64>("onTheCable");
+    QTest::newRow("a packet") << 0 << quint64{1448} << quint64{66 + 1448};
+    QTest::newRow("one that is just full") << 1 << quint64{1448} << quint64{66 + 1448};
+    QTest::newRow("a byte more") << 1 << quint64{1449} << quint64{2 * 66 + 1449};
+    QTest::newRow("ten") << 1 << quint64{14480} << quint64{10 * 66 + 14480};
+}
+
+void WireTest::countsALongFrameAsItsPackets()
+{
+    QFETCH(int, kind);
+    QFETCH(quint64, body);
+    constexpr std::size_t prefix = 10;
+    constexpr std::size_t headers = 66;
+    std::vector<std::byte> frame(prefix + headers + body);
+    frame[1] = static_cast<std::byte>(kind);
+    const std::array<std::uint16_t, 2> form{headers, 1448}; // their length, and what each packet carries
+    std::memcpy(frame.data() + 2, form.data(), sizeof form);
+    QTEST(quint64{lengthOnTheCable(frame, prefix)}, "onTheCable");
+    QCOMPARE(lengthOnTheCable(frame, 0), frame.size());
 }
 
 QTEST_GUILESS_MAIN(WireTest)

@@ -80,7 +80,7 @@ public:
         m_io.poll();
     }
 
-    /// Bytes that were sent.
+    /// Of the bytes that were sent.
     int unacknowledged()
     {
         int bytes = 0;

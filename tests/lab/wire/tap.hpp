@@ -11,8 +11,8 @@ namespace liena::lab {
 
 using MacAddress = std::array<std::uint8_t, 6>;
 
-/// What stands on the cable: every packet by itself, or as a network card takes and gives them: up to 64 KiB of one TCP stream in one
-/// frame, which the card cuts and puts together: fewer calls for a program.
+/// What stands on the cable: every packet by itself, or up to 64 KiB of one TCP stream in one frame, as a program hands them to a network
+/// card that cuts and joins them, with fewer calls.
 enum class Frames : std::uint8_t { Single, Long };
 
 /// The address of the device at a port, from 0.

@@ -75,8 +75,8 @@ class WiredPair(Namespaces):
         descriptors = [os.open(f"/run/netns/{name}", os.O_RDONLY) for name in self.names]
         # Where each packet may have a fate of its own, each is a frame; else as network cards have them, with fewer calls.
         form = [] if link.loss else ["--long-frames"]
-        self.wire = subprocess.Popen([*urgency, str(wire), *form, "1", *map(str, descriptors)], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                     text=True, pass_fds=descriptors)
+        self.wire = subprocess.Popen([*urgency, str(wire), *form, "1", *map(str, descriptors)], stdin=subprocess.PIPE,
+                                     stdout=subprocess.PIPE, text=True, pass_fds=descriptors)
         for descriptor in descriptors:
             os.close(descriptor)
         self.wire.stdout.readline()
