@@ -196,10 +196,14 @@ void Rules::addPicture()
                 Text::tr("Let go of the dead-man; motion has ended and needs a new ARM."));
         return;
     }
-    const auto text = condition == PictureCondition::Frozen
-                          ? Text::tr("Picture FROZEN, older than %1 ms").arg(milliseconds(m_readings.pictureLimit), 0, 'f', 0)
-                          : Text::tr("Picture's age is unknown");
-    add(AlarmCondition::PictureStale, priority, false, text, Text::tr("Let go of the dead-man; motion is inhibited."));
+    const auto letGo = Text::tr("Let go of the dead-man; motion is inhibited.");
+    if (condition == PictureCondition::Frozen)
+        return add(AlarmCondition::PictureStale, priority, false,
+                   Text::tr("Picture FROZEN, older than %1 ms").arg(milliseconds(m_readings.pictureLimit), 0, 'f', 0), letGo);
+    const bool comparing = m_readings.picture.unknownFor && *m_readings.picture.unknownFor < clockComparison;
+    if (m_readings.armed || !comparing)
+        add(AlarmCondition::PictureStale, priority, false, Text::tr("Picture's age is unknown"),
+            m_readings.armed ? letGo : Text::tr("Wait; arming is refused until the clocks are compared."));
 }
 
 void Rules::addForce()

@@ -83,6 +83,10 @@ struct AlarmReadings {
 };
 
 inline constexpr std::chrono::milliseconds holdConfirmationLimit{200};
+
+/// So long the first pictures of a link may come without an age, while nothing is armed: its clocks are still being compared.
+inline constexpr std::chrono::seconds clockComparison{2};
+
 inline constexpr double paintedPart = 0.8;      ///< of the delivered pictures; fewer is too few
 inline constexpr double paintedPartAgain = 0.9; ///< of them, until enough are painted again
 

@@ -134,6 +134,8 @@ PictureReading PictureState::reading(Instant now) const
         reading.liveFor = now - m_liveSince;
     if (reading.condition == PictureCondition::Frozen)
         reading.frozenFor = now - m_newest->painted;
+    if (reading.condition == PictureCondition::Unknown && m_unknownSince)
+        reading.unknownFor = now - std::max(*m_unknownSince, m_expectedSince);
     return reading;
 }
 
@@ -158,6 +160,10 @@ void PictureState::notePainted(const PictureStamp& stamp)
         !m_newest || stamp.painted - before.value_or(m_newest->painted) > limit() || m_newest->acquisition != stamp.acquisition;
     if (gap || !young)
         m_liveSince = stamp.painted;
+    if (taken)
+        m_unknownSince.reset();
+    else if (!m_unknownSince)
+        m_unknownSince = stamp.painted;
     const PictureReduction reductionBefore = m_newest ? m_newest->reduction : PictureReduction();
     const double rateBefore = expectedRate();
     m_newest = stamp;

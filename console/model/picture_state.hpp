@@ -77,6 +77,7 @@ struct PictureReading {
     bool slow = false;            ///< noticeably fewer than that rate are shown: for caution
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
+    std::optional<Duration> unknownFor; ///< of pictures of this run
     bool overdue = false; ///< the first picture since they are expected should have been painted by now; another may stand there, frozen
     QString refusal;      ///< overdue, though pictures came since they are expected: why the last one was not shown
 };
@@ -158,7 +159,8 @@ private:
     std::optional<PictureStamp> m_newest;
     std::deque<Instant> m_paints; ///< of the last two seconds
     PictureStages m_stages;
-    Instant m_liveSince; ///< start of the present unbroken run
+    Instant m_liveSince;                   ///< start of the present unbroken run
+    std::optional<Instant> m_unknownSince; ///< the age of what was painted
     Instant m_expectedSince;
     double m_expected = 0;
     double m_rateBefore = 0;       ///< what was expected before it rose

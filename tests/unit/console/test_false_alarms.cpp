@@ -133,6 +133,24 @@ private Q_SLOTS:
         QVERIFY(w.priorityOf(C::TrackerStale));
     }
 
+    /// Whoever presses the pedal as soon as the link is open; what is armed is not told later.
+    void anAgeIsUnknownWithoutAnAlarmWhileTheClocksAreCompared()
+    {
+        auto readings = calmReadings();
+        readings.picture.condition = PictureCondition::Unknown;
+        readings.picture.unknownFor = 1900ms;
+        QVERIFY(presentAlarms(readings).empty());
+        readings.picture.unknownFor = 2s;
+        QCOMPARE(presentAlarms(readings).front().priority, AlarmPriority::Low);
+        QVERIFY(presentAlarms(readings).front().remedy.contains(QStringLiteral("clocks")));
+        readings.armed = true;
+        readings.picture.unknownFor = 0ms;
+        QCOMPARE(presentAlarms(readings).front().condition, C::PictureStale);
+        QVERIFY(presentAlarms(readings).front().remedy.contains(QStringLiteral("dead-man")));
+        readings.engaged = true;
+        QCOMPARE(presentAlarms(readings).front().priority, AlarmPriority::High);
+    }
+
     /// The picture of a run before stands there frozen: whoever gives dose for nothing has to hear of the pedal, and not of that one.
     void aRunWithoutAPictureIsOneAlarmThatNamesThePedal()
     {

@@ -305,6 +305,25 @@ private Q_SLOTS:
         QCOMPARE(state.reading(start + 300ms).condition, PictureCondition::Frozen);
     }
 
+    void tellsSinceWhenTheAgeIsUnknown()
+    {
+        PictureState state;
+        state.setLinkUp(true);
+        state.expect(15, start);
+        for (unsigned i = 1; i <= 10; ++i)
+            state.notePainted(stamp(i, start + i * 60ms, std::nullopt));
+        QCOMPARE(state.reading(start + 600ms).unknownFor, std::optional<Duration>(540ms));
+        state.expect(0, start + 600ms);
+        QVERIFY(!state.reading(start + 700ms).unknownFor);
+        state.expect(15, start + 10s); // another run, perhaps of another session
+        state.notePainted(stamp(11, start + 10'060ms, std::nullopt));
+        QCOMPARE(state.reading(start + 10'100ms).unknownFor, std::optional<Duration>(100ms));
+        state.notePainted(stamp(12, start + 10'120ms, 20ms));
+        QVERIFY(!state.reading(start + 10'130ms).unknownFor);
+        state.notePainted(stamp(13, start + 10'180ms, std::nullopt));
+        QCOMPARE(state.reading(start + 10'200ms).unknownFor, std::optional<Duration>(20ms));
+    }
+
     void filterMakesThePictureOlder()
     {
         PictureState state;
