@@ -46,7 +46,7 @@ constexpr double usual = 0.0002;             // seconds of what is delivered, in
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 // With header and seal two full packets.
 constexpr std::size_t smallestSegment = 2854;
-constexpr std::size_t largestSegment = 16364; // and its header: one TLS record
+constexpr std::size_t largestSegment = 3 * smallestSegment; // a command waits for one; longer ones save little
 
 double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
 

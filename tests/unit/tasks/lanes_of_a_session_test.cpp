@@ -91,8 +91,8 @@ private slots:
         one.run(8s);
         auto two = running(capacity, std::chrono::microseconds(microseconds), {{frame, 66'667us, 0us}, {frame, 70ms, 8ms}});
         two.run(8s);
-        const auto segment = two.carrying(static_cast<double>(two.lane(0).rate.segment()));
-        QVERIFY2(two.waitedFor(0.99) <= one.waitedFor(0.99) + segment,
+        const auto segmentOfEach = two.carrying(2 * static_cast<double>(two.lane(0).rate.segment()));
+        QVERIFY2(two.waitedFor(0.99) <= one.waitedFor(0.99) + segmentOfEach,
                  (milliseconds(two.waitedFor(0.99)) + ", alone " + milliseconds(one.waitedFor(0.99))).constData());
         QVERIFY2(two.waitedFor(1) < std::chrono::microseconds(longestUs), milliseconds(two.waitedFor(1)).constData());
         for (const auto* lane : {&two.lane(0), &two.lane(1)})
@@ -101,21 +101,31 @@ private slots:
 
     void twoThatFillThePathHaveHalfOfItEach_data() { paths(); }
 
-    /// Thirty frames a second each are a little more than fits: what does not is left out.
+    /// Thirty frames a second each are a little more than fits: what does not is left out. Whose frame is just in time for the next one
+    /// leaves out fewer, which for some seconds may be the same stream: over several beginnings it is either.
     void twoThatFillThePathHaveHalfOfItEach()
     {
         QFETCH(const double, capacity);
         QFETCH(const int, microseconds);
         const double frame = 2 * mebibyte * capacity / gigabit;
-        auto path = running(capacity, std::chrono::microseconds(microseconds), {{frame, pictureTime, 0us}, {frame, pictureTime, 8ms}});
-        path.run(8s);
-        const double first = path.lane(0).delivered / capacity / 8;
-        const double second = path.lane(1).delivered / capacity / 8;
-        QVERIFY2(first + second > 0.88, number(first + second).constData()); // each by itself: 0.75 to 0.77
+        const std::vector<Nanoseconds> beginnings{5ms, 12ms, 19ms, 26ms};
+        double first = 0;
+        double second = 0;
+        for (const auto begins : beginnings) {
+            auto path =
+                running(capacity, std::chrono::microseconds(microseconds), {{frame, pictureTime, 0us}, {frame, pictureTime, begins}});
+            path.run(8s);
+            for (std::size_t i : {0U, 1U}) {
+                const double part = path.lane(i).delivered / capacity / 8;
+                QVERIFY2(part > 0.35, number(part).constData());
+                (i == 0 ? first : second) += part / static_cast<double>(beginnings.size());
+            }
+            QVERIFY2(path.waitedFor(0.99) < 1200us, milliseconds(path.waitedFor(0.99)).constData());
+            const auto known = path.lane(0).rate.known();
+            QVERIFY(known && *known > 0.4 * capacity && *known < 0.65 * capacity); // what its source can count on
+        }
+        QVERIFY2(first + second > 0.85, number(first + second).constData()); // each by itself: 0.75 to 0.77
         QVERIFY2(std::abs(first - second) < 0.05, (number(first) + " and " + number(second)).constData());
-        QVERIFY2(path.waitedFor(0.99) < 1200us, milliseconds(path.waitedFor(0.99)).constData());
-        const auto known = path.lane(0).rate.known();
-        QVERIFY(known && *known > 0.4 * capacity && *known < 0.65 * capacity); // what its source can count on
     }
 
     /// Of a long way it is not known at once what is its own unrest: whose neighbours are of its session answers as one alone does.

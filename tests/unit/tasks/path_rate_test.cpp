@@ -367,7 +367,7 @@ private slots:
         Path slow(gigabit / 10, 200us);
         fast.run(4s);
         slow.run(4s);
-        QCOMPARE(fast.rate.segment(), std::size_t{16364});
+        QCOMPARE(fast.rate.segment(), std::size_t{8562});
         QCOMPARE(slow.rate.segment(), std::size_t{2854});
     }
 };

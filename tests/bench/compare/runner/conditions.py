@@ -2,7 +2,7 @@
 from dataclasses import dataclass
 
 MIB = 1 << 20
-SEGMENT_BYTES = (2854, 16364)  # of LiENa, least and most: what a command waits for at worst when it came while a frame leaves
+SEGMENT_BYTES = (2854, 8562)  # of LiENa, least and most: what a command waits for at worst when it came while a frame leaves
 SEGMENT_S = 0.00025  # of the path, in whole steps of the least: PathRate::segment()
 QUEUE_BYTES = 512 * 1024  # before the bottleneck, as in a small switch
 COMMAND_RATE = 500  # per second, beside frames
