@@ -4,7 +4,9 @@
 #include "liena/session_state.hpp"
 
 #include <boost/asio/error.hpp>
+#include <boost/asio/ip/address.hpp>
 
+#include <optional>
 #include <string>
 
 namespace liena::transport {
@@ -14,7 +16,12 @@ struct ConnectionFailure {
     std::string detail;
 };
 
-/// What a TCP connect that ended with `error` says about the way to the peer.
-ConnectionFailure explainConnect(const boost::system::error_code& error, const std::string& place);
+/// What a TCP connect that ended with `error` says about the way to the peer. Where nobody answered at `target`, this computer's own
+/// interfaces are looked at.
+ConnectionFailure explainConnect(const boost::system::error_code& error, const std::string& place,
+                                 const std::optional<boost::asio::ip::address>& target = std::nullopt);
+
+/// The same of one that was not answered in time.
+ConnectionFailure explainSilence(const std::string& place, const std::optional<boost::asio::ip::address>& target);
 
 } // namespace liena::transport

@@ -4,11 +4,11 @@
 #include "security/certificate_fields.hpp"
 #include "security/tls_identity.hpp"
 #include "transport/connection_failure.hpp"
+#include "transport/own_interfaces.hpp"
 
 #include <boost/asio/connect.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ip/udp.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/ssl/error.hpp>
 #include <boost/asio/ssl/stream.hpp>
@@ -117,20 +117,14 @@ private:
                     "write the device's address into the topology, or its name into /etc/hosts or the site's name server");
     }
 
-    /// The kernel chooses the way when a UDP socket is connected; nothing is sent.
     bool route()
     {
         boost::system::error_code error;
-        const auto& target = m_endpoints.front();
-        asio::ip::udp::socket socket(m_io);
-        const asio::ip::udp::endpoint meant(target.address(), target.port());
-        socket.open(meant.protocol(), error);
-        if (!error)
-            socket.connect(meant, error);
-        const auto local = error ? asio::ip::udp::endpoint() : socket.local_endpoint(error);
-        if (!error)
-            return note("route", Found::Ok, fmt::format("from {} to {}", local.address().to_string(), target.address().to_string()));
-        const auto found = transport::explainConnect(error, target.address().to_string());
+        const auto target = m_endpoints.front().address();
+        const auto local = transport::addressTowards(target, error);
+        if (local)
+            return note("route", Found::Ok, fmt::format("from {} to {}", local->to_string(), target.to_string()));
+        const auto found = transport::explainConnect(error, target.to_string(), target);
         return note("route", Found::Failed, found.detail, std::string(explain(found.probe)));
     }
 
@@ -145,10 +139,11 @@ private:
         m_socket.close(ignored);
         m_io.restart();
         m_io.run();
-        if (!answered)
+        const auto target = m_endpoints.back().address();
+        const auto found = answered ? transport::explainConnect(*done, m_place, target) : transport::explainSilence(m_place, target);
+        if (!answered && found.probe == ProbeResult::HostUnreachable)
             return note("port", Found::Failed, fmt::format("{} does not answer", m_place),
                         "power and cable of the device's computer, the line between, and a firewall that drops silently");
-        const auto found = transport::explainConnect(*done, m_place);
         return note("port", Found::Failed, found.detail, std::string(explain(found.probe)));
     }
 

@@ -72,7 +72,7 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
         boost::system::error_code error = last;
         socket.close(error);
         if (candidate == candidates.size())
-            return finish(explainConnect(last, place));
+            return finish(explainConnect(last, place, candidates.empty() ? std::nullopt : std::optional(candidates.back().address())));
         inHand = candidate;
         socket.open(candidates[candidate].protocol(), error);
         if (error)
@@ -124,9 +124,12 @@ struct TcpClient::Attempt : std::enable_shared_from_this<Attempt> {
     {
         if (connected)
             return finish(ConnectionFailure{ProbeResult::PeerSilent, place + ": connected, and then silence"});
-        if (!candidates.empty()) // another attempt begins with the next one: this one takes seconds to be known as gone
-            std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(inHand) + 1, candidates.end());
-        finish(ConnectionFailure{ProbeResult::HostUnreachable, place + ": no answer"});
+        if (candidates.empty())
+            return finish(explainSilence(place, std::nullopt));
+        const auto tried = candidates[inHand].address();
+        // Another attempt begins with the next one: this one takes seconds to be known as gone.
+        std::rotate(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(inHand) + 1, candidates.end());
+        finish(explainSilence(place, tried));
     }
 
     void finish(Outcome outcome)

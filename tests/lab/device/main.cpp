@@ -73,9 +73,9 @@ void tellEvent(const DistributedSystem& system, const SessionEvent& event)
         return tell(event.at, {"state", peer, wordOf(event.from), wordOf(event.to)});
     const auto cause = event.kind == Kind::Lost || event.kind == Kind::Diagnosed ? event.diagnosis.cause : event.incident.cause;
     const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(event.duration).count();
-    tell(event.at,
-         {"event", wordOf(event.kind), peer, microseconds, wordOf(cause), wordOf(event.reason), event.incident.id,
-          nameOf(system, event.incident.a) + "-" + nameOf(system, event.incident.b), event.count, event.message + "|" + event.detail});
+    tell(event.at, {"event", wordOf(event.kind), peer, microseconds, wordOf(cause), wordOf(event.reason), event.incident.id,
+                    nameOf(system, event.incident.a) + "-" + nameOf(system, event.incident.b), event.count, wordOf(event.diagnosis.probe),
+                    event.message + "|" + event.detail});
 }
 
 std::unique_ptr<DevicePart> partOf(DistributedSystem& system, const Options& options)

@@ -8,6 +8,7 @@ namespace liena::lab {
 namespace {
 
 constexpr Milliseconds longCut{900};
+constexpr Milliseconds longerThanAProbe{2000}; // which begins with the stand-by and waits for a second
 
 std::string cable(std::size_t port, bool in) { return "carrier " + std::to_string(port + 1) + (in ? " on" : " off"); }
 
@@ -42,6 +43,20 @@ void interfaceDown(Scene& scene)
     networks.setRoute(port);
     scene.recover();
     scene.must({"stand-by"});
+    scene.mustFind("interface-down");
+}
+
+/// Its interface is up and has its address and its route: only the carrier is gone, as with a cable out at this side.
+void unplugCockpit(Scene& scene)
+{
+    const auto port = scene.cockpit().port;
+    scene.engage();
+    scene.beginByWire(cable(port, false));
+    scene.rig().settle(longerThanAProbe);
+    (void)scene.rig().wire(cable(port, true));
+    scene.recover();
+    scene.must({"stand-by"});
+    scene.mustFind("interface-down");
 }
 
 /// The robot's cable out of the switch, so that its computer keeps its carrier: Linux may take a second to believe in a new one.
@@ -117,6 +132,7 @@ std::vector<Fault> linkFaults()
     return {
         {"cut", "F1", "everything between the devices is lost for 900 ms", Cast::Pair, cut},
         {"unplug", "F2", "the robot's cable is out for 900 ms (carrier gone)", Cast::Pair, unplugRobot},
+        {"unplug-cockpit", "F2", "the cockpit's own cable is out for 2 s", Cast::Pair, unplugCockpit},
         {"interface-down", "F2", "the cockpit's interface is set down for 900 ms", Cast::Pair, interfaceDown},
         {"replug-50", "F3", "the robot's cable is out of the switch for 50 ms", Cast::Pair,
          replugAfter(Milliseconds(50), {"unnoticed", "suspect"})},

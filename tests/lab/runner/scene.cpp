@@ -170,6 +170,16 @@ void Scene::must(const std::vector<std::string>& seen)
     fails("saw " + m_outcome.seen + " instead of " + wanted);
 }
 
+void Scene::mustFind(const std::string& finding)
+{
+    const auto* diagnosed = cockpit().first(m_begin.value(), [](const Record& record) {
+        return record.kind() == "event" && record.word(1) == "diagnosed" && record.word(2) == "robot";
+    });
+    const auto found = diagnosed == nullptr ? "nothing" : diagnosed->word(9);
+    if (found != finding)
+        fails("the cockpit's probe found " + found + " instead of " + finding);
+}
+
 double Scene::largestGap(std::int64_t from)
 {
     std::int64_t last = 0;

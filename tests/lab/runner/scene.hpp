@@ -64,6 +64,9 @@ public:
 
     /// The cockpit's session must have come this far: `unnoticed`, `suspect`, `interrupted` or `stand-by`.
     void must(const std::vector<std::string>& seen);
+
+    /// The cockpit's first probe after the loss must have come to this.
+    void mustFind(const std::string& finding);
     void note(const std::string& text) { m_outcome.notes.push_back(text); }
     void fails(const std::string& text) { m_outcome.broken.push_back(text); }
 
