@@ -217,7 +217,7 @@ private Q_SLOTS:
         QVERIFY2(stage.theatre.armAndMove(), qPrintable(stage.theatre.story()));
         QVERIFY(!says("ALARM"));
         const auto before = stage.robot.turns();
-        QThread::msleep(600);
+        QThread::msleep(1000); // longer than a silent link may be
         const auto after = stage.robot.turns();
         QTRY_VERIFY2_WITH_TIMEOUT(says("hangs"), qPrintable(stage.theatre.story()), patience);
         QVERIFY(after > before); // only the console stood still
@@ -225,6 +225,8 @@ private Q_SLOTS:
         QVERIFY2(!stage.mayMove(), qPrintable(stage.theatre.story()));
         QVERIFY(stage.settles());
         QVERIFY2(stage.nothingComesBack(), qPrintable(stage.theatre.story()));
+        QCOMPARE(stage.theatre.link("robot"), LinkState::Open); // no socket waits for this thread
+        QVERIFY(stage.theatre.models().incidents.incidents().empty());
         stage.theatre.releaseAll();
     }
 

@@ -2,6 +2,7 @@
 // turns the beam on. Tried through its own window, and seen at the robot and at the X-ray system.
 //
 // That input which becomes remote ends motion is tried by system.never_possible.
+#include "environment_value.hpp"
 #include "never_possible_stage.hpp"
 #include "widgets/theme.hpp"
 
@@ -26,7 +27,33 @@ Theatre::Wishes remoteWishes()
 
 GuardLine handLine(const Stage& stage) { return stage.theatre.models().permit.checklist().at(std::size_t(Guard::HandAlive)); }
 
+/// Waits until all conditions are met but the hand's: the beam is somebody else's, beside the patient.
+bool lacksTheHandAlone(Stage& stage)
+{
+    stage.xray.setBeam(true);
+    stage.theatre.acknowledgeAlarms();
+    stage.theatre.testAlarms();
+    const auto& permit = stage.theatre.models().permit;
+    return QTest::qWaitFor([&] { return permit.unmetCount() == 1 && !handLine(stage).met; }, patience);
+}
+
+bool hasScreen = false; ///< as Qt tells: without one no input comes from anywhere, and this test runs without one
+
+/// What a console finds that is started in a session of a remote desktop.
+class RemoteSession {
+public:
+    RemoteSession() { hasScreen = true; }
+    ~RemoteSession() { hasScreen = false; }
+    Q_DISABLE_COPY_MOVE(RemoteSession)
+
+private:
+    liena::test::EnvironmentValue m_mark{"XRDP_SESSION", QStringLiteral("1")};
+};
+
 } // namespace
+
+// Stands before Qt's own.
+QString QGuiApplication::platformName() { return hasScreen ? QStringLiteral("xcb") : QStringLiteral("offscreen"); }
 
 class NeverRemoteTest : public QObject {
     Q_OBJECT
@@ -70,7 +97,6 @@ private Q_SLOTS:
         letGo();
     }
 
-    /// All conditions are met but this one: the beam is somebody else's, beside the patient.
     void nobodyArmsOverRemoteDesktop_data() { byKeyAndMouse(); }
 
     void nobodyArmsOverRemoteDesktop()
@@ -78,11 +104,7 @@ private Q_SLOTS:
         QFETCH(bool, mouse);
         Stage& stage = *m_stage;
         auto& theatre = stage.theatre;
-        stage.xray.setBeam(true);
-        theatre.acknowledgeAlarms();
-        theatre.testAlarms();
-        const auto& permit = theatre.models().permit;
-        QTRY_VERIFY2_WITH_TIMEOUT(permit.unmetCount() == 1 && !handLine(stage).met, qPrintable(theatre.story()), patience);
+        QVERIFY2(lacksTheHandAlone(stage), qPrintable(theatre.story()));
         QCOMPARE(handLine(stage).text, QStringLiteral("Remote input: XRDP"));
         auto* arm = stage.arm();
         QVERIFY(arm != nullptr);
@@ -102,6 +124,25 @@ private Q_SLOTS:
         theatre.cockpit->setInputOrigin({}); // at the console itself the same hand has it
         stage.xray.setBeam(false);
         QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+        theatre.releaseAll();
+    }
+
+    /// Nobody tells it here: it sees by itself what it is started in.
+    void aConsoleThatIsStartedInARemoteSessionKnowsIt()
+    {
+        m_stage.reset();
+        {
+            const RemoteSession session;
+            m_stage = std::make_unique<Stage>(puppetWishes());
+        }
+        Stage& stage = *m_stage;
+        auto& theatre = stage.theatre;
+        QVERIFY2(stage.open(), qPrintable(theatre.story()));
+        QVERIFY2(lacksTheHandAlone(stage), qPrintable(theatre.story()));
+        QCOMPARE(handLine(stage).text, QStringLiteral("Remote input: XRDP"));
+        theatre.hold(Qt::Key_R);
+        QVERIFY2(stage.staysUnarmed(320), qPrintable(theatre.story()));
+        QCOMPARE(stage.robot.armRequests(), 0);
         theatre.releaseAll();
     }
 
