@@ -31,7 +31,8 @@ private Q_SLOTS:
         row("all lost", ProbeFinding::PeerSilent, robot, 3, "All links were lost at once", "VPN of this console");
         row("all lost, refused", ProbeFinding::ConnectionRefused, robot, 3, "its program is not running", "Restart the program");
         row("all lost, identity", ProbeFinding::TlsFailure, robot, 3, "identity was refused", "Do not bypass");
-        row("all lost, host", ProbeFinding::HostUnreachable, robot, 3, "does not answer", "cable");
+        row("all lost, host", ProbeFinding::HostUnreachable, robot, 3, "All links were lost at once", "VPN of this console");
+        row("all lost, no route", ProbeFinding::NoRoute, robot, 3, "All links were lost at once", "Network port");
         row("all lost, interface", ProbeFinding::InterfaceDown, robot, 3, "This console has no network", "at this side");
         row("only pictures", ProbeFinding::PeerSilent, xray, 1, "Only the pictures are lost", "motion stays inhibited");
         row("pictures, identity", ProbeFinding::TlsFailure, xray, 1, "identity was refused", "Do not bypass");
