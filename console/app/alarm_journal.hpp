@@ -1,6 +1,7 @@
 // The alarm log on the disk: what was raised, ended and acknowledged, kept over a loss of power.
 #pragma once
 
+#include "app/alarm_line.hpp"
 #include "model/alarm_list.hpp"
 
 #include <QLockFile>
@@ -25,8 +26,8 @@ namespace console {
 class AlarmJournal : public QObject {
     Q_OBJECT
 public:
-    static constexpr std::size_t fileLimit = 2000;    ///< entries
-    static constexpr qint64 byteLimit = 1024 * 1024;  ///< of one file: what is larger is not ours
+    static constexpr std::size_t fileLimit = 2000;                                       ///< entries
+    static constexpr qint64 byteLimit = static_cast<qint64>(fileLimit) * alarmLineLimit; ///< of one file: what is larger is not ours
     static constexpr std::size_t queueLimit = 10'000; ///< entries that wait for a slow disk; more are lost, and counted
 
     static constexpr std::chrono::seconds usualRoomPeriod{10};

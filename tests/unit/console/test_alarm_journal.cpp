@@ -125,6 +125,20 @@ private Q_SLOTS:
         QCOMPARE(QDir(folder.place.path()).entryList({QStringLiteral("*.jsonl")}).size(), 2);
     }
 
+    void linesAsLongAsTheyMayBeLeaveAsMany()
+    {
+        const Folder folder;
+        {
+            AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+            for (int number = 1; number <= 2100; ++number)
+                journal.append({number, AlarmPriority::Medium, QString(3 * alarmLineLimit, QLatin1Char('x'))});
+        }
+        const AlarmJournal journal(folder.place.path(), QStringLiteral("alarms"));
+        QVERIFY2(journal.restored().size() >= AlarmJournal::fileLimit, qPrintable(QString::number(journal.restored().size())));
+        QCOMPARE(journal.restored().back().wallMs, qint64(2100));
+        QCOMPARE(journal.remark(), QString());
+    }
+
     void aTornLastLineIsToldAndDropped()
     {
         const Folder folder;
