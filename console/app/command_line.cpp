@@ -97,10 +97,11 @@ struct Declared {
         QStringLiteral("File of the person's preferences (Ctrl+,); other options win over it. Default: %1; an unattended run has none.")
             .arg(preferenceFile()),
         QStringLiteral("FILE")};
-    QCommandLineOption display{QStringLiteral("display"),
-                               QStringLiteral("The display's measured light, for the grey scale of DICOM PS3.14: lines `level luminance`, "
-                                              "0 and 255 among them, and `ambient luminance`."),
-                               QStringLiteral("FILE")};
+    QCommandLineOption display{
+        QStringLiteral("display"),
+        QStringLiteral("The primary screen's measured light, for the grey scale of DICOM PS3.14: lines `level luminance`, "
+                       "0 and 255 among them, and `ambient luminance`."),
+        QStringLiteral("FILE")};
     QCommandLineOption rehearsal{
         QStringLiteral("rehearsal"),
         QStringLiteral("For simulated devices only: a recorded picture may stand for the live one. The screen says so.")};

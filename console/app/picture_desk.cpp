@@ -12,6 +12,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QGuiApplication>
 #include <QStandardPaths>
 
 #include <algorithm>
@@ -69,18 +70,14 @@ void PictureDesk::setFolder(const QString& folder) { m_saver.setFolder(folderFor
 void PictureDesk::build(CockpitWindow& window)
 {
     m_live = new LiveImageView(m_models.picture);
-    theme::setTextRole(m_live, theme::TextRole::Caption);
-    m_live->setDisplay(&m_display);
-    m_live->setTable(&m_table);
+    equip(*m_live);
     auto* controls = new PictureControls(m_display);
     connect(controls, &PictureControls::zoomRequested, m_live, [this](int steps) { m_live->zoomBy(std::pow(zoomStep, steps)); });
     connect(controls, &PictureControls::wholeRequested, m_live, &LiveImageView::resetView);
     connect(controls, &PictureControls::saveRequested, this, &PictureDesk::saveLive);
     connect(m_live, &LiveImageView::viewChanged, controls, [this, controls] { controls->showZoom(m_live->viewport().zoom()); });
     m_reference = new ReferenceImageView;
-    theme::setTextRole(m_reference, theme::TextRole::Caption);
-    m_reference->setDisplay(&m_display);
-    m_reference->setTable(&m_table);
+    equip(*m_reference);
     m_reviewControls = new ReviewControls;
     window.setLiveView(new PicturePane(m_live, controls));
     window.setReferenceView(new PicturePane(m_reference, m_reviewControls));
@@ -90,6 +87,14 @@ void PictureDesk::build(CockpitWindow& window)
     connectSaving();
     connect(&m_clock, &QTimer::timeout, this, &PictureDesk::followCondition);
     m_clock.start(conditionMs);
+}
+
+void PictureDesk::equip(PictureCanvas& pane)
+{
+    theme::setTextRole(&pane, theme::TextRole::Caption);
+    pane.setDisplay(&m_display);
+    pane.setTable(&m_table);
+    pane.setMeasuredScreen(QGuiApplication::primaryScreen());
 }
 
 void PictureDesk::connectLive()
@@ -296,9 +301,7 @@ void PictureDesk::showPlace(const QString& place)
 ReferenceImageView* PictureDesk::makeReferenceCopy()
 {
     auto* copy = new ReferenceImageView;
-    theme::setTextRole(copy, theme::TextRole::Caption);
-    copy->setDisplay(&m_display);
-    copy->setTable(&m_table);
+    equip(*copy);
     copy->setOpacity(m_reference->opacity());
     if (m_reference->picture())
         copy->showPicture(*m_reference->picture());
@@ -339,7 +342,7 @@ void PictureDesk::save(const DisplayPicture& picture, PictureCanvas& pane)
     m_saving = &pane;
     const QImage seen = pane.grab().toImage();
     const auto condition = m_models.picture.reading(std::chrono::steady_clock::now()).condition;
-    m_saver.save({picture, condition, pane.measurement(), m_patient}, seen);
+    m_saver.save({pane.asSeenHere(picture), condition, pane.measurement(), m_patient}, seen);
     m_saving = before;
 }
 

@@ -55,6 +55,7 @@ public:
     DisplayState& display() { return m_display; }
 
 private:
+    void equip(PictureCanvas& pane);
     void connectLive();
     void connectReference();
     void connectRoadmap();

@@ -71,7 +71,7 @@ void LiveImageView::paintEvent(QPaintEvent*)
     notePainted();
     const PictureReading reading = m_state.reading(m_clock());
     paintCondition(painter, reading);
-    const PictureOverlay overlay(pictureRect(), *m_picture, reading, m_paintedPictures, overlayFont(), viewport().zoom());
+    const PictureOverlay overlay(pictureRect(), asSeenHere(*m_picture), reading, m_paintedPictures, overlayFont(), viewport().zoom());
     overlay.paint(painter);
     const QRect refused = paintRefusal(painter, overlay.footTop());
     m_overlay = overlay.region() + refused + paintMeasurement(painter) + paintTold(painter, refused);

@@ -55,6 +55,19 @@ void PictureCanvas::setDisplay(DisplayState* display)
     });
 }
 
+DisplayPicture PictureCanvas::asSeenHere(DisplayPicture picture) const
+{
+    picture.isCalibrated = picture.isCalibrated && (!m_measuredScreen || *m_measuredScreen == screen());
+    return picture;
+}
+
+bool PictureCanvas::event(QEvent* event)
+{
+    if (event->type() == QEvent::ScreenChangeInternal) // it says whether it is calibrated
+        update();
+    return QWidget::event(event);
+}
+
 PictureViewport PictureCanvas::viewport() const
 {
     PictureViewport viewport = m_viewport;

@@ -7,7 +7,9 @@
 #include "model/display_state.hpp"
 #include "model/table_rest.hpp"
 
+#include <QPointer>
 #include <QRegion>
+#include <QScreen>
 #include <QString>
 #include <QTimer>
 #include <QWidget>
@@ -46,6 +48,12 @@ public:
     /// Where the table stood in which picture; outlives the pane. Without one the table never moves.
     void setTable(const TableRest* table) { m_table = table; }
 
+    /// Of whose light pictures are calibrated to; on another one none of them is. Without this they are on any.
+    void setMeasuredScreen(const QScreen* screen) { m_measuredScreen = screen; }
+
+    /// `picture` as it has to be called where the pane is.
+    DisplayPicture asSeenHere(DisplayPicture picture) const;
+
     /// It was reported anew: where it stood in the picture that is shown may be known better, or no more.
     void followTable();
 
@@ -57,6 +65,8 @@ Q_SIGNALS:
     void viewChanged();
 
 protected:
+    bool event(QEvent* event) override;
+
     /// What stands in the pane; null for nothing.
     virtual const DisplayPicture* shown() const = 0;
 
@@ -94,6 +104,7 @@ private:
 
     DisplayState* m_display = nullptr;
     const TableRest* m_table = nullptr;
+    std::optional<QPointer<const QScreen>> m_measuredScreen;
     QString m_told;
     QTimer m_tellingEnds;
     PictureViewport m_viewport;

@@ -94,7 +94,7 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
         const QPoint below = placeWords(plates, area);
         placeSides(plates, area, *m_picture);
         const QRect bar = placeScale(plates, area, *m_picture, 1 / viewport().zoom());
-        placeFacts(plates, area, bar, *m_picture, viewport().zoom());
+        placeFacts(plates, area, bar, asSeenHere(*m_picture), viewport().zoom());
         plates.paint(painter);
         paintScaleBar(painter, bar);
         m_overlay = plates.region() + bar + paintMeasurement(painter) + paintToldAt(painter, below);

@@ -151,6 +151,20 @@ private Q_SLOTS:
         QVERIFY(!copy->size().isEmpty());
     }
 
+    void onlyThePrimaryScreenWasMeasured()
+    {
+        Theatre stage;
+        QVERIFY(stage.readyWithKeys());
+        DisplayPicture picture;
+        picture.isCalibrated = true;
+        for (const auto* pane : stage.window.findChildren<PictureCanvas*>())
+            QVERIFY(pane->asSeenHere(picture).isCalibrated);
+        Q_EMIT stage.view->thirdChosen(QStringLiteral("third"));
+        auto* copy = stage.desk->third()->findChild<ReferenceImageView*>();
+        QTRY_COMPARE(copy->screen()->name(), QStringLiteral("third"));
+        QVERIFY(!copy->asSeenHere(picture).isCalibrated);
+    }
+
     void theSecondScreenShowsTopologyConditionsPlotsAndLogWhole()
     {
         Theatre stage;

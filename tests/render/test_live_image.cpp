@@ -1,5 +1,6 @@
 // Tests of the live picture, pixel by pixel: what was sent is what is shown, and where something lacks, that is what is said.
 #include "imaging/picture_overlay.hpp"
+#include "imaging/reference_image_view.hpp"
 #include "live_pane.hpp"
 
 #include <turbojpeg.h>
@@ -49,6 +50,7 @@ private Q_SLOTS:
     void saysWhatAReducedPictureLost_data();
     void saysWhatAReducedPictureLost();
     void saysBelowALengthWhatItIsWorth();
+    void saysCalibratedOnTheMeasuredScreenOnly();
 };
 
 void TestLiveImage::showsExactlyWhatWasSent_data()
@@ -258,6 +260,28 @@ void TestLiveImage::saysBelowALengthWhatItIsWorth()
     QCOMPARE(byCatheter, request);
     QVERIFY(byGeometry - byCatheter > 5);
     QVERIFY(byGeometry - byCatheter < byCatheter);
+}
+
+void TestLiveImage::saysCalibratedOnTheMeasuredScreenOnly()
+{
+    LivePane pane;
+    pane.pipeline.setGreyScale(GreyScale(DisplayMeasurement{0.2, {{0, 0.4}, {128, 60}, {255, 350}}}));
+    QVERIFY(pane.send(1));
+    ReferenceImageView reference;
+    reference.resize(pane.view.size());
+    auto held = *pane.view.picture();
+    held.role = PictureRole::Hold;
+    reference.showPicture(held);
+    for (PictureCanvas* view : {static_cast<PictureCanvas*>(&pane.view), static_cast<PictureCanvas*>(&reference)}) {
+        view->grab(); // the first paint tells of the picture
+        const QImage anywhere = view->grab().toImage();
+        view->setMeasuredScreen(nullptr);
+        QVERIFY(view->grab().toImage() != anywhere);
+        QVERIFY(!view->asSeenHere(held).isCalibrated);
+        view->setMeasuredScreen(view->screen());
+        QCOMPARE(view->grab().toImage(), anywhere);
+        QVERIFY(view->asSeenHere(held).isCalibrated);
+    }
 }
 
 QTEST_MAIN(TestLiveImage)
