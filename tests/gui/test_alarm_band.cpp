@@ -1,14 +1,12 @@
-// The alarm band: what flashes and how, measured in painted pixels; letters and contrast. What a hand does at it is tried by
-// gui.alarm_band_controls.
+// The alarm band: what flashes and how, measured in painted pixels; letters and contrast. That it flashes by itself is tried by
+// gui.flash_clock, what a hand does at it by gui.alarm_band_controls.
 #include "painted_band.hpp"
 #include "shown_texts.hpp"
 #include "unit/console/alarm_cases.hpp"
 
 #include <QApplication>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTest>
-#include <QTimer>
 
 #include <cmath>
 
@@ -64,27 +62,6 @@ const QPushButton* acknowledgeOf(const AlarmBand& band)
     });
     return found == buttons.end() ? nullptr : *found;
 }
-
-/// What a running clock showed, at moments at which only one colour is right.
-struct Look {
-    AlarmPriority priority;
-    double rate; ///< flashes a second, half on and half off
-    int lit = 0;
-    int dim = 0;
-    int wrong = 0;
-
-    bool shouldBeLit(Duration phase) const { return std::fmod(seconds(phase) * rate, 1.0) < 0.5; }
-    bool isEnough() const { return lit >= 100 && dim >= 100; }
-
-    /// The clock has had its turn at `from` or later, and not after `to`.
-    void judge(const FlashClock& clock, Duration from, Duration to)
-    {
-        if (from < 0ms || to - from > 200ms || shouldBeLit(from) != shouldBeLit(to))
-            return;
-        ++(shouldBeLit(to) ? lit : dim);
-        wrong += clock.isLit(priority) != shouldBeLit(to) ? 1 : 0;
-    }
-};
 
 /// How many pixels of a row are in the band's ink: the long sides of a frame.
 int inkIn(Band& room, int row)
@@ -266,53 +243,6 @@ private Q_SLOTS:
             QCOMPARE(room.at(900ms, alarmText), lit);
             QVERIFY(room.at(0ms, badgeWord) != room.at(900ms, badgeWord));
         }
-    }
-
-    void twoBandsFlashTogether()
-    {
-        QVERIFY(FlashClock::litAt(AlarmPriority::High, 0ms) && FlashClock::litAt(AlarmPriority::Medium, 0ms));
-        QVERIFY(!FlashClock::litAt(AlarmPriority::High, 250ms) && FlashClock::litAt(AlarmPriority::Medium, 833ms));
-        QVERIFY(FlashClock::litAt(AlarmPriority::High, 500ms) && !FlashClock::litAt(AlarmPriority::Medium, 834ms));
-    }
-
-    void clockRunsByItself()
-    {
-        FlashClock clock;
-        QSignalSpy ticked(&clock, &FlashClock::ticked);
-        const bool before = clock.isLit(AlarmPriority::High);
-        QTRY_VERIFY(clock.isLit(AlarmPriority::High) != before);
-        QVERIFY(!ticked.isEmpty());
-    }
-
-    /// Against the time that passes. A timer beside it tells how far the event loop came: however late the computer is, the clock had its
-    /// turn before. Where an edge is so near that either colour may stand there, nothing is judged.
-    void clockKeepsItsRateByItself()
-    {
-        const auto before = std::chrono::steady_clock::now();
-        FlashClock clock;
-        const auto after = std::chrono::steady_clock::now();
-        Look high{AlarmPriority::High, 2.0};
-        Look medium{AlarmPriority::Medium, 0.6};
-        QTimer timer;
-        timer.setTimerType(Qt::PreciseTimer);
-        timer.setSingleShot(true);
-        Instant due;
-        const auto lookAgain = [&timer, &due] {
-            due = std::chrono::steady_clock::now() + 10ms;
-            timer.start(10ms);
-        };
-        connect(&timer, &QTimer::timeout, this, [&] {
-            const auto now = std::chrono::steady_clock::now();
-            for (Look* look : {&high, &medium})
-                look->judge(clock, due - 15ms - after, now - before);
-            lookAgain();
-        });
-        lookAgain();
-        QTRY_VERIFY_WITH_TIMEOUT(high.isEnough() && medium.isEnough(), 60000); // some three seconds
-        for (const Look* look : {&high, &medium})
-            QVERIFY2(
-                look->wrong <= (look->lit + look->dim) / 50,
-                qPrintable(QStringLiteral("%1 Hz: wrong in %2 of %3 looks").arg(look->rate).arg(look->wrong).arg(look->lit + look->dim)));
     }
 
     void everyAlarmTextIsReadable_data()

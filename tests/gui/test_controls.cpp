@@ -1,17 +1,24 @@
 // Every control of every state of the gallery: hit by a finger, named, reached by Tab, and seen to have the focus.
 #include "gallery_scene.hpp"
+#include "imaging/live_image_view.hpp"
+#include "imaging/pane_colours.hpp"
+#include "imaging/reference_image_view.hpp"
+#include "imaging/scene_view.hpp"
 #include "widgets/hold_button.hpp"
 #include "widgets/motion_bar.hpp"
+#include "widgets/review_controls.hpp"
 #include "widgets/stop_button.hpp"
 #include "widgets/theme.hpp"
 
 #include <QAbstractButton>
 #include <QLineEdit>
 #include <QSet>
+#include <QSlider>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 using namespace console;
 using namespace console::test;
@@ -94,6 +101,38 @@ QSet<const QWidget*> reachedByTab(CockpitWindow& window)
     return reached;
 }
 
+/// The cockpit with a roadmap, which has a slider, and with a scene of its own where the gallery has an invented picture.
+struct WorkedByKeys {
+    GalleryScene scene{QSize(1920, 1080)};
+    SceneView* space = new SceneView;
+
+    WorkedByKeys() { window().setSceneView(space); }
+
+    bool bring()
+    {
+        const auto states = galleryStates();
+        const auto roadmap = std::find_if(states.begin(), states.end(),
+                                          [](const GalleryState& state) { return QLatin1String(state.name) == QLatin1String("roadmap"); });
+        return roadmap != states.end() && scene.bring(*roadmap, 0) && live() && reference() && strength();
+    }
+
+    CockpitWindow& window() { return scene.window(); }
+    LiveImageView* live() { return window().findChild<LiveImageView*>(); }
+    ReferenceImageView* reference() { return window().findChild<ReferenceImageView*>(); }
+    QSlider* strength() { return window().findChild<ReviewControls*>()->findChild<QSlider*>(); }
+};
+
+/// Of the frame round a pane that has the keys, along its upper edge.
+int framePixels(QWidget& pane)
+{
+    const QImage edge = pane.grab(QRect(0, 0, pane.width(), 6)).toImage();
+    int count = 0;
+    for (int y = 0; y < edge.height(); ++y)
+        for (int x = 0; x < edge.width(); ++x)
+            count += edge.pixelColor(x, y).rgb() == pane_colours::focus.rgb() ? 1 : 0;
+    return count;
+}
+
 } // namespace
 
 class TestControls : public QObject {
@@ -169,6 +208,42 @@ private Q_SLOTS:
             QTRY_VERIFY2(control->grab().toImage() != without, qPrintable(describe(control)));
         }
         QVERIFY(kinds.size() > 3);
+    }
+
+    /// No buttons, and worked by keys all the same.
+    void picturesSceneAndSliderAreReachedByTab()
+    {
+        WorkedByKeys cockpit;
+        QVERIFY(cockpit.bring());
+        const auto reached = reachedByTab(cockpit.window());
+        for (const QWidget* part :
+             std::initializer_list<const QWidget*>{cockpit.live(), cockpit.reference(), cockpit.space, cockpit.strength()}) {
+            QVERIFY2(part->isVisible(), qPrintable(describe(part)));
+            QVERIFY2(reached.contains(part), qPrintable(describe(part)));
+        }
+    }
+
+    void aClickOnThemLeavesTheKeysToTheHand()
+    {
+        WorkedByKeys cockpit;
+        QVERIFY(cockpit.bring());
+        cockpit.window().setFocus();
+        for (QWidget* part : std::initializer_list<QWidget*>{cockpit.live(), cockpit.reference(), cockpit.space, cockpit.strength()}) {
+            QTest::mouseClick(part, Qt::LeftButton, {}, part->rect().center());
+            QVERIFY2(QApplication::focusWidget() == &cockpit.window(), qPrintable(describe(part)));
+        }
+    }
+
+    void paneThatHasTheKeysIsFramed()
+    {
+        WorkedByKeys cockpit;
+        QVERIFY(cockpit.bring());
+        for (QWidget* pane : std::initializer_list<QWidget*>{cockpit.live(), cockpit.reference(), cockpit.space}) {
+            cockpit.window().setFocus();
+            QCOMPARE(framePixels(*pane), 0);
+            pane->setFocus(Qt::TabFocusReason);
+            QVERIFY2(pane->hasFocus() && framePixels(*pane) > pane->width(), qPrintable(describe(pane)));
+        }
     }
 };
 

@@ -2,6 +2,7 @@
 #include "cockpit_stage.hpp"
 #include "widgets/alarm_band.hpp"
 #include "widgets/diagnosis_sheet.hpp"
+#include "widgets/roll_call.hpp"
 #include "widgets/sheet_button.hpp"
 
 #include <QDialog>
@@ -49,6 +50,28 @@ private Q_SLOTS:
         QCOMPARE(QApplication::focusWidget(), button(stage, QStringLiteral("Run checks")));
         QVERIFY(says(sheet(stage), QStringLiteral("Vascular robot link lost")));
         QVERIFY(says(sheet(stage), QStringLiteral("NOT CONFIRMED")));
+    }
+
+    void theRollCallSaysWhoHoldsAndWhoDoesNot()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        stage.cockpit.openAll();
+        stage.cockpit.loseRobot();
+        stage.refresh();
+        const auto* call = sheet(stage)->findChild<RollCall*>();
+        QVERIFY(call != nullptr && call->isVisible());
+        const QStringList expected{QStringLiteral("Surgeon's cockpit: holds, after 0\u00A0ms"),
+                                   QStringLiteral("Vascular robot: not confirmed"), QStringLiteral("Robotic arm: holds, after 38\u00A0ms"),
+                                   QStringLiteral("C-arm X-ray: holds, after 52\u00A0ms")};
+        QCOMPARE(call->accessibleDescription().split(QStringLiteral("; ")), expected);
+        stage.cockpit.models.incidents.end(0x5eed);
+        stage.cockpit.loseXray(); // the robot has confirmed this one
+        stage.refresh();
+        const QString words = call->accessibleDescription();
+        QVERIFY2(words.contains(QStringLiteral("Vascular robot: holds, after 41\u00A0ms")), qPrintable(words));
+        QVERIFY2(!words.contains(QStringLiteral("not confirmed")), qPrintable(words));
+        QTRY_VERIFY(call->height() >= call->sizeHint().height()); // each line has its room
     }
 
     void enterRunsChecksAndNeverReopens()

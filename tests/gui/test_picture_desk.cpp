@@ -287,19 +287,6 @@ private Q_SLOTS:
         QCOMPARE(hand.count(), 1);
     }
 
-    void boundsFilterByTheAgeLimit()
-    {
-        Desk desk;
-        DisplaySettings settings;
-        settings.noiseReduction = 100;
-        desk.desk.display().set(settings);
-        for (quint32 number = 1; number <= 12; ++number)
-            QVERIFY(desk.send(number));
-        const PictureReading reading = desk.models.picture.reading(std::chrono::steady_clock::now());
-        QVERIFY(reading.network && *reading.network + reading.processing <= desk.models.picture.limit());
-        QVERIFY(desk.live->picture()->treatment.filterDelay <= desk.models.picture.limit());
-    }
-
     void picturesKeysLeaveTheHandItsOwn()
     {
         Desk desk;

@@ -3,6 +3,7 @@
 #include "app/preference_desk.hpp"
 #include "cockpit_stage.hpp"
 #include "imaging/live_image_view.hpp"
+#include "invented_picture.hpp"
 #include "widgets/choice_row.hpp"
 #include "widgets/preferences_view.hpp"
 #include "widgets/row_area.hpp"
@@ -317,7 +318,13 @@ private Q_SLOTS:
         auto* live = stage.window.findChild<LiveImageView*>();
         auto* band = stage.named<QWidget>(QStringLiteral("Motion"));
         QVERIFY(live != nullptr && band != nullptr);
+        live->setClock([at = stage.cockpit.now] { return at; });
+        live->showPicture(inventedPicture({}, PictureRole::Live));
         const QImage picture = live->grab().toImage();
+        const QRect area = live->pictureRect();
+        QVERIFY(area.height() > 200);
+        const int grey = qGray(picture.pixel(area.center() + QPoint(0, area.height() / 8)));
+        QVERIFY2(std::abs(grey - 93) <= 3, qPrintable(QString::number(grey))); // 58 in one corner, 120 in the other: there it stands
         const QImage around = band->grab().toImage();
         for (const Brightness level : {Brightness::Dim, Brightness::Bright, Brightness::Usual}) {
             theme::setBrightness(*qApp, level);

@@ -86,7 +86,8 @@ private Q_SLOTS:
     void clickGivesKeysToWindow();
     void zoomsAboutTheMouse();
     void neverPansBeyondThePicture();
-    void saysZoomAndScalesTheBar();
+    void dragPans_data();
+    void dragPans();
     void showsAPictureOfAnotherSizeWhole();
     void measuresDistanceByMouse();
     void measuresAngleByKeys();
@@ -256,28 +257,38 @@ void TestPictureCanvas::neverPansBeyondThePicture()
         QVERIFY(part != before);
         QVERIFY(whole.adjusted(-1e-6, -1e-6, 1e-6, 1e-6).contains(part));
     }
-    pane.view->resetView();
-    pane.view->zoomBy(2);
-    const QPointF before = pane.view->viewport().part().topLeft();
-    QTest::mousePress(pane.view, Qt::MiddleButton, {}, pane.middle());
-    QTest::mouseMove(pane.view, pane.middle() + QPoint(40, 20));
-    QTest::mouseRelease(pane.view, Qt::MiddleButton, {}, pane.middle() + QPoint(40, 20));
-    QCOMPARE(pane.view->viewport().part().topLeft(), before - QPointF(20, 10));
-    QCOMPARE(pane.display.settings(), DisplaySettings());
 }
 
-void TestPictureCanvas::saysZoomAndScalesTheBar()
+void TestPictureCanvas::dragPans_data()
 {
+    QTest::addColumn<Qt::MouseButton>("button");
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::addColumn<bool>("isMeasuring");
+    QTest::newRow("middle button") << Qt::MiddleButton << Qt::KeyboardModifiers() << false;
+    QTest::newRow("Shift with the left") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::ShiftModifier) << false;
+    QTest::newRow("Shift with the left while measuring") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::ShiftModifier) << true;
+}
+
+/// And changes nothing else, and ends with the button.
+void TestPictureCanvas::dragPans()
+{
+    QFETCH(Qt::MouseButton, button);
+    QFETCH(Qt::KeyboardModifiers, modifiers);
+    QFETCH(bool, isMeasuring);
     Pane pane;
     QVERIFY(pane.send(1));
-    pane.grab();
-    const QRegion whole = pane.view->overlayRegion();
-    pane.view->zoomBy(4);
-    pane.grab();
-    QVERIFY(!(pane.view->overlayRegion() ^ whole).isEmpty());
-    // What is shown is a quarter of the picture, four times as large.
-    const QPointF corner = pane.view->viewport().toPane(pane.view->viewport().part().topLeft());
-    QVERIFY(QLineF(corner, QPointF(pane.view->pictureRect().topLeft())).length() < 1);
+    if (isMeasuring)
+        pane.display.nextMeasureMode();
+    pane.view->zoomBy(2);
+    const QPointF before = pane.view->viewport().part().topLeft();
+    for (const auto& [with, keys] : {std::pair(button, modifiers), std::pair(Qt::RightButton, Qt::KeyboardModifiers())}) {
+        QTest::mousePress(pane.view, with, keys, pane.middle());
+        QTest::mouseMove(pane.view, pane.middle() + QPoint(40, 20));
+        QTest::mouseRelease(pane.view, with, keys, pane.middle() + QPoint(40, 20));
+    }
+    QCOMPARE(pane.view->viewport().part().topLeft(), before - QPointF(20, 10));
+    QCOMPARE(pane.display.settings(), DisplaySettings());
+    QVERIFY(pane.view->measurement().points().empty());
 }
 
 /// And who shows the zoom beside it is told; it does not come back by itself with the first size.

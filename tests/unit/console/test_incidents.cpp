@@ -73,6 +73,27 @@ private Q_SLOTS:
             QVERIFY2(report.contains(hold.title + QStringLiteral(": ")), qPrintable(hold.title));
     }
 
+    /// Of each device whether it holds, and how soon it did: a time makes no hold of what was not confirmed.
+    void theReportSaysWhoHoldsAndHowSoon()
+    {
+        SessionModel sessions;
+        fill(sessions);
+        auto incident = lost(robot);
+        incident.holds = {
+            {cockpit, {}, true, std::nullopt}, {robot, {}, false, 12.0}, {arm, {}, true, 41.0}, {xray, {}, true, std::nullopt, true}};
+        const auto lines = promptReport(promptContent(incident, sessions, around(), start)).split(QLatin1Char('\n'));
+        const QStringList expected{QStringLiteral("Cockpit: holds"), QStringLiteral("Robot: NOT CONFIRMED"),
+                                   QStringLiteral("Arm: holds, 41 ms after the loss"),
+                                   QStringLiteral("X-ray: holds, already before the loss was noticed")};
+        const auto first = lines.indexOf(expected.front());
+        QVERIFY2(first >= 0, qPrintable(lines.join(QLatin1Char('\n'))));
+        QCOMPARE(lines.mid(first, expected.size()), expected);
+        incident.holds.clear(); // nobody said anything
+        const auto silent = promptReport(promptContent(incident, sessions, around(), start)).split(QLatin1Char('\n'));
+        for (const char* title : {"Cockpit", "Robot", "Arm", "X-ray"})
+            QVERIFY2(silent.contains(QString::fromLatin1(title) + QStringLiteral(": NOT CONFIRMED")), title);
+    }
+
     void detailsAreForWhoeverHasToFindTheCause()
     {
         SessionModel sessions;

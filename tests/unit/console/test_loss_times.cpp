@@ -17,6 +17,32 @@ qint64 wallNow() { return QDateTime::currentMSecsSinceEpoch(); }
 
 qint64 wholeMs(Duration duration) { return std::chrono::duration_cast<std::chrono::milliseconds>(duration).count(); }
 
+/// Figures of the robot, of its links and of the picture, no two of which are the same; those of the other links are ten times as large.
+void fillForTrends(InventedCockpit& cockpit)
+{
+    cockpit.openAll();
+    auto& models = cockpit.models;
+    for (const quint32 peer : {robotId, armId, xrayId}) {
+        const int times = peer == robotId ? 1 : 10;
+        auto figures = models.sessions.linkTo(peer)->figures;
+        figures.roundTrip = times * 7ms;
+        figures.jitter = times * 3ms;
+        figures.heartbeatsReceived = quint64(times) * 500;
+        figures.heartbeatsMissed = quint64(times) * 11;
+        models.sessions.setLinkFigures(peer, figures, cockpit.now);
+    }
+    auto status = cockpit.status(RobotState::Ready);
+    status.guidewireForce = -0.7;
+    models.instrument.receiveRobot(status, cockpit.now - 9ms);
+    auto stamp = *models.picture.newest();
+    ++stamp.frame;
+    stamp.captured = cockpit.now - 90ms;
+    stamp.arrived = cockpit.now - 20ms;
+    stamp.painted = cockpit.now;
+    stamp.filterDelay = {};
+    models.picture.notePainted(stamp);
+}
+
 } // namespace
 
 class TestLossTimes : public QObject {
@@ -178,6 +204,64 @@ private Q_SLOTS:
         models.sessions.setLinkState(robotId, LinkState::Open, cockpit.now);
         models.instrument.receiveRobot(cockpit.status(RobotState::Engaged), cockpit.now);
         QVERIFY(!promptSurroundings(models, cockpit.now).robotHeldAt);
+    }
+
+    void trendsReadTheRobotsLinkAndNoOther()
+    {
+        InventedCockpit cockpit;
+        fillForTrends(cockpit);
+        const auto reading = trendReading(cockpit.models, robotId, cockpit.now);
+        QCOMPARE(reading.roundTripMs, std::optional(7.0));
+        QCOMPARE(reading.jitterMs, std::optional(3.0));
+        QCOMPARE(reading.heartbeatsReceived, std::optional<quint64>(500));
+        QCOMPARE(reading.heartbeatsMissed, quint64(11));
+        QCOMPARE(reading.force, std::optional(-0.7)); // its sign is the book's affair
+        QCOMPARE(reading.pictureAgeMs, std::optional(90.0));
+        const auto ofAnother = trendReading(cockpit.models, armId, cockpit.now);
+        QCOMPARE(ofAnother.roundTripMs, std::optional(70.0));
+        QCOMPARE(ofAnother.heartbeatsMissed, quint64(110));
+    }
+
+    void trendsEndWhereTheKnowledgeEnds()
+    {
+        InventedCockpit cockpit;
+        fillForTrends(cockpit);
+        auto& models = cockpit.models;
+        const auto late = trendReading(models, robotId, cockpit.now + 1s); // the robot has said nothing since
+        QVERIFY(!late.force);
+        QCOMPARE(late.roundTripMs, std::optional(7.0));
+        QCOMPARE(late.pictureAgeMs, std::optional(1090.0)); // frozen, it grows older
+        models.picture.expect(0, cockpit.now);              // held, it is none of the present
+        QVERIFY(!trendReading(models, robotId, cockpit.now).pictureAgeMs);
+        auto figures = models.sessions.linkTo(robotId)->figures;
+        figures.roundTrip.reset();
+        models.sessions.setLinkFigures(robotId, figures, cockpit.now);
+        QVERIFY(!trendReading(models, robotId, cockpit.now).roundTripMs);
+        QCOMPARE(trendReading(models, robotId, cockpit.now).jitterMs, std::optional(3.0));
+        figures.roundTrip = 7ms;
+        figures.jitter.reset();
+        models.sessions.setLinkFigures(robotId, figures, cockpit.now);
+        QCOMPARE(trendReading(models, robotId, cockpit.now).roundTripMs, std::optional(7.0));
+        QVERIFY(!trendReading(models, robotId, cockpit.now).jitterMs);
+    }
+
+    void trendsOfALinkThatCarriesNothingHaveNoFigures()
+    {
+        InventedCockpit cockpit;
+        fillForTrends(cockpit);
+        auto& models = cockpit.models;
+        models.sessions.setLinkState(robotId, LinkState::Suspect, cockpit.now);
+        QVERIFY(trendReading(models, robotId, cockpit.now).roundTripMs.has_value()); // messages pass
+        const auto isEmpty = [&](std::optional<quint32> robot) {
+            const auto reading = trendReading(models, robot, cockpit.now);
+            return !reading.roundTripMs && !reading.jitterMs && !reading.heartbeatsReceived && reading.heartbeatsMissed == 0;
+        };
+        QVERIFY(isEmpty(std::nullopt)); // the topology has none
+        for (const auto state : {LinkState::Reconnecting, LinkState::StandBy, LinkState::Reopening, LinkState::Closed}) {
+            models.sessions.setLinkState(robotId, state, cockpit.now);
+            QVERIFY2(isEmpty(robotId), qPrintable(word(state)));
+        }
+        QVERIFY(trendReading(models, robotId, cockpit.now).force.has_value()); // what it said is not older for that
     }
 
     void guardsReadTheTopologysHeartbeatAndWhereTheKeysComeFrom()

@@ -220,6 +220,42 @@ private Q_SLOTS:
         QVERIFY(!state.reading(rose + 1100ms).keepsRate);
     }
 
+    void aRecordingGuidesInARehearsalOnly_data()
+    {
+        QTest::addColumn<PictureSource>("source");
+        QTest::addColumn<bool>("rehearsal");
+        QTest::addColumn<bool>("guides");
+        QTest::newRow("live") << PictureSource::Live << false << true;
+        QTest::newRow("live, in a rehearsal") << PictureSource::Live << true << true;
+        QTest::newRow("simulated") << PictureSource::Simulated << false << true;
+        QTest::newRow("simulated, in a rehearsal") << PictureSource::Simulated << true << true;
+        QTest::newRow("recorded") << PictureSource::Recorded << false << false;
+        QTest::newRow("recorded, in a rehearsal") << PictureSource::Recorded << true << true;
+    }
+
+    /// It may be as young as any other: whether instruments may be moved by it is another question than whether it is live.
+    void aRecordingGuidesInARehearsalOnly()
+    {
+        QFETCH(PictureSource, source);
+        QFETCH(bool, rehearsal);
+        QFETCH(bool, guides);
+        PictureState state;
+        QVERIFY(!state.isRehearsal()); // nobody has to say that it is none
+        if (rehearsal)
+            state.setRehearsal(true);
+        state.setLinkUp(true);
+        state.expect(15, start);
+        QVERIFY(!state.reading(start).mayGuide); // there is no picture
+        auto one = stamp(1, start + 10ms);
+        one.source = source;
+        state.notePainted(one);
+        QCOMPARE(state.mayGuide(source), guides);
+        QCOMPARE(state.reading(start + 10ms).condition, PictureCondition::Live);
+        QCOMPARE(state.reading(start + 10ms).mayGuide, guides);
+        state.setRehearsal(false);
+        QCOMPARE(state.reading(start + 10ms).mayGuide, source != PictureSource::Recorded);
+    }
+
     void takesNoPictureThatIsHeldOrReviewed()
     {
         PictureState state;
