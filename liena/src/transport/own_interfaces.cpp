@@ -1,15 +1,17 @@
 // Interfaces as getifaddrs(3) tells them.
 #include "transport/own_interfaces.hpp"
 
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/udp.hpp>
 
 #include <ifaddrs.h>
 #include <net/if.h>
 #include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <cstring>
 #include <memory>
 
@@ -52,14 +54,20 @@ std::vector<OwnInterface> ownInterfaces()
 
 std::optional<asio::ip::address> addressTowards(const asio::ip::address& target, boost::system::error_code& error)
 {
-    asio::io_context io;
-    asio::ip::udp::socket socket(io);
+    // No socket of Asio's: that needs a context, which cannot be made where descriptors are short, and throws.
+    const int descriptor = ::socket(target.is_v4() ? AF_INET : AF_INET6, SOCK_DGRAM | SOCK_CLOEXEC, 0);
     const asio::ip::udp::endpoint meant(target, 9); // any port: the kernel chooses the way, and no packet leaves
-    socket.open(meant.protocol(), error);
-    if (!error)
-        socket.connect(meant, error);
-    const auto local = error ? asio::ip::udp::endpoint() : socket.local_endpoint(error);
-    return error ? std::nullopt : std::optional(local.address());
+    asio::ip::udp::endpoint local;
+    auto size = static_cast<socklen_t>(local.capacity());
+    const bool found = descriptor >= 0 && ::connect(descriptor, meant.data(), static_cast<socklen_t>(meant.size())) == 0 &&
+                       ::getsockname(descriptor, local.data(), &size) == 0;
+    error = found ? boost::system::error_code() : boost::system::error_code(errno, boost::system::system_category());
+    if (descriptor >= 0)
+        ::close(descriptor);
+    if (!found)
+        return std::nullopt;
+    local.resize(size);
+    return local.address();
 }
 
 std::optional<std::string> missingNetwork(std::span<const OwnInterface> interfaces, const std::optional<asio::ip::address>& from)

@@ -4,11 +4,14 @@
 
 #include <boost/asio/ip/address.hpp>
 
+#include <QScopeGuard>
 #include <QTest>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+
+#include <sys/resource.h>
 
 using namespace liena;
 using namespace liena::transport;
@@ -75,6 +78,21 @@ private slots:
         QVERIFY(missingNetwork(std::array{interface("lo", true), interface("eth0", false)}, std::nullopt));
         QVERIFY(!missingNetwork(std::array{interface("lo", true), interface("eth0", false), interface("eth1", true)}, std::nullopt));
         QVERIFY(!missingNetwork({}, std::nullopt)); // the kernel did not say
+    }
+
+    /// Of the very failure that is explained, a descriptor may be what is missing.
+    void needsNoDescriptor()
+    {
+        rlimit before{};
+        QCOMPARE(::getrlimit(RLIMIT_NOFILE, &before), 0);
+        const rlimit none{0, before.rlim_max};
+        QCOMPARE(::setrlimit(RLIMIT_NOFILE, &none), 0);
+        const auto restore = qScopeGuard([&before] { (void)::setrlimit(RLIMIT_NOFILE, &before); });
+        boost::system::error_code error;
+        QVERIFY(!addressTowards(asio::ip::make_address("127.0.0.1"), error));
+        QCOMPARE(error.value(), EMFILE);
+        const boost::system::error_code failed(EMFILE, boost::system::system_category());
+        QVERIFY(explainConnect(failed, "robot:1", asio::ip::make_address("192.0.2.1")).probe == ProbeResult::HostUnreachable);
     }
 
     void theKernelTellsOfTheLoopback()
