@@ -23,7 +23,7 @@ QString roleWords(const DisplayPicture& picture);
 QString windowLine(const DisplayPicture& picture);
 QString treatmentLine(const DisplayPicture& picture);
 
-/// L and R, or H and F, at the left and the right edge of `area`.
+/// Of the patient, at the left and the right edge of `area`: R and L, or A and P from the side.
 void placeSides(TextPlates& plates, const QRect& area, const DisplayPicture& picture);
 
 /// The label in the lower right corner, and the bar above it; an empty one when the scale is unknown. `shownShare`: of the picture's width.
