@@ -121,12 +121,7 @@ void SessionIntake::takeLoss(const liena::SessionEvent& event)
         log(LogKind::Trouble, tr("%1: lost, %2").arg(peerName(event), word(diagnosis.cause)));
         return;
     }
-    // A check that a person asked for tells only what it found: what was heard and counted at the loss stays.
-    const auto* known = m_models.incidents.incident(event.incident.id);
-    auto found = known != nullptr && known->diagnosis ? *known->diagnosis : diagnosis;
-    found.probe = diagnosis.probe;
-    found.probeDetail = diagnosis.probeDetail;
-    m_models.incidents.setDiagnosis(event.incident.id, found);
+    m_models.incidents.setDiagnosis(event.incident.id, diagnosis);
     log(LogKind::Link, tr("%1: checked: %2").arg(peerName(event), words(event.diagnosis.probe)));
 }
 

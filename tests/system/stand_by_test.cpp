@@ -153,6 +153,15 @@ private Q_SLOTS:
         QTRY_COMPARE(words(system.cockpit.state(system.robotId)), words(SessionState::StandBy));
 
         system.robotProcess = system.startRobot();
+        // Another look finds it there again; what is known of the loss is told with that as well.
+        const auto loss = system.cockpit.events(Kind::Lost)[0].diagnosis;
+        QVERIFY(system.cockpit->probe(system.robotId));
+        QTRY_COMPARE(system.cockpit.events(Kind::Diagnosed).size(), std::size_t{2});
+        const auto looked = system.cockpit.events(Kind::Diagnosed)[1].diagnosis;
+        QCOMPARE(words(looked.probe), words(ProbeResult::Reachable));
+        QCOMPARE(words(looked.cause), words(loss.cause));
+        QVERIFY(loss.heartbeatsExpected > 0 && looked.heartbeatsExpected == loss.heartbeatsExpected && looked.silence == loss.silence);
+
         QVERIFY(system.cockpit->reopenChannel(system.robotId));
         QTRY_VERIFY2(system.cockpit.heard(Kind::ReOpened, system.robotId), system.cockpit.story().c_str());
         // The arm's link is still lost: the system stands by as long as one incident is left.

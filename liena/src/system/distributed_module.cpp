@@ -278,25 +278,24 @@ void DistributedModule::lost(const session::SessionLost& lost)
     event.incident.cause = lost.diagnosis.cause;
     event.incident.since = lost.diagnosis.since;
     std::tie(event.incident.a, event.incident.b) = std::minmax(m_host.ownDevice().id, m_peer.id);
+    m_loss = {lost.incident, event.diagnosis};
     m_host.tell(std::move(event));
     m_host.sessionLost(m_peer.id, lost);
-    startProbe(lost);
+    probe();
 }
 
-void DistributedModule::probe() { startProbe(std::nullopt); }
-
-void DistributedModule::startProbe(std::optional<session::SessionLost> lost)
+void DistributedModule::probe()
 {
     if (m_probe)
         m_probe->cancel();
     bury(std::move(m_probe));
     m_probe = std::make_unique<transport::TcpClient>(
-        m_host.io(), m_peer, m_host.identity(), probeLimit, [this, lost = std::move(lost)](transport::TcpClient::Outcome outcome) {
+        m_host.io(), m_peer, m_host.identity(), probeLimit, [this](transport::TcpClient::Outcome outcome) {
             bury(std::move(m_probe));
             auto event = this->event(SessionEvent::Kind::Diagnosed);
             event.incident.id = m_machine.incident();
-            if (lost)
-                event.diagnosis = lost->diagnosis, event.diagnosis.detail = printable(lost->diagnosis.detail, 256);
+            if (event.incident.id != 0 && event.incident.id == m_loss.incident) // whoever asked for it
+                event.diagnosis = m_loss.diagnosis;
             if (auto* channel = std::get_if<std::shared_ptr<transport::TcpChannel>>(&outcome)) {
                 (*channel)->close();
                 event.diagnosis.probe = ProbeResult::Reachable;

@@ -168,7 +168,6 @@ private:
     void showDrops();
     void settle(const tasks::ReceptionTask& ended);
     void bury(std::shared_ptr<void> ended);
-    void startProbe(std::optional<session::SessionLost> lost);
     Result<void> notAdmitted(Result<void> why);
     Result<void> admit(transport::TcpChannel& channel) const;
     Result<void> checkSendable(const Message& message) const;
@@ -199,6 +198,7 @@ private:
     transport::Timer m_timer;
     std::optional<session::Instant> m_armed;
     std::unique_ptr<transport::TcpClient> m_probe;
+    session::SessionLost m_loss{}; ///< the last one, in words that may be printed
 
     LineMeasurement m_measurement;
     session::Instant m_lastUse;
