@@ -70,6 +70,21 @@ struct PictureDeskStage {
         models.xray.receive(status, std::chrono::steady_clock::now());
     }
 
+    /// A run of three pictures ends, and their mean is held.
+    bool holdMeanOfThree()
+    {
+        desk.setHoldPictures(4);
+        moveTable(0);
+        for (quint32 number = 1; number <= 3; ++number) {
+            const auto frame = samples::frame(number, frameSize, 12, PixelEncoding::Raw);
+            frame->ageAtArrival = Duration::zero(); // taken after the first report
+            if (!send(frame))
+                return false;
+        }
+        models.picture.expect(0, std::chrono::steady_clock::now());
+        return QTest::qWaitFor([this] { return moveTable(0), reference->picture() && reference->picture()->meanOf == 3; });
+    }
+
     bool send(const std::shared_ptr<XrayFrame>& frame)
     {
         frame->arrival = std::chrono::steady_clock::now();

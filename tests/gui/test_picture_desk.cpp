@@ -44,16 +44,7 @@ private Q_SLOTS:
     void holdsTheMeanWhereThatIsWanted()
     {
         Desk desk;
-        desk.desk.setHoldPictures(4);
-        desk.moveTable(0);
-        for (quint32 number = 1; number <= 3; ++number) {
-            const auto frame = samples::frame(number, Desk::frameSize, 12, PixelEncoding::Raw);
-            frame->ageAtArrival = Duration::zero(); // taken after the first report
-            QVERIFY(desk.send(frame));
-        }
-        desk.models.picture.expect(0, std::chrono::steady_clock::now());
-        QTRY_VERIFY(desk.reference->picture());
-        QTRY_VERIFY((desk.moveTable(0), desk.reference->picture()->meanOf == 3)); // no more are there
+        QVERIFY(desk.holdMeanOfThree());
         QVERIFY(desk.reference->accessibleDescription().startsWith(QStringLiteral("LAST IMAGE HOLD \u00B7 MEAN OF 3")));
         QCOMPARE(desk.live->picture()->meanOf, 1);
         QCOMPARE(desk.live->picture()->role, PictureRole::Live);

@@ -99,16 +99,7 @@ private Q_SLOTS:
     void theMeanThatIsHeldFollowsTheSettings()
     {
         Desk desk;
-        desk.desk.setHoldPictures(4);
-        desk.moveTable(0);
-        for (quint32 number = 1; number <= 3; ++number) {
-            const auto frame = samples::frame(number, Desk::frameSize, 12, PixelEncoding::Raw);
-            frame->ageAtArrival = Duration::zero(); // taken after the first report
-            QVERIFY(desk.send(frame));
-        }
-        desk.models.picture.expect(0, std::chrono::steady_clock::now());
-        QTRY_VERIFY(desk.reference->picture());
-        QTRY_VERIFY((desk.moveTable(0), desk.reference->picture()->meanOf == 3));
+        QVERIFY(desk.holdMeanOfThree());
         QVERIFY(growsBrighter(*desk.reference));
         desk.click(QStringLiteral("Invert"));
         QTRY_VERIFY(!growsBrighter(*desk.reference));
