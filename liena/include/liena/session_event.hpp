@@ -55,7 +55,7 @@ struct SessionEvent {
         Closed,          ///< peer, reason, detail: closed in order by either side
         Interrupted,     ///< peer, duration: it was lost and healed within `reconnect`; permissions to move have ended
         Lost,            ///< peer, incident, diagnosis (not yet probed)
-        Diagnosed,       ///< peer, incident, diagnosis with the probe's result
+        Diagnosed,       ///< peer, incident, diagnosis of its loss with what a probe found
         ReOpened,        ///< peer, incident, duration
         IncidentRaised,  ///< incident: first heard here, own or another pair's
         IncidentEnded,   ///< incident, dismissed, detail; peer: who told it
