@@ -29,7 +29,8 @@ public:
         for (const auto end = m_now + time; m_now < end; m_now += step) {
             const double seconds = std::chrono::duration<double>(step).count();
             const double offered = busy ? std::clamp(m_window - (m_entered - m_delivered), 0.0, rate.rate() * seconds) : 0;
-            const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds);
+            const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds + m_tokens);
+            m_tokens = std::clamp(m_tokens + capacity * seconds - carried, 0.0, bucket);
             const double taken = std::min(offered, deepest() + carried - m_queue);
             m_queue += taken - carried;
             m_entered += taken;
@@ -37,7 +38,8 @@ public:
             m_left += carried;
             while (m_entries.size() > 1 && m_entries.front().total < m_left)
                 m_entries.pop_front();
-            m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at, carried, carried / seconds});
+            const auto piece = m_tokens > 0 ? Nanoseconds::zero() : carrying(acknowledged);
+            m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at + piece, carried, carried / seconds});
             acknowledge();
             m_sent += offered;
             longestWait = std::max(longestWait, waiting());
@@ -60,7 +62,7 @@ public:
             m_deliveryRate = news.rate;
             // An eighth for each acknowledgement, which comes for two packets: on a slow path that takes its time.
             for (m_unacknowledged += news.bytes; m_unacknowledged >= acknowledged; m_unacknowledged -= acknowledged)
-                m_smoothed += ((m_idle + news.waiting + carrying(acknowledged) + unrest()) - m_smoothed) / 8;
+                m_smoothed += ((m_idle + news.waiting + unrest()) - m_smoothed) / 8;
         }
     }
 
@@ -101,6 +103,7 @@ public:
 
     tasks::PathRate rate;
     double capacity;
+    double bucket = 0; ///< bytes that pass at once, as those of a policer do, where less passed before
     bool stalled = false;
     bool receiverLimits = false;
     Nanoseconds mostUnrest{};  ///< so much later may acknowledgements come, whatever is sent
@@ -135,6 +138,7 @@ private:
     Nanoseconds m_smoothed;
     tasks::PathRate::Instant m_now{1h};
     double m_queue = 0;
+    double m_tokens = 0;
     double m_entered = 0;
     double m_left = 0;
     std::deque<Entry> m_entries; ///< of what waits: since when

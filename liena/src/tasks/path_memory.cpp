@@ -72,4 +72,18 @@ std::optional<RoundTripOfLate::Nanoseconds> RoundTripOfLate::note(Nanoseconds ro
     return m_before ? std::optional(std::min(*m_before, m_shortest)) : std::nullopt;
 }
 
+void UsualWait::note(Nanoseconds waiting, Instant now)
+{
+    constexpr std::chrono::milliseconds span{100};
+    if (m_begun && now - *m_begun > span) {
+        m_calmest = std::min(m_calmest.value_or(m_longest), m_longest);
+        m_begun.reset();
+    }
+    if (!m_begun) {
+        m_begun = now;
+        m_longest = Nanoseconds::zero();
+    }
+    m_longest = std::max(m_longest, waiting);
+}
+
 } // namespace liena::tasks

@@ -105,4 +105,23 @@ private:
     std::optional<Nanoseconds> m_before; ///< of the span before
 };
 
+/// Pure. How late acknowledgements come while no queue of ours stands: on a narrow line by what a piece takes to pass it, behind a token
+/// bucket by next to nothing.
+class UsualWait {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    void note(Nanoseconds waiting, Instant now);
+    void forget() { *this = {}; }
+
+    /// The longest in the calmest tenth of a second; nothing until one was looked at.
+    std::optional<Nanoseconds> calmest() const { return m_calmest; }
+
+private:
+    std::optional<Instant> m_begun;
+    Nanoseconds m_longest{}; ///< since then
+    std::optional<Nanoseconds> m_calmest;
+};
+
 } // namespace liena::tasks

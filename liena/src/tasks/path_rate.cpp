@@ -38,6 +38,7 @@ constexpr double refuted = 1.1;              // times a ceiling, without a queue
 constexpr double quickest = 1.25;            // a step while nothing is known
 constexpr double gentle = 1.01;              // a step near the ceiling
 constexpr double nearCeiling = 0.9;          // gently from here
+constexpr double untried = 0.97;             // of the ceiling: below it hardly ever a queue of ours stands
 constexpr double leastBoldest = 1.08;        // of the steps on a slow path, which must not be as bold as on others
 constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
 constexpr double inOnePiece = 2896;          // bytes: two packets, which the kernel sends and acknowledges together
@@ -59,6 +60,7 @@ void PathRate::restart()
     m_departures = {};
     m_calm = {}; // it may go another way
     m_ofLate = {};
+    m_usualWait.forget();
     m_draining = false;
     m_effective = 0;
     m_bytes = {};
@@ -125,9 +127,12 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         const bool allCame = carriesWhatIsSent(facts, now);
         if (isEffective(facts) || (heard && m_delivered * margin < sending * used))
             meetQueue(facts, allCame ? std::max(m_delivered, m_rate * mostThatIsSent) : m_delivered, allCame, now);
-    } else if (!receiverLimits && m_delivered > m_rate * used) {
-        grow(facts, m_delivered, now);
+        return;
     }
+    if (m_ceiling && m_rate < *m_ceiling * untried && isEffective(facts))
+        m_usualWait.note(m_waiting, now);
+    if (!receiverLimits && m_delivered > m_rate * used)
+        grow(facts, m_delivered, now);
 }
 
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
@@ -164,7 +169,10 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
     if (!hasWaited(facts))
         return false;
     const double underWay = static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged); // that counts the SYN
-    return underWay > mayBeUnderWay(facts, now) + 1.25 * static_cast<double>(segment() * m_lanes);
+    const double segments = static_cast<double>(segment() * m_lanes);
+    const auto usual = usualWait();
+    const double own = usual ? std::min(segments, m_rate * secondsOf(*usual)) : segments;
+    return underWay > mayBeUnderWay(facts, now) + own + segments / 4;
 }
 
 /// Without a queue: what a round trip carries. On a long path that was delivered a round trip ago, and a connection that has just begun
@@ -176,14 +184,20 @@ double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) c
     return before ? std::max(carried, static_cast<double>(facts.bytesSent) - static_cast<double>(*before)) : carried;
 }
 
-/// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them.
+/// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them, or as
+/// little as that is seen to wait: behind a token bucket a step too far costs commands next to nothing.
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
     const double segments = 2 * static_cast<double>(segment()) / part();
-    const std::chrono::duration<double> own(std::min(segments, inOnePiece / part() + 0.0003));
+    const double piece = inOnePiece / part();
+    const auto usual = usualWait();
+    const std::chrono::duration<double> own(std::min(segments, (usual ? std::min(piece, secondsOf(*usual)) : piece) + 0.0003));
     return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
            std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()) + m_unrest;
 }
+
+/// Elsewhere a piece takes next to no time.
+std::optional<PathRate::Nanoseconds> PathRate::usualWait() const { return isSlow() ? m_usualWait.calmest() : std::nullopt; }
 
 bool PathRate::isCalm(const transport::PathFacts& facts) const { return facts.leastRoundTrip >= longWay && m_calm.isCalm(); }
 
@@ -221,6 +235,7 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
     m_shown = now;
+    m_usualWait.forget();
     if (allCame)
         delivered = std::max(delivered, m_rate * doubtful);
     m_carried = std::clamp(delivered, least, most);
@@ -235,6 +250,8 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
     m_doubted = !again && delivered < m_rate * doubtful && facts.leastRoundTrip < longWay;
+    if (again && m_confirmed)
+        delivered = (delivered + *m_ceiling) / 2; // what a token bucket had left came through, too
     m_ceiling = std::clamp(delivered, least, most);
     if (mayBeUnrest(facts) && m_unrest == Nanoseconds::zero() && m_calm.isDue(now))
         m_calm.begin();

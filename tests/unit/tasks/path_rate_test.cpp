@@ -200,6 +200,34 @@ private slots:
         QTEST(least, "part");
     }
 
+    /// Behind a token bucket no piece is late by itself: a queue is noticed before it is a segment long.
+    void onASlowPathBehindATokenBucketNoAttemptCostsASegment_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("unrestMs");
+        for (const double megabits : {4.0, 10.0})
+            for (const int unrest : {0, 1})
+                QTest::addRow("%.0f Mbit/s, unrest %d ms", megabits, unrest) << megabits << unrest;
+    }
+
+    void onASlowPathBehindATokenBucketNoAttemptCostsASegment()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, unrestMs);
+        Path path(megabits * 125'000, 200us);
+        path.bucket = 8192;
+        path.mostUnrest = std::chrono::milliseconds(unrestMs);
+        path.run(6s);
+        path.forget();
+        path.tooLong = path.carrying(2854);
+        path.run(20s);
+        QVERIFY2(path.late < 20ms, millisecondsOf(path.late, "ms of 20 s").constData());
+        QVERIFY2(path.sent() > 0.9 * path.capacity * 20, qPrintable(QString::number(path.sent() / path.capacity / 20)));
+        path.capacity *= 10;
+        path.run(3s);
+        QVERIFY2(path.rate.rate() > 0.85 * path.capacity, qPrintable(QString::number(path.rate.rate() / path.capacity)));
+    }
+
     /// What was met twice is the path: a step beyond it is a queue of milliseconds, and is not tried every second.
     void onASlowPathWhatWasMetTwiceIsSeldomTriedAgain()
     {
