@@ -98,6 +98,8 @@ void BurstPlayer::playWish()
         return;
     m_samples.setData(burstSamples(static_cast<AlarmPriority>(wish)));
     m_samples.open(QIODevice::ReadOnly);
+    // As Qt chooses: 6.4 else asks for what the start before was given, which is less each time, until after some bursts nothing is heard.
+    m_sink->setBufferSize(0);
     m_sink->start(&m_samples);
     readSink();
 }

@@ -102,6 +102,21 @@ private Q_SLOTS:
         QVERIFY(endsInAWholeBurst(*m_record, m_from));
     }
 
+    /// An alarm that stands for a minute sounds that often.
+    void theTwelfthBurstIsHeardAsTheFirst()
+    {
+        Loudspeaker voice;
+        QVERIFY(open(voice));
+        for (int i = 0; i < 12; ++i) {
+            const double from = m_record->length();
+            voice.play(AlarmPriority::Medium);
+            QTRY_VERIFY2_WITH_TIMEOUT(m_record->hasFallenSilent(from, quiet), qPrintable(QString::number(i)), patience);
+            const auto heard = m_record->pulsesSince(from);
+            QVERIFY2(heard.size() == pulsesOf(AlarmPriority::Medium), qPrintable(QStringLiteral("%1: %2 pulses").arg(i).arg(heard.size())));
+            QVERIFY2(isBurst(*m_record, AlarmPriority::Medium, heard.begin()), qPrintable(QString::number(i)));
+        }
+    }
+
     void theWatchdogIsHeardWhileItsConsoleHangs()
     {
         Ride ride(QStringLiteral("armed"));
