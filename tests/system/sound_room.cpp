@@ -1,6 +1,8 @@
 // The sound server is pulseaudio, and what records it parec.
 #include "sound_room.hpp"
 
+#include "sound_samples.hpp"
+
 #include <QDeadlineTimer>
 #include <QFile>
 #include <QStandardPaths>
@@ -12,17 +14,13 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <numbers>
 
 namespace console::test {
 
 namespace {
 
 constexpr int patience = 30000;
-constexpr int rate = 44100;
-constexpr std::size_t window = rate / 100;
-constexpr double loud = 1000; ///< of a window, root of the mean square
-constexpr int noise = 100;    ///< at most, of one sample
+constexpr std::size_t window = soundRate / 100;
 
 void endWithTheTest(QProcess& process)
 {
@@ -36,32 +34,6 @@ void end(QProcess& process)
     process.kill();
     process.waitForFinished(patience);
 }
-
-double loudness(const std::int16_t* samples)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < window; ++i)
-        sum += double(samples[i]) * samples[i];
-    return std::sqrt(sum / window);
-}
-
-/// How much of one frequency is in the samples, after Goertzel.
-double power(const std::int16_t* samples, std::size_t count, double frequency)
-{
-    const double turn = 2 * std::cos(2 * std::numbers::pi * frequency / rate);
-    double last = 0;
-    double before = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double next = samples[i] + turn * last - before;
-        before = last;
-        last = next;
-    }
-    return last * last + before * before - turn * last * before;
-}
-
-bool isSound(std::int16_t sample) { return std::abs(int(sample)) > noise; }
-
-Duration durationOf(std::size_t samples) { return std::chrono::nanoseconds(std::llround(double(samples) * 1e9 / rate)); }
 
 /// What the server answers; nothing: it has not done it.
 std::optional<QString> order(const QStringList& arguments)
@@ -131,15 +103,20 @@ QString SoundServer::said() const
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
+void startRecording(QProcess& recorder, const char* output)
+{
+    endWithTheTest(recorder);
+    recorder.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    // The latency is also that in which the output takes what it plays; without one it takes two seconds at a time.
+    recorder.start(QStringLiteral("parec"), {QStringLiteral("--raw"), QStringLiteral("--format=s16ne"), QStringLiteral("--rate=44100"),
+                                             QStringLiteral("--channels=1"), QStringLiteral("--latency-msec=10"),
+                                             QStringLiteral("--device=%1.monitor").arg(QString::fromLatin1(output))});
+}
+
 SoundRecord::SoundRecord(const char* output)
 {
-    endWithTheTest(m_recorder);
-    m_recorder.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     QObject::connect(&m_recorder, &QProcess::readyReadStandardOutput, &m_recorder, [this] { read(); });
-    // The latency is also that in which the output takes what it plays; without one it takes two seconds at a time.
-    m_recorder.start(QStringLiteral("parec"), {QStringLiteral("--raw"), QStringLiteral("--format=s16ne"), QStringLiteral("--rate=44100"),
-                                               QStringLiteral("--channels=1"), QStringLiteral("--latency-msec=10"),
-                                               QStringLiteral("--device=%1.monitor").arg(QString::fromLatin1(output))});
+    startRecording(m_recorder, output);
 }
 
 SoundRecord::~SoundRecord() { end(m_recorder); }
@@ -165,7 +142,7 @@ std::vector<HeardPulse> SoundRecord::pulsesSince(double start) const
     std::vector<HeardPulse> pulses;
     std::size_t end = 0; ///< of the last one
     for (auto at = place(start); at + window <= m_samples.size(); at += window) {
-        if (loudness(m_samples.data() + at) < loud)
+        if (loudness(m_samples.data() + at, window) < loud)
             continue;
         if (pulses.empty() || at != end)
             pulses.push_back({milliseconds(durationOf(at)), 0});
@@ -207,7 +184,7 @@ std::optional<Instant> SoundRecord::lastSound(double start) const
     return found == end ? std::nullopt : std::optional(timeOf(std::size_t(m_samples.rend() - found)));
 }
 
-std::size_t SoundRecord::place(double time) const { return std::min(m_samples.size(), std::size_t(std::lround(time * rate / 1000))); }
+std::size_t SoundRecord::place(double time) const { return std::min(m_samples.size(), std::size_t(std::lround(time * soundRate / 1000))); }
 
 Instant SoundRecord::timeOf(std::size_t place) const { return m_begun + durationOf(place); }
 

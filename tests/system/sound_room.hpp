@@ -41,6 +41,10 @@ private:
     QMap<QString, QString> m_modules; ///< of outputs
 };
 
+/// Its standard output is then all that one output of the server plays, silence as well: 16 bit, one channel, 44.1 kHz. It ends with the
+/// thread that starts it.
+void startRecording(QProcess& recorder, const char* output);
+
 /// Milliseconds after the record's beginning.
 struct HeardPulse {
     double start = 0;
