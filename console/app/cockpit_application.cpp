@@ -28,7 +28,9 @@ CockpitApplication::CockpitApplication(const Options& options)
 {
     m_models.picture.setProfile(options.profile);
     m_models.picture.setRehearsal(options.rehearsal);
-    m_models.remoteInput = remoteInputOf(QGuiApplication::platformName(), QProcessEnvironment::systemEnvironment());
+    const auto environment = QProcessEnvironment::systemEnvironment();
+    m_models.remoteInput = remoteInputOf(QGuiApplication::platformName(), environment);
+    m_seat = seatBusesOf(QGuiApplication::platformName(), environment);
     if (m_options.registry.isEmpty())
         if (const auto folder = resource(QStringLiteral("devices")); !folder.isEmpty())
             m_options.registry << folder;
@@ -102,6 +104,7 @@ void CockpitApplication::buildWindow()
     connectAlarms();
     connectHand();
     connectPictures();
+    connectSeat();
 }
 
 void CockpitApplication::buildTopology()
@@ -238,6 +241,21 @@ void CockpitApplication::connectPictures()
     connect(&m_sceneClock, &QTimer::timeout, this, &CockpitApplication::refreshScene);
 }
 
+void CockpitApplication::connectSeat()
+{
+    m_seatWatch = std::make_unique<SeatWatch>(m_seat);
+    const auto note = [this](const QString& line) { m_models.log.append(LogKind::Note, line, QDateTime::currentMSecsSinceEpoch()); };
+    connect(m_seatWatch.get(), &SeatWatch::notSeen, m_window.get(), [this, note](const QString& why) {
+        m_window->setUnseen(why); // before anything else: what moves, stops
+        note(tr("the hand has no keys: %1").arg(why));
+    });
+    connect(m_seatWatch.get(), &SeatWatch::seen, m_window.get(), [this, note] {
+        m_window->setUnseen({});
+        note(tr("the screen is in sight again"));
+    });
+    connect(m_seatWatch.get(), &SeatWatch::remarked, m_window.get(), note);
+}
+
 void CockpitApplication::refreshScene()
 {
     const auto now = std::chrono::steady_clock::now();
@@ -267,6 +285,7 @@ void CockpitApplication::show()
     m_link->start();
     m_control->start();
     m_alarms->start();
+    m_seatWatch->start();
     m_sceneClock.start();
     endWithTheCockpit();
     showWindow();

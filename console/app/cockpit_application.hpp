@@ -9,6 +9,7 @@
 #include "app/picture_desk.hpp"
 #include "app/preference_desk.hpp"
 #include "app/screen_desk.hpp"
+#include "app/seat_watch.hpp"
 #include "app/unattended_run.hpp"
 #include "app/view_desk.hpp"
 #include "link/system_link.hpp"
@@ -36,6 +37,9 @@ public:
     /// Keys and mouse come from elsewhere by this way, whatever the session says of itself; empty: they are this computer's. For tests.
     void setInputOrigin(const QString& way) { m_models.remoteInput = way; }
 
+    /// Who is asked whether somebody sees the screen, in place of this computer's session; before prepare(). For tests.
+    void setSeat(const SeatBuses& seat) { m_seat = seat; }
+
     /// What the signals of an alarm self-test that runs take has passed: it asks whether they were seen and heard. For tests.
     void skipTestSignals();
 
@@ -60,6 +64,7 @@ private:
     void connectAlarms();
     void connectHand();
     void connectPictures();
+    void connectSeat();
     void endWithTheCockpit();
     void refreshScene();
     void showWindow();
@@ -67,6 +72,7 @@ private:
     // In the order in which they need one another: what stands below uses what stands above, and goes first.
     Options m_options;
     AlarmVoice* m_voice = nullptr;
+    SeatBuses m_seat;
     ConsoleModels m_models;
     PictureDesk m_pictures;
     HandDesk m_hand;
@@ -79,6 +85,7 @@ private:
     PreferenceDesk m_preferences{m_options, m_models, m_pictures};
     std::unique_ptr<CockpitWindow> m_window;
     std::unique_ptr<ScreenDesk> m_screens;
+    std::unique_ptr<SeatWatch> m_seatWatch;
     SceneView* m_scene = nullptr; ///< the window's
     QTimer m_sceneClock;
     std::unique_ptr<UnattendedRun> m_unattended;

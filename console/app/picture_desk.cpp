@@ -75,6 +75,8 @@ void PictureDesk::build(CockpitWindow& window)
     connect(controls, &PictureControls::zoomRequested, m_live, [this](int steps) { m_live->zoomBy(std::pow(zoomStep, steps)); });
     connect(controls, &PictureControls::wholeRequested, m_live, &LiveImageView::resetView);
     connect(controls, &PictureControls::saveRequested, this, &PictureDesk::saveLive);
+    connect(controls, &PictureControls::catheterRequested, this, [this] { measured().nextCatheter(); });
+    connect(controls, &PictureControls::planeRequested, this, [this] { measured().nextPlane(); });
     connect(m_live, &LiveImageView::viewChanged, controls, [this, controls] { controls->showZoom(m_live->viewport().zoom()); });
     m_reference = new ReferenceImageView;
     equip(*m_reference);
@@ -95,7 +97,10 @@ void PictureDesk::equip(PictureCanvas& pane)
     pane.setDisplay(&m_display);
     pane.setTable(&m_table);
     pane.setMeasuredScreen(QGuiApplication::primaryScreen());
+    connect(&pane, &PictureCanvas::pointSet, this, [this, &pane] { m_measured = &pane; });
 }
+
+PictureCanvas& PictureDesk::measured() const { return m_measured ? *m_measured : *m_live; }
 
 void PictureDesk::connectLive()
 {

@@ -56,6 +56,9 @@ public:
 
 private:
     void equip(PictureCanvas& pane);
+
+    /// The pane in which a person set the last point; the live one before.
+    PictureCanvas& measured() const;
     void connectLive();
     void connectReference();
     void connectRoadmap();
@@ -99,6 +102,7 @@ private:
     LiveImageView* m_live = nullptr;           ///< the window's
     ReferenceImageView* m_reference = nullptr; ///< the window's
     std::vector<QPointer<ReferenceImageView>> m_copies;
+    QPointer<PictureCanvas> m_measured;
     ReviewControls* m_reviewControls = nullptr; ///< the window's
     PictureCanvas* m_saving = nullptr;          ///< whose picture is being saved
 };

@@ -65,7 +65,22 @@ QRegion PictureCanvas::paintToldAt(QPainter& painter, QPoint corner) const
     return paintWrapped(painter, font, m_told, room, Qt::AlignLeft | Qt::AlignTop);
 }
 
-QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
+/// The result, or what is to be done for one, and below it what it is worth and what else can be done.
+QStringList PictureCanvas::measuredWords() const
+{
+    const QString result = m_measurement.text();
+    const QString request = tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.wanted());
+    QStringList words{result.isEmpty() ? request : result};
+    if (const QString depth = m_measurement.depthText(); !depth.isEmpty())
+        words << depth;
+    if (result.isEmpty() && m_measurement.mode() == MeasureMode::Distance)
+        words << tr("Plane or O: isocentre or table plane");
+    if (m_measurement.pixels() && !m_measurement.isCatheter())
+        words << tr("Catheter, right button or B: it is the width of a catheter of 4 F to 8 F");
+    return words;
+}
+
+QRegion PictureCanvas::paintMeasurement(QPainter& painter, const QRegion& taken) const
 {
     if (m_measurement.mode() == MeasureMode::Off)
         return {};
@@ -80,19 +95,7 @@ QRegion PictureCanvas::paintMeasurement(QPainter& painter) const
     for (const QPointF& point : points)
         region += QRectF(point - QPointF(10, 10), QSizeF(20, 20)).toAlignedRect();
     TextPlates plates(overlayFont());
-    QPoint place = measuredPlace(view.target());
-    const QString result = m_measurement.text();
-    const QString request = tr("Measuring %1: set %2 points").arg(word(m_measurement.mode())).arg(m_measurement.wanted());
-    plates.add(result.isEmpty() ? request : result, place, Qt::AlignHCenter | Qt::AlignBottom);
-    const auto addBelow = [&](const QString& line) {
-        place.setY(plates.add(line, place + QPoint(0, 1), Qt::AlignHCenter | Qt::AlignTop).bottom());
-    };
-    if (const QString depth = m_measurement.depthText(); !depth.isEmpty())
-        addBelow(depth);
-    if (result.isEmpty() && m_measurement.mode() == MeasureMode::Distance)
-        addBelow(tr("O: isocentre or table plane"));
-    if (m_measurement.pixels() && !m_measurement.isCatheter())
-        addBelow(tr("Right button or B: it is the width of a catheter of 4 F to 8 F"));
+    plates.addStack(measuredWords(), view.target(), measuredFoot(view.target()), taken);
     plates.paint(painter);
     painter.restore();
     return region + plates.region();

@@ -74,7 +74,8 @@ void LiveImageView::paintEvent(QPaintEvent*)
     const PictureOverlay overlay(pictureRect(), asSeenHere(*m_picture), reading, m_paintedPictures, overlayFont(), viewport().zoom());
     overlay.paint(painter);
     const QRect refused = paintRefusal(painter, overlay.footTop());
-    m_overlay = overlay.region() + refused + paintMeasurement(painter) + paintTold(painter, refused);
+    m_overlay = overlay.region() + refused + paintTold(painter, refused);
+    m_overlay += paintMeasurement(painter, m_overlay);
     m_liveness = overlay.livenessRect();
     if (reading.condition != m_paintedCondition || reading.reduction != m_paintedReduction)
         describe(reading);

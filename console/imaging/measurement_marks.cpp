@@ -36,6 +36,6 @@ void paintMeasured(QPainter& painter, const std::vector<QPointF>& points, const 
     painter.restore();
 }
 
-QPoint measuredPlace(const QRect& area) { return {area.center().x(), area.top() + area.height() * 5 / 8}; }
+int measuredFoot(const QRect& area) { return area.top() + area.height() * 5 / 8; }
 
 } // namespace console

@@ -15,7 +15,7 @@ namespace console {
 /// A cross at each point and the lines between them, light on a dark edge: to be seen on every grey. `cursor`: of the next point.
 void paintMeasured(QPainter& painter, const std::vector<QPointF>& points, const std::optional<QPointF>& cursor = {});
 
-/// The middle of the lower edge of the result's plate; what else is said of it stands below.
-QPoint measuredPlace(const QRect& area);
+/// The lowest row of the result's plate; what else is said of it stands below.
+int measuredFoot(const QRect& area);
 
 } // namespace console

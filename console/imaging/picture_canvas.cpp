@@ -135,6 +135,8 @@ void PictureCanvas::clearMeasurement()
 
 void PictureCanvas::nextCatheter()
 {
+    if (m_measurement.mode() == MeasureMode::Distance && !(m_measurement.pixels().value_or(0) > 0))
+        tell(tr("First set two points, as far from each other as the catheter is wide."));
     m_measurement.nextCatheter();
     update();
 }
@@ -171,6 +173,7 @@ void PictureCanvas::addPoint(QPointF picture)
 {
     m_measurement.add(picture);
     update();
+    Q_EMIT pointSet();
 }
 
 void PictureCanvas::mousePressEvent(QMouseEvent* event)

@@ -11,6 +11,7 @@
 #include <QRegion>
 #include <QScreen>
 #include <QString>
+#include <QStringList>
 #include <QTimer>
 #include <QWidget>
 
@@ -42,7 +43,7 @@ public:
     void zoomBy(double factor);
     void resetView();
     void clearMeasurement();
-    void nextCatheter();
+    void nextCatheter(); ///< without a distance it says what is missing
     void nextPlane();
 
     /// Where the table stood in which picture; outlives the pane. Without one the table never moves.
@@ -63,6 +64,7 @@ public:
 
 Q_SIGNALS:
     void viewChanged();
+    void pointSet(); ///< by mouse or key: this is where a person measures
 
 protected:
     bool event(QEvent* event) override;
@@ -76,7 +78,7 @@ protected:
 
     /// Over the picture, what fits on it whatever its resolution; `opacity` 0 to 1.
     void paintOver(QPainter& painter, const QImage& layer, double opacity) const;
-    QRegion paintMeasurement(QPainter& painter) const;
+    QRegion paintMeasurement(QPainter& painter, const QRegion& taken) const; ///< beside what other words have taken
     QRegion paintTold(QPainter& painter, const QRect& below = {}) const; ///< at the foot of the pane, above `below` where that is not empty
 
     /// With its upper left corner there: beneath words at the picture's edge, so that the middle stays free.
@@ -101,6 +103,7 @@ private:
     bool step(int key, QPointF& by) const;
     void moveWindow(double centreShare, double widthShare);
     void addPoint(QPointF picture);
+    QStringList measuredWords() const;
 
     DisplayState* m_display = nullptr;
     const TableRest* m_table = nullptr;

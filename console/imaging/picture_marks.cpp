@@ -122,17 +122,19 @@ QRect placeScale(TextPlates& plates, const QRect& area, const DisplayPicture& pi
 {
     const int gap = plates.gap();
     const QPoint corner = area.bottomRight() - QPoint(gap, gap);
+    const int room = area.width() - 4 * gap;
     const std::optional<double> pixelSize = pixelSizeAtIsocentre(picture.about);
     if (!pixelSize) {
-        plates.add(Text::tr("no scale: geometry unknown"), corner, Qt::AlignRight | Qt::AlignBottom);
+        const QString none = Text::tr("no scale: geometry unknown");
+        plates.add(none, fitted(plates.font(), {none}, room), corner, Qt::AlignRight | Qt::AlignBottom);
         return {};
     }
     const double shownWidth = *pixelSize * picture.about.columns * shownShare;
     const double length = scaleBarLength(shownWidth);
     QString words = Text::tr("%1 mm @ isocentre plane (geometry)").arg(length);
-    if (figuresWidth(plates.font(), words) > area.width() - 4 * gap)
+    if (figuresWidth(plates.font(), words) > room)
         words = Text::tr("%1 mm @ isocentre").arg(length);
-    const QRect label = plates.add(words, corner, Qt::AlignRight | Qt::AlignBottom);
+    const QRect label = plates.add(words, fitted(plates.font(), {words}, room), corner, Qt::AlignRight | Qt::AlignBottom);
     const int width = static_cast<int>(std::lround(length / shownWidth * area.width()));
     return {label.right() - width + 1, label.top() - 2 * gap, width, gap};
 }

@@ -97,7 +97,8 @@ void ReferenceImageView::paintEvent(QPaintEvent*)
         placeFacts(plates, area, bar, asSeenHere(*m_picture), viewport().zoom());
         plates.paint(painter);
         paintScaleBar(painter, bar);
-        m_overlay = plates.region() + bar + paintMeasurement(painter) + paintToldAt(painter, below);
+        m_overlay = plates.region() + bar + paintToldAt(painter, below);
+        m_overlay += paintMeasurement(painter, m_overlay);
     }
     paintDashedFrame(painter, rect());
     if (hasFocus())
@@ -112,14 +113,16 @@ QPoint ReferenceImageView::placeWords(TextPlates& plates, const QRect& area) con
     const QRect top = plates.add(head(), fitted(larger(plates.font(), headFactor), {head()}, room), area.topLeft() + QPoint(gap, gap),
                                  Qt::AlignLeft | Qt::AlignTop);
     QPoint below(top.left(), top.bottom() + 1);
-    const auto place = [&](const QString& text, const QFont& font) {
-        below.setY(plates.add(text, font, below, Qt::AlignLeft | Qt::AlignTop).bottom() + 1);
+    const auto place = [&](const QStringList& rows) {
+        const QFont font = fitted(plates.font(), rows, room);
+        for (const QString& row : rows)
+            below.setY(plates.add(row, font, below, Qt::AlignLeft | Qt::AlignTop).bottom() + 1);
     };
-    place(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), plates.font());
+    place(rowsOf(tr("Picture of %1").arg(clockTime(m_picture->about.captureNs)), plates.font(), room));
     if (const QString reduced = line(reductionOf(m_picture->about)); !reduced.isEmpty())
-        place(reduced, fitted(plates.font(), {reduced}, room));
+        place({reduced});
     if (!m_place.isEmpty())
-        place(m_place, plates.font());
+        place(rowsOf(m_place, plates.font(), room));
     return below;
 }
 

@@ -35,8 +35,8 @@ QFont captureFont(const QImage& image)
     return font;
 }
 
-/// As on every pane: what it is, which side is which, its scale, its frame, run, window and treatment.
-void paintMarks(QPainter& painter, const Snapshot& snapshot, const QRect& area, const QFont& font)
+/// As on every pane: what it is, which side is which, its scale, its frame, run, window and treatment. What they took.
+QRegion paintMarks(QPainter& painter, const Snapshot& snapshot, const QRect& area, const QFont& font)
 {
     TextPlates plates(font);
     const QString words = exportWords(snapshot);
@@ -46,19 +46,20 @@ void paintMarks(QPainter& painter, const Snapshot& snapshot, const QRect& area, 
     placeFacts(plates, area, bar, snapshot.picture, 1);
     plates.paint(painter);
     paintScaleBar(painter, bar);
+    return plates.region() + bar;
 }
 
-void paintResult(QPainter& painter, const Measurement& measurement, const QRect& area, const QFont& font)
+void paintResult(QPainter& painter, const Measurement& measurement, const QRect& area, const QFont& font, const QRegion& taken)
 {
     const QString measured = measurement.text();
     if (measured.isEmpty())
         return;
     paintMeasured(painter, measurement.points());
-    TextPlates plates(font);
-    const QPoint place = measuredPlace(area);
-    plates.add(measured, place, Qt::AlignHCenter | Qt::AlignBottom);
+    QStringList words{measured};
     if (const QString depth = measurement.depthText(); !depth.isEmpty())
-        plates.add(depth, place + QPoint(0, 1), Qt::AlignHCenter | Qt::AlignTop);
+        words << depth;
+    TextPlates plates(font);
+    plates.addStack(words, area, measuredFoot(area), taken);
     plates.paint(painter);
 }
 
@@ -71,8 +72,8 @@ QImage withMarks(const Snapshot& snapshot)
     QImage image = values.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&image);
     const QFont font = captureFont(image);
-    paintMarks(painter, snapshot, image.rect(), font);
-    paintResult(painter, snapshot.measurement, image.rect(), font);
+    const QRegion taken = paintMarks(painter, snapshot, image.rect(), font);
+    paintResult(painter, snapshot.measurement, image.rect(), font, taken);
     painter.end();
     return image.convertToFormat(isGrey ? QImage::Format_Grayscale8 : QImage::Format_RGB888);
 }

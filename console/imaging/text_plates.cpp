@@ -6,11 +6,14 @@
 
 #include <QFontMetrics>
 #include <QPainter>
+#include <QRegularExpression>
+#include <QTextBoundaryFinder>
 #include <QTextOption>
 #include <QWidget>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace console {
 
@@ -27,6 +30,45 @@ QColor plateColour()
 }
 
 int widthOf(const QFont& font, const QString& text) { return static_cast<int>(std::ceil(figuresWidth(font, text))); }
+
+/// No row ends between a figure and its unit, nor before it.
+QString withFiguresKept(QString text)
+{
+    static const QRegularExpression besideFigure(QStringLiteral("(?<=[\\d+@\\x{2248}\\x{B1}]) |(?<=[^,;:.]) (?=\\d)"));
+    return text.replace(besideFigure, QString(QChar::Nbsp));
+}
+
+/// Texts one below the other.
+struct Stack {
+    QFont font;
+    QStringList rows;
+    int first = 0; ///< rows of the first text
+    int width = 0; ///< of the widest row
+};
+
+Stack stackOf(const QStringList& texts, const QFont& font, int room)
+{
+    Stack stack;
+    for (const QString& text : texts) {
+        stack.rows << rowsOf(text, font, room);
+        if (stack.first == 0)
+            stack.first = static_cast<int>(stack.rows.size());
+    }
+    stack.font = fitted(font, stack.rows, room);
+    for (const QString& row : stack.rows)
+        stack.width = std::max(stack.width, widthOf(stack.font, row));
+    return stack;
+}
+
+/// As near to where it lies, up or down, as it lies in the area and on nothing that is taken.
+std::optional<QRect> nearestFree(const QRect& rect, const QRect& area, const QRegion& taken)
+{
+    for (int by = 0; by < area.height(); ++by)
+        for (const int way : {-by, by})
+            if (const QRect moved = rect.translated(0, way); area.contains(moved) && !taken.intersects(moved))
+                return moved;
+    return std::nullopt;
+}
 
 } // namespace
 
@@ -53,16 +95,35 @@ QFont fitted(QFont font, const QStringList& lines, int room)
     return font;
 }
 
+QStringList rowsOf(const QString& text, const QFont& font, int room)
+{
+    const QString whole = withFiguresKept(text);
+    QStringList rows;
+    qsizetype start = 0;
+    qsizetype end = 0;
+    QTextBoundaryFinder breaks(QTextBoundaryFinder::Line, whole);
+    for (qsizetype next = breaks.toNextBoundary(); next >= 0; next = breaks.toNextBoundary()) {
+        if (end > start && figuresWidth(font, whole.mid(start, next - start).trimmed()) > room) {
+            rows << whole.mid(start, end - start).trimmed();
+            start = end;
+        }
+        end = next;
+    }
+    rows << whole.mid(start).trimmed();
+    return rows.replaceInStrings(QString(QChar::Nbsp), QStringLiteral(" "));
+}
+
 QRect paintWrapped(QPainter& painter, const QFont& font, const QString& text, const QRect& room, Qt::Alignment alignment)
 {
     QTextOption option(alignment);
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere); // the path of a file has no spaces
+    const QString kept = withFiguresKept(text);
     painter.setFont(font);
     const int gap = font.pixelSize() / 2;
-    const QRect plate = painter.boundingRect(room, text, option).toAlignedRect().adjusted(-gap, -gap / 2, gap, gap / 2);
+    const QRect plate = painter.boundingRect(room, kept, option).toAlignedRect().adjusted(-gap, -gap / 2, gap, gap / 2);
     painter.fillRect(plate, plateColour());
     painter.setPen(pane_colours::text);
-    painter.drawText(room, text, option);
+    painter.drawText(room, kept, option);
     return plate;
 }
 
@@ -99,6 +160,33 @@ QRect TextPlates::addAbove(const QString& text, const QFont& font, QPoint corner
     m_plates.push_back(plate);
     m_plates.back().rect = placed;
     return placed;
+}
+
+void TextPlates::addStack(QStringList texts, const QRect& area, int foot, const QRegion& taken)
+{
+    const int room = area.width() - 4 * m_gap;
+    const QRegion others = region() + taken;
+    Stack stack;
+    QRect place;
+    const auto isFreeFor = [&](int width) {
+        stack = stackOf(texts, m_font, width);
+        const int row = QFontMetrics(stack.font).height() + m_gap;
+        place = QRect(0, 0, stack.width + 2 * m_gap, row * static_cast<int>(stack.rows.size()));
+        place.moveTopLeft({area.center().x() - place.width() / 2, foot + 1 - row * stack.first});
+        const auto free = nearestFree(place, area, others);
+        place = free.value_or(place.translated(0, std::max(0, area.top() - place.top())));
+        return free.has_value();
+    };
+    while (!isFreeFor(room) && !isFreeFor(room * 2 / 3)) {
+        if (texts.size() == 1) {
+            isFreeFor(room);
+            break;
+        }
+        texts.removeLast();
+    }
+    QPoint middle(area.center().x(), place.top());
+    for (const QString& row : stack.rows)
+        middle.setY(add(row, stack.font, middle, Qt::AlignHCenter | Qt::AlignTop).bottom() + 1);
 }
 
 QRegion TextPlates::region() const

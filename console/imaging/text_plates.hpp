@@ -31,6 +31,10 @@ QFont paneFont(const QWidget& pane);
 /// The same or smaller, until each of the lines fits into the room.
 QFont fitted(QFont font, const QStringList& lines, int room);
 
+/// A text in as many rows as it needs, none wider than the room unless a word alone is. A figure stays in one row with its unit, and with
+/// the word or sign before it.
+QStringList rowsOf(const QString& text, const QFont& font, int room);
+
 /// A text in as many rows as it needs, on a plate at the edge of `room` that `alignment` names; what the plate took.
 QRect paintWrapped(QPainter& painter, const QFont& font, const QString& text, const QRect& room, Qt::Alignment alignment);
 
@@ -52,6 +56,11 @@ public:
     /// In the lower left: moved up until it neither covers nor touches another plate or `avoid` sideways. Left out, and empty, where there
     /// is no such place below `top`.
     QRect addAbove(const QString& text, const QFont& font, QPoint corner, const QRect& avoid, int top);
+
+    /// Of each text as many rows as it needs, smaller where a word alone is wider than `area`, one below the other about the middle of it:
+    /// the last row of the first text ends at `foot`, or as near to that as the rows then cover neither another plate nor `taken`; narrower
+    /// where that helps. What has no room even so is left out, the last text first and whole; the first one stands in any case.
+    void addStack(QStringList texts, const QRect& area, int foot, const QRegion& taken = {});
 
     bool isFree(const QRect& rect) const { return !region().intersects(rect); }
 

@@ -43,6 +43,7 @@ struct ConsoleModels {
     TrendBook trends;
     OperatorRole role = OperatorRole::Operator;
     bool screenGone = false; ///< the cockpit's own: the hand has no keys until a person clicks into the cockpit or presses F1
+    QString unseen;          ///< why nobody sees this computer's screen, in words; empty: somebody may
     QString remoteInput;     ///< remoteInputOf() this session
     QString patientSide;     ///< how a person there is called; empty: not set up
 };

@@ -146,10 +146,15 @@ GuardLine handLine(const GuardReadings& r)
     return line(Guard::HandAlive, r.handAlive && r.remoteInput.isEmpty(), Text::tr("Hand control is there"), missing);
 }
 
+/// A window that nobody sees may well be the active one.
+bool handMayUseKeys(const GuardReadings& r) { return r.windowActive && r.unseen.isEmpty(); }
+
 GuardLine keysLine(const GuardReadings& r)
 {
-    return line(Guard::WindowActive, r.windowActive, Text::tr("Window has the keyboard"),
-                r.screenGone ? Text::tr("A screen is gone: click into the cockpit") : Text::tr("The keyboard is elsewhere"));
+    auto missing = r.screenGone ? Text::tr("A screen is gone: click into the cockpit") : Text::tr("The keyboard is elsewhere");
+    if (!r.unseen.isEmpty())
+        missing = r.unseen;
+    return line(Guard::WindowActive, handMayUseKeys(r), Text::tr("Window has the keyboard"), missing);
 }
 
 /// Who may arm, on either side.
@@ -219,7 +224,7 @@ GuardSet checkKept(const GuardReadings& r, const GuardLimits& limits)
     keep(Guard::NoIncident, !r.incident);
     keep(Guard::NoHighAlarm, !r.highAlarm);
     keep(Guard::HandAlive, r.handAlive && r.remoteInput.isEmpty());
-    keep(Guard::WindowActive, r.windowActive);
+    keep(Guard::WindowActive, handMayUseKeys(r));
     return met;
 }
 

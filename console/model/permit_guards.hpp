@@ -93,6 +93,7 @@ struct GuardReadings {
     QString remoteInput; ///< by what way keys and mouse come from another place; empty: they are this computer's, as far as can be told
     bool windowActive = false;
     bool screenGone = false; ///< the cockpit's own, and nobody has clicked into the cockpit since
+    QString unseen;          ///< why nobody sees it; empty: somebody may
     bool deadMan = false;
     bool alarmsTested = false;     ///< for this arming
     bool interruptionRead = false; ///< no account of an interruption is unread, and none is running

@@ -99,6 +99,7 @@ GuardReadings guardReadings(const ConsoleModels& models, std::optional<quint32> 
     r.remoteInput = models.remoteInput;
     r.windowActive = windowActive;
     r.screenGone = models.screenGone;
+    r.unseen = models.unseen;
     r.deadMan = models.hand.reading().deadMan;
     r.alarmsTested = models.selfTest.passed();
     r.interruptionRead = models.interruption.settled();

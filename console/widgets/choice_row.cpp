@@ -21,6 +21,7 @@ ChoiceRow::ChoiceRow(const QString& name, const QString& whatItDoes, const QStri
     grid->setHorizontalSpacing(12);
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(1, 1);
+    m_words->setWordWrap(true); // the buttons are never cut
     QLabel* title = plainLabel(name, TextRole::Strong, this);
     setInk(title, colour::bright);
     QLabel* explanation = plainLabel(whatItDoes, TextRole::Caption, this);

@@ -59,4 +59,11 @@ void CockpitWindow::noteScreenGone()
     updateHandKeys();
 }
 
+void CockpitWindow::setUnseen(const QString& why)
+{
+    m_models.unseen = why;
+    updateHandKeys();
+    m_motion->setUnseen(!why.isEmpty()); // what the mouse holds is let go, wherever the keys were
+}
+
 } // namespace console

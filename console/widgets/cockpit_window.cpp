@@ -271,7 +271,8 @@ void CockpitWindow::updateHandKeys()
 {
     const QWidget* focus = QApplication::focusWidget();
     const bool elsewhere = focus && focus != this && (m_deck->isAncestorOf(focus) || m_away->isAncestorOf(focus) || m_views.holds(focus));
-    const bool has = !m_models.screenGone && isVisible() && isActiveWindow() && focus && !elsewhere && focus->window() == this;
+    const bool inSight = !m_models.screenGone && m_models.unseen.isEmpty() && isVisible();
+    const bool has = inSight && isActiveWindow() && focus && !elsewhere && focus->window() == this;
     if (has == m_handHasKeys)
         return;
     m_handHasKeys = has;

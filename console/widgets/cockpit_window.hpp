@@ -30,7 +30,7 @@ class TrendsPane;
 /// Keys: F1 cockpit, F2 topology, F3 plots, F4 log, F6 conditions, F7 screens, F10 and F11 reference or scene beside the live picture,
 /// Ctrl+, (with a comma) preferences, Ctrl+1 … Ctrl+9 saved layouts, F8 alarm self-test, F9 audio pause, F12 panic hold, Esc emergency
 /// stop, wherever the focus is, the last three with any modifiers (UrgentKeys). F5 does nothing yet. All other keys belong to the hand
-/// while the cockpit itself has the focus; while a sheet, a view or another window has it, the hand has none, and
+/// while the cockpit itself has the focus and may be seen; while a sheet, a view or another window has it, the hand has none, and
 /// `handFocusChanged(false)` says so before the first key goes elsewhere. Space and Enter are never handed on, nor is what is pressed with
 /// Ctrl, Alt or Meta. A key that comes up is told with the code that it was pressed with (HeldKeys).
 ///
@@ -68,6 +68,10 @@ public:
     /// The screen that the cockpit was on is gone, which the models then say: the hand has no keys until a person clicks into the cockpit
     /// or presses F1.
     void noteScreenGone();
+
+    /// Nobody sees this computer's screen, and why, which the models then say; empty: somebody may. Meanwhile it is as if another window
+    /// were the active one, whatever Qt takes for it: the hand has no keys, and nothing in the motion bar can be held.
+    void setUnseen(const QString& why);
 
     /// Also one that is minimised or hidden.
     void comeToTheFront();

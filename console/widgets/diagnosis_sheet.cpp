@@ -7,6 +7,7 @@
 #include "widgets/labels.hpp"
 #include "widgets/roll_call.hpp"
 #include "widgets/sheet_button.hpp"
+#include "widgets/touch_scrolling.hpp"
 
 #include <QHBoxLayout>
 #include <QScrollArea>
@@ -101,6 +102,7 @@ QWidget* DiagnosisSheet::makeBody()
     m_body->setWidgetResizable(true);
     m_body->setFrameShape(QFrame::NoFrame);
     m_body->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrollByTouch(*m_body);
     auto* body = new QWidget(m_body);
     auto* row = new QHBoxLayout(body);
     row->setContentsMargins(0, 0, 6, 0);

@@ -2,6 +2,7 @@
 #include "widgets/fact_list.hpp"
 
 #include "widgets/labels.hpp"
+#include "widgets/touch_scrolling.hpp"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -18,6 +19,7 @@ FactList::FactList(const QString& accessibleName, QWidget* parent) : QScrollArea
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::StrongFocus); // scrolled by the arrow keys
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrollByTouch(*this);
     auto* body = new QWidget(this);
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(2, 0, 8, 0);

@@ -56,7 +56,7 @@ QSize HoldButton::sizeHint() const
 
 void HoldButton::setHeld(bool held)
 {
-    if (held == m_held)
+    if (held == m_held || (held && m_unseen))
         return;
     m_held = held;
     if (!held)
@@ -69,6 +69,13 @@ void HoldButton::setKeyHeld(bool held)
 {
     if (!held || (isVisible() && isEnabled()))
         setHeld(held);
+}
+
+void HoldButton::setUnseen(bool unseen)
+{
+    m_unseen = unseen;
+    if (unseen)
+        setHeld(false);
 }
 
 void HoldButton::mousePressEvent(QMouseEvent* event)

@@ -7,7 +7,7 @@
 namespace console {
 
 /// A click, a double click, Enter and Space do nothing: what is held by accident is let go by accident, too. The hold ends
-/// with the release and also when the pointer leaves, the button hides or is disabled, or its window is no longer active.
+/// with the release and also when the pointer leaves, the button hides or is disabled, its window is no longer active, or nobody sees it.
 class HoldButton : public QAbstractButton {
     Q_OBJECT
 public:
@@ -23,6 +23,9 @@ public:
     /// A key that another hears for it is down: held as by the mouse, while it shows and is enabled. What ends a hold ends this one, too,
     /// until the key is pressed again.
     void setKeyHeld(bool held);
+
+    /// Nobody sees its screen: as if its window were not active, whatever Qt takes for it.
+    void setUnseen(bool unseen);
 
     bool isHeld() const { return m_held; }
 
@@ -52,6 +55,7 @@ private:
     QColor m_accent;
     double m_progress = 0;
     bool m_held = false;
+    bool m_unseen = false;
 };
 
 } // namespace console

@@ -4,6 +4,7 @@
 #include "widgets/focus_return.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/sheet_button.hpp"
+#include "widgets/touch_scrolling.hpp"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -59,6 +60,7 @@ QWidget* InterruptionCard::makeBody()
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrollByTouch(*area);
     auto* body = new QWidget(area);
     auto* column = new QVBoxLayout(body);
     column->setContentsMargins(0, 0, 6, 0);

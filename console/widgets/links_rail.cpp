@@ -5,6 +5,7 @@
 #include "widgets/labels.hpp"
 #include "widgets/link_card.hpp"
 #include "widgets/touch_button.hpp"
+#include "widgets/touch_scrolling.hpp"
 
 #include <QHBoxLayout>
 #include <QScrollArea>
@@ -45,6 +46,7 @@ LinksRail::LinksRail(const SessionModel& sessions, QWidget* parent)
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
     m_scroll->setAccessibleName(tr("Link cards"));
+    scrollByTouch(*m_scroll);
     m_column->setContentsMargins(8, 6, 8, 6);
     m_column->setSpacing(6);
     auto* head = new QHBoxLayout;

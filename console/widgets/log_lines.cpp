@@ -6,6 +6,7 @@
 #include "model/log_roles.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/theme.hpp"
+#include "widgets/touch_scrolling.hpp"
 
 #include <QDateTime>
 #include <QEvent>
@@ -99,6 +100,7 @@ LogLines::LogLines(QWidget* parent) : QListView(parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setContextMenuPolicy(Qt::NoContextMenu);
+    scrollByTouch(*this);
     connect(verticalScrollBar(), &QScrollBar::valueChanged, this, [this] { m_follows = atNewest(); });
     connect(this, &QAbstractItemView::doubleClicked, this, &LogLines::chosen);
 }

@@ -4,6 +4,7 @@
 #include "model/present_readings.hpp"
 #include "widgets/figures.hpp"
 #include "widgets/focus_return.hpp"
+#include "widgets/further_fingers.hpp"
 #include "widgets/guard_list.hpp"
 #include "widgets/hand_block.hpp"
 #include "widgets/hold_button.hpp"
@@ -88,6 +89,7 @@ MotionBar::MotionBar(const ConsoleModels& models, QWidget* parent)
     for (QWidget* part : std::initializer_list<QWidget*>{m_permit, m_arm, m_reset, m_inject, m_pedal, m_stop})
         part->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Expanding);
     connectButtons();
+    new FurtherFingers(this);
 }
 
 void MotionBar::nameButtons()
@@ -180,6 +182,12 @@ void MotionBar::setKeyLegend(const KeyLegend& legend)
 void MotionBar::setPedalShown(bool held) { m_pedal->setProgress(held ? 1.0 : 0.0); }
 
 void MotionBar::setResetHeld(bool held) { m_reset->setKeyHeld(held); }
+
+void MotionBar::setUnseen(bool unseen)
+{
+    for (auto* button : {m_arm, m_reset, m_inject, m_pedal})
+        button->setUnseen(unseen);
+}
 
 void MotionBar::refreshArm(Instant now)
 {

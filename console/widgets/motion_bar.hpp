@@ -39,6 +39,9 @@ public:
     /// By the hand's key. It counts from a press while the stop is shown, and as long as the button itself would.
     void setResetHeld(bool held);
 
+    /// Nobody sees it: nothing of it is held, and nothing can be until somebody may see it again.
+    void setUnseen(bool unseen);
+
     void refresh(Instant now);
 
 Q_SIGNALS:

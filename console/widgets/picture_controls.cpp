@@ -1,6 +1,7 @@
 // The controls under the live picture.
 #include "widgets/picture_controls.hpp"
 
+#include "widgets/focus_return.hpp"
 #include "widgets/labels.hpp"
 #include "widgets/small_button.hpp"
 
@@ -29,11 +30,10 @@ PictureControls::PictureControls(DisplayState& display, QWidget* parent)
     m_row = tools;
     buildToolButtons();
     connect(&display, &DisplayState::changed, this, &PictureControls::showSettings);
-    connect(&display, &DisplayState::measureModeChanged, this, [this](MeasureMode mode) {
-        m_measure->setText(mode == MeasureMode::Off ? tr("Measure") : mode == MeasureMode::Distance ? tr("Distance") : tr("Angle"));
-        m_measure->setAccessibleDescription(word(mode));
-        m_measure->setInForce(mode != MeasureMode::Off);
-    });
+    connect(&display, &DisplayState::measureModeChanged, this, &PictureControls::showMeasuring);
+    connect(&display, &DisplayState::planeChanged, this, &PictureControls::showPlane);
+    showMeasuring(display.measureMode());
+    showPlane(display.plane());
     showSettings(display.settings());
     showZoom(1);
 }
@@ -90,6 +90,7 @@ void PictureControls::buildToolButtons()
     SmallButton* whole = addButton(tr("Reset"), tr("Reset picture"), tr("Whole picture, window as sent, no filters"));
     m_shutter = addButton(tr("Shutter"), tr("Shutter"), tr("None, round, square (H)"));
     m_measure = addButton(tr("Measure"), tr("Measure"), tr("Distance, angle, off (M)"));
+    buildMeasuringButtons();
     SmallButton* save = addButton(tr("Save"), tr("Save picture"), tr("As PNG and as DICOM Secondary Capture"));
     connect(whole, &QPushButton::clicked, this, [this] {
         m_display.reset();
@@ -98,6 +99,39 @@ void PictureControls::buildToolButtons()
     connect(m_shutter, &QPushButton::clicked, &m_display, &DisplayState::nextShutter);
     connect(m_measure, &QPushButton::clicked, &m_display, &DisplayState::nextMeasureMode);
     connect(save, &QPushButton::clicked, this, &PictureControls::saveRequested);
+}
+
+/// Their places are kept for them while nothing is measured: nothing moves under the finger that pressed *Measure*.
+void PictureControls::buildMeasuringButtons()
+{
+    m_catheter = addButton(tr("Catheter"), tr("Width of a catheter"), tr("The distance is the width of a catheter: 4 F to 8 F, none (B)"));
+    m_plane = addButton(tr("Plane"), tr("Plane of lengths"), tr("Lengths at the isocentre, or in a plane above the table (O)"));
+    for (SmallButton* button : {m_catheter, m_plane}) {
+        QSizePolicy kept = button->sizePolicy();
+        kept.setRetainSizeWhenHidden(true);
+        button->setSizePolicy(kept);
+    }
+    connect(m_catheter, &QPushButton::clicked, this, &PictureControls::catheterRequested);
+    connect(m_plane, &QPushButton::clicked, this, &PictureControls::planeRequested);
+}
+
+void PictureControls::showMeasuring(MeasureMode mode)
+{
+    m_measure->setText(mode == MeasureMode::Off ? tr("Measure") : mode == MeasureMode::Distance ? tr("Distance") : tr("Angle"));
+    m_measure->setAccessibleDescription(word(mode));
+    m_measure->setInForce(mode != MeasureMode::Off);
+    for (SmallButton* button : {m_catheter, m_plane}) {
+        if (mode != MeasureMode::Distance)
+            returnFocus(button);
+        button->setVisible(mode == MeasureMode::Distance);
+    }
+}
+
+void PictureControls::showPlane(const MeasurePlane& plane)
+{
+    m_plane->setInForce(plane.object.has_value());
+    m_plane->setAccessibleDescription(plane.object ? tr("%1 cm above the table").arg(*plane.object / 10.0, 0, 'f', 1)
+                                                   : tr("at the isocentre"));
 }
 
 void PictureControls::showZoom(double zoom) { m_zoom->setText(tr("%1\u00D7").arg(zoom, 0, 'f', 1)); }

@@ -27,6 +27,8 @@ Q_SIGNALS:
     void zoomRequested(int steps);
     void wholeRequested();
     void saveRequested();
+    void catheterRequested(); ///< the distance that stands is the width of the next one
+    void planeRequested();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -37,6 +39,9 @@ private:
     void buildWindowButtons();
     void buildSteppers();
     void buildToolButtons();
+    void buildMeasuringButtons();
+    void showMeasuring(MeasureMode mode);
+    void showPlane(const MeasurePlane& plane);
     void showSettings(const DisplaySettings& settings);
 
     DisplayState& m_display;
@@ -47,6 +52,8 @@ private:
     SmallButton* m_invert = nullptr;
     SmallButton* m_shutter = nullptr;
     SmallButton* m_measure = nullptr;
+    SmallButton* m_catheter = nullptr;
+    SmallButton* m_plane = nullptr;
     QLabel* m_zoom = nullptr;
     QLabel* m_noise = nullptr;
     QLabel* m_edge = nullptr;

@@ -96,7 +96,7 @@ QWidget* PreferencesView::makeEntries()
     auto* area = new RowArea(tr("Entries"), this);
     auto* body = new QWidget(area);
     auto* column = new QVBoxLayout(body);
-    column->setContentsMargins(0, 4, 8, 4);
+    column->setContentsMargins(0, 4, 4, 4);
     column->setSpacing(12);
     addGeneral(column);
     addPictures(column);
@@ -202,7 +202,7 @@ void PreferencesView::addLengths(QVBoxLayout* column)
         heights << heightName(height);
     m_object = addChoice(column, tr("Object's height"),
                          tr("How far above the table what is measured lies, about half of what the patient is thick. Lengths in a plane "
-                            "above the table, O while measuring, begin with it."),
+                            "above the table, Plane or O while measuring, begin with it."),
                          heights);
     m_tableTop = addText(column, tr("Table top"),
                          tr("In mm below the isocentre at the reported table height 0. Without it: no such plane."), tr("not set up"), 5);

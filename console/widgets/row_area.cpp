@@ -2,6 +2,7 @@
 #include "widgets/row_area.hpp"
 
 #include "widgets/theme.hpp"
+#include "widgets/touch_scrolling.hpp"
 
 #include <QApplication>
 #include <QEvent>
@@ -37,6 +38,7 @@ RowArea::RowArea(const QString& accessibleName, QWidget* parent)
     setFrameShape(QFrame::NoFrame);
     setFocusPolicy(Qt::NoFocus);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrollByTouch(*this);
     // Qt's own following begins only when the focus is within already.
     connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
         if (now != nullptr && widget() != nullptr && widget()->isAncestorOf(now))

@@ -964,6 +964,14 @@
         <source>not closed: %1. %2</source>
         <translation>未关闭：%1。%2</translation>
     </message>
+    <message>
+        <source>the hand has no keys: %1</source>
+        <translation>主手操作键无效：%1</translation>
+    </message>
+    <message>
+        <source>the screen is in sight again</source>
+        <translation>屏幕重新可见</translation>
+    </message>
 </context>
 <context>
     <name>console::CockpitControl</name>
@@ -2968,6 +2976,21 @@
     </message>
 </context>
 <context>
+    <name>console::LoginSession</name>
+    <message>
+        <source>it is not there</source>
+        <translation>它未运行</translation>
+    </message>
+    <message>
+        <source>what it answers makes no sense</source>
+        <translation>其应答无法理解</translation>
+    </message>
+    <message>
+        <source>this program belongs to no session with a screen</source>
+        <translation>本程序不属于任何带屏幕的登录会话</translation>
+    </message>
+</context>
+<context>
     <name>console::Loudspeaker</name>
     <message>
         <source>the sound output does not answer</source>
@@ -3393,12 +3416,16 @@
         <translation>测量%1：请设 %2 个点</translation>
     </message>
     <message>
-        <source>Right button or B: it is the width of a catheter of 4 F to 8 F</source>
-        <translation>右键或 B：此为 4 F 至 8 F 导管的宽度</translation>
+        <source>Catheter, right button or B: it is the width of a catheter of 4 F to 8 F</source>
+        <translation>“导管”、右键或 B：此为 4 F 至 8 F 导管的宽度</translation>
     </message>
     <message>
-        <source>O: isocentre or table plane</source>
-        <translation>O：等中心平面或床面</translation>
+        <source>Plane or O: isocentre or table plane</source>
+        <translation>“平面”或 O：等中心平面或床面</translation>
+    </message>
+    <message>
+        <source>First set two points, as far from each other as the catheter is wide.</source>
+        <translation>请先设两个点，其间距等于导管的宽度。</translation>
     </message>
 </context>
 <context>
@@ -3494,6 +3521,38 @@
     <message>
         <source>Distance, angle, off (M)</source>
         <translation>距离、角度、关闭 (M)</translation>
+    </message>
+    <message>
+        <source>Catheter</source>
+        <translation>导管</translation>
+    </message>
+    <message>
+        <source>Width of a catheter</source>
+        <translation>导管宽度</translation>
+    </message>
+    <message>
+        <source>The distance is the width of a catheter: 4 F to 8 F, none (B)</source>
+        <translation>该距离为导管的宽度：4 F 至 8 F、无 (B)</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Plane of lengths</source>
+        <translation>长度所在平面</translation>
+    </message>
+    <message>
+        <source>Lengths at the isocentre, or in a plane above the table (O)</source>
+        <translation>长度按等中心平面，或按床面上方的平面 (O)</translation>
+    </message>
+    <message>
+        <source>%1 cm above the table</source>
+        <translation>床面上方 %1 cm</translation>
+    </message>
+    <message>
+        <source>at the isocentre</source>
+        <translation>在等中心</translation>
     </message>
     <message>
         <source>Save</source>
@@ -4084,8 +4143,8 @@
         <translation>物体高度</translation>
     </message>
     <message>
-        <source>How far above the table what is measured lies, about half of what the patient is thick. Lengths in a plane above the table, O while measuring, begin with it.</source>
-        <translation>被测物体在床面以上的高度，约为患者厚度的一半。床面上方平面内的长度（测量时按 O）以此开始。</translation>
+        <source>How far above the table what is measured lies, about half of what the patient is thick. Lengths in a plane above the table, Plane or O while measuring, begin with it.</source>
+        <translation>被测物体在床面以上的高度，约为患者厚度的一半。床面上方平面内的长度（测量时按“平面”或 O）以此开始。</translation>
     </message>
     <message>
         <source>Table top</source>
@@ -5175,6 +5234,37 @@
     <message>
         <source> (Bluetooth)</source>
         <translation>（蓝牙）</translation>
+    </message>
+</context>
+<context>
+    <name>console::SeatListener</name>
+    <message>
+        <source>there is no system bus</source>
+        <translation>没有系统总线</translation>
+    </message>
+    <message>
+        <source>logind does not tell whether somebody sees this screen: %1</source>
+        <translation>logind 未告知是否有人能看到本屏幕：%1</translation>
+    </message>
+    <message>
+        <source>its bus has ended</source>
+        <translation>其总线已终止</translation>
+    </message>
+    <message>
+        <source>Screen is locked</source>
+        <translation>屏幕已锁定</translation>
+    </message>
+    <message>
+        <source>Another session is on this screen</source>
+        <translation>本屏幕正显示另一登录会话</translation>
+    </message>
+    <message>
+        <source>Screen saver is on</source>
+        <translation>屏幕保护程序已启动</translation>
+    </message>
+    <message>
+        <source>Screen was hidden, no word since: restart the console</source>
+        <translation>屏幕曾不可见，此后再无消息：请重新启动控制台</translation>
     </message>
 </context>
 <context>

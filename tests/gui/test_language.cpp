@@ -15,6 +15,7 @@
 #include <QGraphicsScene>
 #include <QGraphicsView>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTest>
@@ -340,6 +341,9 @@ private:
         QStringList wrong;
         const bool whole = QTest::qWaitFor([&] { return (wrong = unreadableTexts(scene.window())).isEmpty(); }, 500);
         QVERIFY2(whole, qPrintable(wrong.join(QLatin1Char('\n'))));
+        // It scrolls down only: what is beyond its edge is cut.
+        for (const QScrollArea* area : scene.window().findChildren<QScrollArea*>())
+            QVERIFY2(!area->isVisible() || area->widget()->width() <= area->viewport()->width(), qPrintable(area->accessibleName()));
         for (const QGraphicsView* canvas : scene.window().findChildren<QGraphicsView*>()) {
             const QRectF shown = canvas->sceneRect().adjusted(-16, -16, 16, 16); // the room that a link asks for around its line
             const QRectF items = canvas->scene()->itemsBoundingRect();

@@ -110,6 +110,26 @@ private Q_SLOTS:
         QCOMPARE(desk.reference->picture()->about.frame, 5U);
     }
 
+    void aCatheterIsOfThePictureThatAPersonMeasures()
+    {
+        Desk desk;
+        QVERIFY(desk.send(1));
+        desk.models.picture.expect(0, std::chrono::steady_clock::now());
+        QTRY_VERIFY(desk.reference->picture());
+        desk.click(QStringLiteral("Measure"));
+        const auto measureOn = [](PictureCanvas& pane) {
+            for (const int way : {0, 40})
+                QTest::mouseClick(&pane, Qt::LeftButton, {}, pane.pictureRect().center() + QPoint(way, 0));
+        };
+        for (PictureCanvas* pane : {static_cast<PictureCanvas*>(desk.reference), static_cast<PictureCanvas*>(desk.live)}) {
+            measureOn(*pane);
+            desk.click(QStringLiteral("Width of a catheter"));
+            QCOMPARE(pane->measurement().text(), QStringLiteral("1.3 mm (4 F catheter)"));
+            QCOMPARE(desk.live->measurement().isCatheter(), pane == desk.live);
+        }
+        QVERIFY(desk.reference->measurement().isCatheter());
+    }
+
     void reviewAloneShowsNoLivePicture()
     {
         Desk desk;

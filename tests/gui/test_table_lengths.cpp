@@ -5,6 +5,7 @@
 #include "imaging/live_image_view.hpp"
 #include "sample_frames.hpp"
 #include "shown_texts.hpp"
+#include "touching_hand.hpp"
 #include "widgets/preferences_view.hpp"
 #include "widgets/sheet_button.hpp"
 #include "widgets/small_button.hpp"
@@ -148,6 +149,37 @@ private Q_SLOTS:
         for (int press = 0; press < 4; ++press)
             QTest::keyClick(stage.live, Qt::Key_O);
         QVERIFY2(stage.isLength(QStringLiteral("mm @ isocentre plane (geometry)"), 750), qPrintable(stage.painted()));
+    }
+
+    /// No key, and no second button of a mouse.
+    void aFingerCalibratesAndChoosesThePlane()
+    {
+        Stage stage;
+        QVERIFY(stage.ready());
+        stage.setTableTop(QStringLiteral("170"));
+        stage.window.showView(View::Cockpit);
+        QVERIFY(stage.send(1, 20));
+        Hand hand{stage.window};
+        const auto press = [&](const char* name) {
+            auto* button = stage.part<SmallButton>(QString::fromLatin1(name));
+            QVERIFY2(button != nullptr && button->isVisible(), name);
+            hand.touch(hand.at(*button, button->rect().center()));
+        };
+        press("Measure");
+        press("Width of a catheter");
+        QVERIFY2(stage.painted().contains(QStringLiteral("First set two points")), qPrintable(stage.painted()));
+        const QPoint middle = stage.live->pictureRect().center();
+        hand.touch(hand.at(*stage.live, middle));
+        hand.touch(hand.at(*stage.live, middle + QPoint(100, 0)));
+        QVERIFY2(stage.isLength(QStringLiteral("mm @ isocentre plane (geometry)"), 750), qPrintable(stage.painted()));
+        press("Plane of lengths");
+        QVERIFY2(stage.isLength(QStringLiteral("mm @ table plane + 10.0 cm (geometry)"), 700), qPrintable(stage.painted()));
+        QCOMPARE(stage.live->told(), QStringLiteral("lengths by geometry: table plane + 10.0 cm"));
+        press("Width of a catheter");
+        QCOMPARE(stage.live->measurement().text(), QStringLiteral("1.3 mm (4 F catheter)"));
+        press("Width of a catheter");
+        QCOMPARE(stage.live->measurement().text(), QStringLiteral("1.7 mm (5 F catheter)"));
+        QVERIFY(stage.painted().contains(QStringLiteral("F catheter)")));
     }
 
     void noLengthStandsForAPlaneThatIsNotKnown()

@@ -102,6 +102,8 @@ void Theatre::startConsole()
         cockpit->setVoice(*m_wishes.voice);
     if (!m_wishes.remoteInput.isEmpty())
         cockpit->setInputOrigin(m_wishes.remoteInput);
+    if (!m_wishes.seat.system.isEmpty())
+        cockpit->setSeat(m_wishes.seat);
     QString error;
     if (!cockpit->prepare(&error))
         throw std::runtime_error(error.toStdString());

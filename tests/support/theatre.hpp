@@ -44,6 +44,7 @@ public:
         QString user;
         QString watchdog;    ///< program; empty: none
         QString remoteInput; ///< the way by which keys and mouse come from elsewhere; empty: they do not
+        SeatBuses seat = {}; ///< where it is asked whether somebody sees the screen; empty: nowhere
         Preferences preferences = {};
         bool listens = false;        ///< to the whole of each alarm self-test; it takes 7 s, and after the first 4
         AlarmVoice* voice = nullptr; ///< in place of the loudspeaker; outlives the theatre

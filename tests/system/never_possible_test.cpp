@@ -3,10 +3,10 @@
 //
 // Of the other rules, an arming that must not be is tried by system.never_armed, what a hand does is tried by system.never_by_hand, keys
 // that come up under another name by system.never_stuck, a link that heals or is re-opened by system.never_by_link, what is shown by
-// system.never_shown, alarms by system.never_silenced; a screen that is really gone by system.vanished_screen. Some need a device that dies
-// or a file that differs and are tried elsewhere: a killed and a frozen robot, a pad that is pulled out, two consoles (system.cockpit),
-// commands from before a loss (system.stand_by, the simulation; the age of each by itself: system.timing), certificates and topologies that
-// differ (system.certificates, hostile_*).
+// system.never_shown, alarms by system.never_silenced; a screen that is really gone by system.vanished_screen, and one that nobody sees by
+// system.never_unseen. Some need a device that dies or a file that differs and are tried elsewhere: a killed and a frozen robot, a pad that
+// is pulled out, two consoles (system.cockpit), commands from before a loss (system.stand_by, the simulation; the age of each by itself:
+// system.timing), certificates and topologies that differ (system.certificates, hostile_*).
 #include "never_possible_attempts.hpp"
 
 #include <QApplication>
@@ -55,7 +55,7 @@ void clickCockpit(Stage& stage)
 
 void backToCockpit(Stage& stage) { stage.theatre.strike(Qt::Key_F1); }
 
-/// A locked screen or another program: this window has the keyboard no more.
+/// Another program: this window has the keyboard no more.
 void putAnotherInFront(Stage& stage)
 {
     stage.other = std::make_unique<QWidget>();

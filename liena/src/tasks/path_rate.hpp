@@ -183,7 +183,7 @@ private:
     PathCourse m_course; ///< in the last windows: on a slow path one of them is a packet or two
     PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
-    UsualWait m_usualWait; ///< below the ceiling
+    UsualWait m_usualWait;  ///< below the ceiling
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
     PathCalm m_calm;

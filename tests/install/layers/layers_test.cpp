@@ -86,6 +86,7 @@ void LayersTest::findsPlantedInclude_data()
     row("console/widgets/a.cpp", "#include <opencv2/core.hpp>", "OpenCV is for");
     row("console/imaging/a.cpp", "#include <charls/charls.h>", "CharLS is for liena/devices/");
     row("console/widgets/a.cpp", "#include <QAudioSink>", "Qt Multimedia is for console/sound/");
+    row("console/app/cockpit_application.cpp", "#include <QDBusConnection>", "Qt D-Bus is for console/app/bus_");
     row("console/app/a.cpp", "#include <SDL.h>", "SDL is for console/input/");
     row("console/widgets/a.cpp", "#include <spnav.h>", "libspnav is for console/input/");
     row("console/sound/a.cpp", "#include \"app/alarm_sounder.hpp\"", "sound may know model");
@@ -128,6 +129,7 @@ void LayersTest::allows_data()
     row("console/model/a.hpp", "#include <QString>");
     row("console/link/a.cpp", "#include \"liena/distributed_system.hpp\"");
     row("console/app/a.cpp", "#include \"link/session_link.hpp\"");
+    row("console/app/login_session.cpp", "#include <QDBusArgument>");
     row("console/imaging/a.cpp", "#include <vtkNew.h>");
     row("console/model/a.hpp", "// #include <QColor>");
 }

@@ -107,6 +107,7 @@ const std::vector<Case>& cases()
         {"hand gone", [](auto& r) { r.handAlive = false; }, Guard::HandAlive, false},
         {"keys through a remote desktop", [](auto& r) { r.remoteInput = QStringLiteral("XRDP"); }, Guard::HandAlive, false},
         {"window without keyboard", [](auto& r) { r.windowActive = false; }, Guard::WindowActive, false},
+        {"nobody sees the window", [](auto& r) { r.unseen = QStringLiteral("Screen is locked"); }, Guard::WindowActive, false},
         {"dead-man down", [](auto& r) { r.deadMan = true; }, Guard::DeadManReleased, true},
         {"alarms not tested", [](auto& r) { r.alarmsTested = false; }, Guard::AlarmsTested, true},
         {"an interruption not read about", [](auto& r) { r.interruptionRead = false; }, Guard::InterruptionRead, true},
