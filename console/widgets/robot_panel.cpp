@@ -77,7 +77,7 @@ RobotPanel::RobotPanel(const ConsoleModels& models, QWidget* parent)
     theme::setTextRole(m_tip, TextRole::Caption);
     theme::setTextRole(m_drives, TextRole::Caption);
     theme::setTextRole(m_arm, TextRole::Caption);
-    m_tip->reserve(tr("Tracker ±0.0\u00A0mm \u00B7 stale 00.0\u00A0s"));
+    m_tip->reserve(tr("Tracker ±0.0\u00A0mm \u00B7 stale 000\u00A0ms"));
     m_tip->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(14, 6, 14, 6);

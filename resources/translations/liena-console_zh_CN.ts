@@ -4916,8 +4916,8 @@
         <translation>机器人</translation>
     </message>
     <message>
-        <source>Tracker ±0.0&#xa0;mm · stale 00.0&#xa0;s</source>
-        <translation>跟踪器 ±0.0&#xa0;mm · 过时 00.0&#xa0;s</translation>
+        <source>Tracker ±0.0&#xa0;mm · stale 000&#xa0;ms</source>
+        <translation>跟踪器 ±0.0&#xa0;mm · 过时 000&#xa0;ms</translation>
     </message>
     <message>
         <source>no report received</source>

@@ -86,6 +86,17 @@ QString wordsPaintedBy(PictureCanvas& pane)
     return all;
 }
 
+/// Of what is painted of `words`: the rows that are smaller than the pane's letters, though there are spaces to break them at.
+QStringList shrunk(PictureCanvas& pane, const QString& words)
+{
+    const double wanted = QFontMetricsF(pane.font()).capHeight();
+    QStringList small;
+    for (const ShownText& shown : textsPaintedBy(pane))
+        if (const QString text = shown.text.trimmed(); text.size() > 3 && words.contains(text) && shown.ink.height() < wanted - 0.1)
+            small << describe(shown);
+    return small;
+}
+
 /// A pane of a side with a picture in it on which a distance can be measured.
 template <typename Pane>
 struct Measured {
@@ -226,12 +237,14 @@ void TestSmallPanes::referencePaneIsWhole()
         DisplayPicture picture = pictureOf(role);
         picture.meanOf = role == PictureRole::Hold ? 4 : 1;
         view.showPicture(picture);
+        QString place;
         if (role == PictureRole::Review)
-            view.setPlace(
-                QCoreApplication::translate("console::CineReview", "%1 of %2, %3 s before the newest").arg(612).arg(900).arg(19.2));
+            place = QCoreApplication::translate("console::CineReview", "%1 of %2, %3 s before the newest").arg(612).arg(900).arg(19.2);
         if (role == PictureRole::Roadmap)
-            view.setPlace(QCoreApplication::translate("console::RoadmapState", "ROADMAP REMOVED: %1")
-                              .arg(QCoreApplication::translate("console::RoadmapState", "the distances of the C-arm changed")));
+            place = QCoreApplication::translate("console::RoadmapState", "ROADMAP REMOVED: %1")
+                        .arg(QCoreApplication::translate("console::RoadmapState", "the distances of the C-arm changed"));
+        view.setPlace(place);
+        QCOMPARE(shrunk(view, place), QStringList());
         QStringList wrong = unreadable(view);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
         measured.display.nextMeasureMode();
@@ -241,6 +254,7 @@ void TestSmallPanes::referencePaneIsWhole()
         QVERIFY(view.measurement().pixels());
         wrong = unreadable(view);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+        QCOMPARE(shrunk(view, view.measurement().text() + view.measurement().depthText()), QStringList());
         measured.display.nextPlane();
         wrong = unreadable(view);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
