@@ -9,11 +9,11 @@
 #include "app/picture_desk.hpp"
 #include "app/preference_desk.hpp"
 #include "app/screen_desk.hpp"
-#include "app/seat_watch.hpp"
 #include "app/unattended_run.hpp"
 #include "app/view_desk.hpp"
 #include "link/system_link.hpp"
 #include "model/console_models.hpp"
+#include "seat/seat_watch.hpp"
 
 #include <QObject>
 #include <QTimer>

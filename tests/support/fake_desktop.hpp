@@ -43,8 +43,8 @@ public:
         m_bus.send(signal);
     }
 
-    /// The answer to a call; nothing: none at all.
-    std::function<std::optional<QDBusMessage>(const QDBusMessage&)> answer;
+    /// To a call.
+    std::function<QDBusMessage(const QDBusMessage&)> answer;
 
     int asked = 0; ///< calls
 
@@ -53,11 +53,7 @@ public:
     bool handleMessage(const QDBusMessage& message, const QDBusConnection& connection) override
     {
         ++asked;
-        const auto reply = answer ? answer(message) : message.createErrorReply(QDBusError::UnknownMethod, QStringLiteral("unknown"));
-        if (reply)
-            connection.send(*reply);
-        else
-            message.setDelayedReply(true);
+        connection.send(answer ? answer(message) : message.createErrorReply(QDBusError::UnknownMethod, QStringLiteral("unknown")));
         return true;
     }
 
@@ -96,7 +92,6 @@ public:
     }
 
     QVariantMap facts = inSight();
-    bool silent = false;                                             ///< it answers nothing
     QVariant session = QVariant::fromValue(QDBusObjectPath(path())); ///< what GetSession answers; invalid: that there is none
     std::optional<QVariantList> answered;                            ///< to GetAll, in place of the facts
     int asked() const { return m_member->asked; }
@@ -119,10 +114,8 @@ public:
 private:
     static QString service() { return QStringLiteral("org.freedesktop.login1"); }
 
-    std::optional<QDBusMessage> reply(const QDBusMessage& call) const
+    QDBusMessage reply(const QDBusMessage& call) const
     {
-        if (silent)
-            return std::nullopt;
         if (call.member() == QLatin1String("GetSession") && session.isValid() && call.arguments() == QVariantList{QStringLiteral("auto")})
             return call.createReply(session);
         if (call.member() == QLatin1String("GetAll") && call.path() == path() && call.arguments() == QVariantList{sessionInterface()})
@@ -140,7 +133,7 @@ public:
           m_name(name),
           m_path(QLatin1Char('/') + QString(name).replace(QLatin1Char('.'), QLatin1Char('/')))
     {
-        m_member->answer = [this](const QDBusMessage& call) -> std::optional<QDBusMessage> {
+        m_member->answer = [this](const QDBusMessage& call) {
             if (call.member() == QLatin1String("GetActive") && call.interface() == m_name && call.path() == m_path)
                 return call.createReply(on);
             return call.createErrorReply(QDBusError::UnknownMethod, QStringLiteral("unknown"));

@@ -2,8 +2,8 @@
 // neither shows what is hidden nor makes anybody wait.
 //
 // What follows from it for the hand is tried by gui.unseen, and with the whole console by system.never_unseen.
-#include "app/screen_saver.hpp"
-#include "app/seat_watch.hpp"
+#include "seat/screen_saver.hpp"
+#include "seat/seat_watch.hpp"
 #include "support/fake_desktop.hpp"
 #include "support/private_bus.hpp"
 

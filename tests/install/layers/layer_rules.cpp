@@ -35,11 +35,12 @@ const std::vector<Room>& rooms()
         {"console/input/", "input", {"model"}},
         {"console/sound/", "sound", {"model"}},
         {"console/watchdog/", "watchdog", {"sound", "model"}},
+        {"console/seat/", "seat", {}},
         {"console/imaging/", "imaging", {"model"}},
         {"console/widgets/", "widgets", {"imaging", "model"}},
         {"console/editor/", "editor", {"widgets", "model"}},
         {"console/link/", "link", {"model"}},
-        {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "sound", "watchdog", "model"}},
+        {"console/app/", "app", {"widgets", "editor", "input", "link", "imaging", "sound", "watchdog", "seat", "model"}},
     };
     return table;
 }
@@ -58,9 +59,7 @@ const std::vector<Library>& libraries()
         {"OpenSSL", "openssl/", {"liena/src/security/", "liena/src/transport/", "liena/src/base/hash.cpp"}},
         {"Qt", "(Qt?[A-Z]|qt|qobject)", {"console/"}},
         {"Qt Multimedia", "(QtMultimedia|QAudio|QMedia|QSound)", {"console/sound/"}},
-        {"Qt D-Bus",
-         "(QtDBus|QDBus)",
-         {"console/app/bus_", "console/app/login_session.", "console/app/screen_saver.", "console/app/seat_listener."}},
+        {"Qt D-Bus", "(QtDBus|QDBus)", {"console/seat/"}},
         {"SDL", "SDL", {"console/input/"}},
         {"libspnav", "spnav\\.h", {"console/input/"}},
         {"VTK", "vtk", {"console/imaging/"}},

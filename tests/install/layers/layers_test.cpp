@@ -86,10 +86,11 @@ void LayersTest::findsPlantedInclude_data()
     row("console/widgets/a.cpp", "#include <opencv2/core.hpp>", "OpenCV is for");
     row("console/imaging/a.cpp", "#include <charls/charls.h>", "CharLS is for liena/devices/");
     row("console/widgets/a.cpp", "#include <QAudioSink>", "Qt Multimedia is for console/sound/");
-    row("console/app/cockpit_application.cpp", "#include <QDBusConnection>", "Qt D-Bus is for console/app/bus_");
+    row("console/app/cockpit_application.cpp", "#include <QDBusConnection>", "Qt D-Bus is for console/seat/");
     row("console/app/a.cpp", "#include <SDL.h>", "SDL is for console/input/");
     row("console/widgets/a.cpp", "#include <spnav.h>", "libspnav is for console/input/");
     row("console/sound/a.cpp", "#include \"app/alarm_sounder.hpp\"", "sound may know model");
+    row("console/seat/a.cpp", "#include \"model/instant.hpp\"", "seat may know");
     row("console/watchdog/a.cpp", "#include \"app/watchdog_process.hpp\"", "watchdog may know sound, model");
     row("console/input/a.cpp", "#include \"widgets/theme.hpp\"", "input may know model");
     row("console/imaging/a.cpp", "#include \"widgets/theme.hpp\"", "imaging may know model");
@@ -129,7 +130,7 @@ void LayersTest::allows_data()
     row("console/model/a.hpp", "#include <QString>");
     row("console/link/a.cpp", "#include \"liena/distributed_system.hpp\"");
     row("console/app/a.cpp", "#include \"link/session_link.hpp\"");
-    row("console/app/login_session.cpp", "#include <QDBusArgument>");
+    row("console/seat/a.cpp", "#include <QDBusArgument>");
     row("console/imaging/a.cpp", "#include <vtkNew.h>");
     row("console/model/a.hpp", "// #include <QColor>");
 }

@@ -1,5 +1,5 @@
 // Where a console asks whether somebody sees its screen.
-#include "app/seat_watch.hpp"
+#include "seat/seat_watch.hpp"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // What logind says of the session that this program belongs to: whether its screen is locked, and whether it is the one that shows.
 #pragma once
 
-#include "app/bus_name.hpp"
+#include "seat/bus_name.hpp"
 
 #include <QDBusMessage>
 #include <QVariantMap>

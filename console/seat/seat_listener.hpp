@@ -1,9 +1,9 @@
 // Hears on both buses whether a person can see the screen.
 #pragma once
 
-#include "app/login_session.hpp"
-#include "app/screen_saver.hpp"
-#include "app/seat_watch.hpp"
+#include "seat/login_session.hpp"
+#include "seat/screen_saver.hpp"
+#include "seat/seat_watch.hpp"
 
 #include <memory>
 #include <optional>

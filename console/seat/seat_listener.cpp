@@ -1,5 +1,5 @@
 // Two buses, and one word of them.
-#include "app/seat_listener.hpp"
+#include "seat/seat_listener.hpp"
 
 #include <algorithm>
 #include <utility>

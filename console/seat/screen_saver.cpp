@@ -1,7 +1,7 @@
 // Asked once, and heard.
-#include "app/screen_saver.hpp"
+#include "seat/screen_saver.hpp"
 
-#include "app/bus_question.hpp"
+#include "seat/bus_question.hpp"
 
 namespace console {
 

@@ -1,7 +1,7 @@
 // The session is looked up, asked, and asked again whenever it says that something of it is another.
-#include "app/login_session.hpp"
+#include "seat/login_session.hpp"
 
-#include "app/bus_question.hpp"
+#include "seat/bus_question.hpp"
 
 #include <QDBusArgument>
 #include <QDBusObjectPath>

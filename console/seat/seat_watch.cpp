@@ -1,7 +1,7 @@
 // The listener's thread, and where it listens.
-#include "app/seat_watch.hpp"
+#include "seat/seat_watch.hpp"
 
-#include "app/seat_listener.hpp"
+#include "seat/seat_listener.hpp"
 
 #include <QThread>
 

@@ -1,7 +1,7 @@
 // The owner, asked of the bus and told by it.
-#include "app/bus_name.hpp"
+#include "seat/bus_name.hpp"
 
-#include "app/bus_question.hpp"
+#include "seat/bus_question.hpp"
 
 #include <QDBusPendingReply>
 

@@ -1,7 +1,7 @@
 // A desktop's screen saver, as far as it says whether it is on.
 #pragma once
 
-#include "app/bus_name.hpp"
+#include "seat/bus_name.hpp"
 
 #include <QDBusMessage>
 #include <QStringList>
