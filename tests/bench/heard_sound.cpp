@@ -2,7 +2,7 @@
 #include "heard_sound.hpp"
 
 #include "model/alarm_burst.hpp"
-#include "system/sound_samples.hpp"
+#include "support/sound_samples.hpp"
 
 #include <algorithm>
 

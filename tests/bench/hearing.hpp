@@ -2,7 +2,7 @@
 #pragma once
 
 #include "output_recorder.hpp"
-#include "system/sound_room.hpp"
+#include "support/sound_room.hpp"
 
 #include <QTest>
 

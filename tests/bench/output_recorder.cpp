@@ -1,7 +1,7 @@
 // A thread, and on it the process that records.
 #include "output_recorder.hpp"
 
-#include "system/sound_room.hpp"
+#include "support/sound_room.hpp"
 
 #include <cstring>
 

@@ -2,7 +2,7 @@
 // judged, and none can be: of so few rounds it tells that it cannot be told.
 #include "child_process.hpp"
 #include "limits.hpp"
-#include "system/sound_room.hpp"
+#include "support/sound_room.hpp"
 
 #include <QFile>
 #include <QTemporaryDir>

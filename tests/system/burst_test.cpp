@@ -1,7 +1,7 @@
 // What is heard of the alarm's bursts: the real player and the real watchdog play to a real sound server, whose output is recorded.
 #include "model/alarm_burst.hpp"
 #include "sound/loudspeaker.hpp"
-#include "sound_room.hpp"
+#include "support/sound_room.hpp"
 #include "watchdog_ride.hpp"
 
 #include <QSignalSpy>

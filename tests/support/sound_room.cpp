@@ -78,6 +78,8 @@ bool SoundServer::start()
                    {QStringLiteral("-n"), QStringLiteral("--daemonize=no"), QStringLiteral("--exit-idle-time=-1"),
                     QStringLiteral("--disallow-exit"), QStringLiteral("--use-pid-file=no"), QStringLiteral("-L"),
                     QStringLiteral("module-native-protocol-unix auth-anonymous=1 auth-cookie-enabled=0 socket=") + path("socket")});
+    if (!m_server.waitForStarted(patience))
+        return false;
     const auto over = [this] { return m_server.state() == QProcess::NotRunning || order({QStringLiteral("stat")}); };
     return QTest::qWaitFor(over, patience) && m_server.state() == QProcess::Running;
 }
