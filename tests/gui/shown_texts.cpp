@@ -164,6 +164,14 @@ std::vector<ShownText> textsPaintedBy(QWidget& widget)
     return device.texts();
 }
 
+QString wordsPaintedBy(QWidget& widget)
+{
+    QString all;
+    for (const ShownText& shown : textsPaintedBy(widget))
+        all += shown.text;
+    return all;
+}
+
 QStringList unreadableTexts(QWidget& window)
 {
     QStringList wrong;

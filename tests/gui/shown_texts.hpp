@@ -19,6 +19,7 @@ struct ShownText {
 
 /// What `widget` itself paints, without its children.
 std::vector<ShownText> textsPaintedBy(QWidget& widget);
+QString wordsPaintedBy(QWidget& widget); ///< one after the other
 
 /// What is wrong with the texts of `window` and all that is visible in it, a line each: clipped, painted over, or cut short where the whole
 /// is not at hand.

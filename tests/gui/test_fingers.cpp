@@ -8,6 +8,7 @@
 #include "widgets/stop_button.hpp"
 
 #include <QApplication>
+#include <QScopeGuard>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QWindow>
@@ -101,7 +102,8 @@ private Q_SLOTS:
         QVERIFY(stage.pedal->isHeld() && stage.arm->isHeld());
         stage.hand.releaseAnother(stage.hand.middle(*stage.arm));
         QVERIFY(stage.pedal->isHeld() && !stage.arm->isHeld());
-        QTest::qWait(QApplication::doubleClickInterval() + 50); // another wish, and no double click
+        const auto interval = qScopeGuard([time = QApplication::doubleClickInterval()] { QApplication::setDoubleClickInterval(time); });
+        QApplication::setDoubleClickInterval(0); // another wish, and no double click
         stage.hand.pressAnother(stage.hand.middle(*stage.arm));
         QVERIFY(stage.arm->isHeld());
         QTest::touchEvent(&stage.window, touchScreen())

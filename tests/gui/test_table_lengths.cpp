@@ -114,13 +114,7 @@ struct Stage : CockpitStage {
         return std::abs(text.section(QLatin1Char(' '), 0, 0).toDouble() - millimetres) < 0.051 && painted().contains(words);
     }
 
-    QString painted() const
-    {
-        QString all;
-        for (const ShownText& shown : textsPaintedBy(*live))
-            all += shown.text;
-        return all;
-    }
+    QString painted() const { return wordsPaintedBy(*live); }
 };
 
 } // namespace

@@ -12,6 +12,7 @@
 using namespace console;
 using console::test::ShownText;
 using console::test::textsPaintedBy;
+using console::test::wordsPaintedBy;
 using samples::frameSize;
 using samples::LivePane;
 
@@ -55,14 +56,6 @@ struct Panes {
     ReferenceImageView reference;
     std::array<PictureCanvas*, 2> all{&live.view, &reference};
 };
-
-QString wordsPaintedBy(PictureCanvas& canvas)
-{
-    QString all;
-    for (const ShownText& shown : textsPaintedBy(canvas))
-        all += shown.text;
-    return all;
-}
 
 /// Where that and nothing else is written; far away when it is not.
 QPointF placeOf(PictureCanvas& canvas, const QString& letter)

@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 using console::test::PseudoLanguage;
 using console::test::ShownText;
 using console::test::textsPaintedBy;
+using console::test::wordsPaintedBy;
 
 namespace {
 
@@ -76,14 +77,6 @@ QStringList unreadable(PictureCanvas& pane)
                 wrong << QStringLiteral("on each other: ") + describe(shown) + QStringLiteral(" / ") + describe(texts[j]);
     }
     return wrong;
-}
-
-QString wordsPaintedBy(PictureCanvas& pane)
-{
-    QString all;
-    for (const ShownText& shown : textsPaintedBy(pane))
-        all += shown.text;
-    return all;
 }
 
 /// Of what is painted of `words`: the rows that are smaller than the pane's letters, though there are spaces to break them at.
