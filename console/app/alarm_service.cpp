@@ -56,7 +56,7 @@ AlarmService::AlarmService(ConsoleModels& models, AlarmWatch& watch, const Alarm
     : QObject(parent),
       m_models(models),
       m_watch(watch),
-      m_loudspeaker(settings.voice != nullptr ? nullptr : std::make_unique<Loudspeaker>()),
+      m_loudspeaker(settings.voice != nullptr ? nullptr : std::make_unique<Loudspeaker>(settings.player)),
       m_voice(settings.voice != nullptr ? *settings.voice : *m_loudspeaker),
       m_sounder(models, m_voice)
 {

@@ -17,6 +17,7 @@ struct AlarmSettings {
     QString logFolder; ///< empty: alarms are not kept, and an alarm says so
     QString logName;
     QString watchdog;            ///< program; empty: nobody watches, and an alarm says so
+    QString player{};            ///< program that sounds them; empty: none, and an alarm says so
     AlarmVoice* voice = nullptr; ///< sounds in place of the loudspeaker, for measurements; outlives the service
 };
 

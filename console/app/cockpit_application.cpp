@@ -79,7 +79,7 @@ void CockpitApplication::buildAlarms()
     const auto* self = m_models.sessions.self();
     const auto name = QStringLiteral("alarms-") + (self != nullptr ? self->idText() : QStringLiteral("unknown"));
     m_alarms = std::make_unique<AlarmService>(m_models, m_control->alarmWatch(),
-                                              AlarmSettings{m_options.alarmLog, name, m_options.watchdog, m_voice});
+                                              AlarmSettings{m_options.alarmLog, name, m_options.watchdog, m_options.player, m_voice});
 }
 
 void CockpitApplication::buildWindow()

@@ -296,6 +296,7 @@ QString readOptions(const Declared& declared, Options& options)
     if (options.alarmLog.isEmpty())
         return QStringLiteral("--alarm-log is empty: name a folder");
     options.watchdog = QCoreApplication::applicationDirPath() + QStringLiteral("/liena-console-watchdog");
+    options.player = QCoreApplication::applicationDirPath() + QStringLiteral("/liena-console-player");
     options.vessels = parser.value(declared.vessels);
     options.pictures = parser.value(declared.pictures);
     options.display = parser.value(declared.display);

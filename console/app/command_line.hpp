@@ -41,6 +41,7 @@ struct Options {
     QString preferences; ///< file; empty: the defaults, and nothing is kept
     QString language;    ///< one of languages(); empty: the system's
     QString watchdog;    ///< program; empty: nobody watches this one
+    QString player;      ///< program that sounds its alarms; empty: none
     bool rehearsal = false;
     bool measureOnRequest = false;
     NetworkSettings network;

@@ -1,4 +1,4 @@
-// Whether another thread answers what it is asked.
+// Whether another process answers what it is asked.
 #pragma once
 
 #include "model/instant.hpp"
@@ -30,7 +30,8 @@ public:
         m_answered = count;
     }
 
-    bool isLate(Instant now) const { return m_answered < m_asked && now - m_since > patience; }
+    bool isWaiting() const { return m_answered < m_asked; }
+    bool isLate(Instant now) const { return isWaiting() && now - m_since > patience; }
 
 private:
     quint64 m_asked = 0;

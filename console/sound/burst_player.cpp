@@ -23,9 +23,7 @@ BurstPlayer::~BurstPlayer()
     }
 }
 
-void BurstPlayer::setWish(std::optional<AlarmPriority> wish) { m_wish = wish ? static_cast<int>(*wish) : silent; }
-
-void BurstPlayer::tell(const QString& trouble)
+void BurstPlayer::tell(const SoundTrouble& trouble)
 {
     if (m_told == trouble)
         return;
@@ -37,14 +35,16 @@ void BurstPlayer::open()
 {
     openOutput();
     m_look.start();
-    ++m_served;
 }
 
-/// Qt 6.4 never says that the outputs of PulseAudio are others, but what it lists is true.
-void BurstPlayer::lookForOutput()
+/// Qt 6.4 never says that the outputs of PulseAudio are others, but what it lists is true. Whether it was another, which then plays the
+/// wish.
+bool BurstPlayer::lookForOutput()
 {
-    if (QMediaDevices::defaultAudioOutput().id() != m_output)
-        openOutput();
+    if (QMediaDevices::defaultAudioOutput().id() == m_output)
+        return false;
+    openOutput();
+    return true;
 }
 
 void BurstPlayer::openOutput()
@@ -53,7 +53,6 @@ void BurstPlayer::openOutput()
         m_devices = std::make_unique<QMediaDevices>();
         connect(m_devices.get(), &QMediaDevices::audioOutputsChanged, this, &BurstPlayer::openOutput);
     }
-    const bool cutShort = m_sink && m_sink->state() == QAudio::ActiveState;
     if (m_sink)
         disconnect(m_sink.get(), nullptr, this, nullptr);
     m_sink.reset();
@@ -61,46 +60,40 @@ void BurstPlayer::openOutput()
     m_output = device.id();
     // What the sound server shows where there is no hardware: it takes everything, and nobody hears it.
     if (device.isNull() || device.id() == "auto_null")
-        return tell(tr("this computer has no sound output"));
+        return tell({QT_TR_NOOP("this computer has no sound output"), {}});
     QAudioFormat format;
     format.setSampleRate(sampleRate);
     format.setChannelCount(1);
     format.setSampleFormat(QAudioFormat::Int16);
     if (!device.isFormatSupported(format))
-        return tell(tr("%1 does not take 16 bit at 44.1 kHz").arg(device.description()));
+        return tell({QT_TR_NOOP("%1 does not take 16 bit at 44.1 kHz"), device.description().toUtf8()});
     m_sink = std::make_unique<QAudioSink>(device, format);
     connect(m_sink.get(), &QAudioSink::stateChanged, this, &BurstPlayer::readSink);
     tell({});
-    int nothingNewer = followed;
-    if (cutShort)
-        m_wish.compare_exchange_strong(nothingNewer, m_played);
-    playWish();
+    play();
 }
 
-void BurstPlayer::followWish()
+void BurstPlayer::follow(std::optional<AlarmPriority> wish)
 {
-    lookForOutput();
-    playWish();
-    ++m_served;
+    m_wish = wish;
+    if (!lookForOutput() && m_sink)
+        play();
 }
 
-void BurstPlayer::playWish()
+void BurstPlayer::play()
 {
-    if (!m_sink)
-        return; // the wish waits for an output
-    const int wish = m_wish.exchange(followed);
-    if (wish == followed)
-        return;
-    m_played = wish;
     m_sink->stop();
     m_samples.close();
-    if (wish == silent)
-        return;
-    m_samples.setData(burstSamples(static_cast<AlarmPriority>(wish)));
-    m_samples.open(QIODevice::ReadOnly);
     // As Qt chooses: 6.4 else asks for what the start before was given, which is less each time, until after some bursts nothing is heard.
     m_sink->setBufferSize(0);
-    m_sink->start(&m_samples);
+    if (m_wish) {
+        m_samples.setData(burstSamples(*m_wish));
+        m_samples.open(QIODevice::ReadOnly);
+        m_sink->start(&m_samples);
+    } else { // open, and at rest: so it hears that the sound server is gone, which the list of outputs does not tell
+        m_sink->start();
+        m_sink->suspend();
+    }
     readSink();
 }
 
@@ -115,14 +108,15 @@ void BurstPlayer::readSink()
     case QAudio::UnderrunError:
         break;
     case QAudio::OpenError:
-        tell(tr("the sound output cannot be opened"));
-        break;
+        return tell({QT_TR_NOOP("the sound output cannot be opened"), {}});
     case QAudio::IOError:
-        tell(tr("the sound output does not take what is sent to it"));
-        break;
+        return tell({QT_TR_NOOP("the sound output does not take what is sent to it"), {}});
     default:
-        tell(tr("the sound output has failed"));
-        break;
+        return tell({QT_TR_NOOP("the sound output has failed"), {}});
+    }
+    if (m_wish && m_sink->state() == QAudio::IdleState && m_samples.isOpen() && m_samples.atEnd()) {
+        m_wish.reset();
+        Q_EMIT sounded();
     }
 }
 

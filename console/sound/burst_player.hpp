@@ -1,13 +1,12 @@
-// Plays bursts on the default sound output, on the loudspeaker's thread.
+// Plays bursts on the default sound output.
 #pragma once
 
-#include "model/alarm_list.hpp"
+#include "sound/player_words.hpp"
 
 #include <QBuffer>
 #include <QObject>
 #include <QTimer>
 
-#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -22,37 +21,29 @@ public:
     BurstPlayer();
     ~BurstPlayer() override;
 
-    /// Any thread: what should sound; nothing: silence.
-    void setWish(std::optional<AlarmPriority> wish);
-
-    /// Any thread: how many calls of open() and followWish() have come back.
-    quint64 served() const { return m_served; }
-
-    // On the thread of this object.
     void open();
-    void followWish();
+
+    /// From its beginning, in place of what sounds; nothing: silence. Without an output it waits for one.
+    void follow(std::optional<AlarmPriority> wish);
 
 Q_SIGNALS:
-    void troubleChanged(const QString& trouble);
+    void troubleChanged(const console::SoundTrouble& trouble); ///< the first time in any case
+    void sounded();                                            ///< the newest wish, to its end
 
 private:
     void openOutput();
-    void lookForOutput();
-    void playWish();
-    void tell(const QString& trouble);
+    bool lookForOutput();
+    void play();
+    void tell(const SoundTrouble& trouble);
     void readSink();
 
-    static constexpr int silent = -1;
-    static constexpr int followed = -2;
-    std::atomic<int> m_wish{followed};
-    std::atomic<quint64> m_served{0};
-    int m_played = silent; ///< last
+    std::optional<AlarmPriority> m_wish; ///< that has not sounded to its end
     std::unique_ptr<QMediaDevices> m_devices;
     QTimer m_look;
     QByteArray m_output; ///< that was looked at last, open or not; empty: there was none
     std::unique_ptr<QAudioSink> m_sink;
     QBuffer m_samples;
-    std::optional<QString> m_told;
+    std::optional<SoundTrouble> m_told;
 };
 
 } // namespace console

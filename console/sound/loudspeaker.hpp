@@ -1,43 +1,56 @@
-// The computer's sound output.
+// The computer's sound output, as a console and its watchdog have it: in a process of its own.
 #pragma once
 
 #include "sound/alarm_voice.hpp"
 #include "sound/answer_watch.hpp"
+#include "sound/player_words.hpp"
 
+#include <QProcess>
 #include <QTimer>
 
-#include <memory>
-
-class QThread;
+#include <optional>
 
 namespace console {
 
-class BurstPlayer;
-
-/// On a thread of its own: opening a sound output may take seconds, and nothing of the console may wait for it. The one folder with Qt
-/// Multimedia in it.
+/// Its player is `liena-console-player`. Opening a sound output may take seconds, and Qt 6.4 does not find a sound server again that was
+/// gone for more than three: nothing of the console waits for it, and a player that has been without sound for ten seconds is replaced by
+/// another.
 class Loudspeaker : public AlarmVoice {
     Q_OBJECT
 public:
-    explicit Loudspeaker(QObject* parent = nullptr);
-    ~Loudspeaker() override;
+    explicit Loudspeaker(const QString& program, QObject* parent = nullptr);
+    ~Loudspeaker() override; ///< the process has ended when this returns, which takes a second at most
 
-    /// Looks for the output; from here on troubleChanged tells how it stands, the first time in any case.
+    /// Starts the player; from here on troubleChanged tells how it stands, the first time in any case.
     void start();
 
+    /// Leaves at once. Where nothing can sound, the newest burst is kept for when it can.
     void play(console::AlarmPriority priority) override;
     void silence() override;
 
-private:
-    void look();
-    void noteTrouble(const QString& trouble);
+    qint64 processId() const { return m_player.processId(); }
 
-    std::unique_ptr<QThread> m_thread;
-    BurstPlayer* m_player; ///< lives on the thread, and ends with it
-    AnswerWatch m_watch;
+private:
+    void launch(Instant now);
+    void hangUp();
+    void order(PlayerOrder order);
+    void read();
+    void take(const PlayerAnswer& answer);
+    void look();
+    void tell(const QString& trouble);
+
+    QString m_program;
+    QProcess m_player;
+    int m_orders = -1; ///< our end of the player's standard input
     QTimer m_look;
-    bool m_late = false;
-    QString m_trouble; ///< as the player told it last
+    AnswerWatch m_watch;
+    quint64 m_followed = 0;
+    std::optional<PlayerOrder> m_burst; ///< the newest, until it has sounded
+    std::optional<QString> m_trouble;   ///< as the player that runs has told it
+    std::optional<QString> m_told;
+    Instant m_launched;
+    Instant m_well; ///< the last time that all was well, or when the player was started
+    bool m_replaced = false;
 };
 
 } // namespace console

@@ -25,7 +25,10 @@ Instant presentTime() { return std::chrono::steady_clock::now(); }
 } // namespace
 
 Watchdog::Watchdog(std::chrono::seconds mourning, QObject* parent)
-    : QObject(parent), m_watch(mourning), m_input(STDIN_FILENO, QSocketNotifier::Read)
+    : QObject(parent),
+      m_watch(mourning),
+      m_voice(QCoreApplication::applicationDirPath() + QStringLiteral("/liena-console-player")),
+      m_input(STDIN_FILENO, QSocketNotifier::Read)
 {
     ::fcntl(STDIN_FILENO, F_SETFL, ::fcntl(STDIN_FILENO, F_GETFL) | O_NONBLOCK);
     connect(&m_input, &QSocketNotifier::activated, this, &Watchdog::read);

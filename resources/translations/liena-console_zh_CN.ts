@@ -2993,6 +2993,18 @@
 <context>
     <name>console::Loudspeaker</name>
     <message>
+        <source>%1 was not started: %2</source>
+        <translation>%1 未能启动：%2</translation>
+    </message>
+    <message>
+        <source>its sound player has ended</source>
+        <translation>其声音播放程序已结束</translation>
+    </message>
+    <message>
+        <source>no sound player was named</source>
+        <translation>未指定声音播放程序</translation>
+    </message>
+    <message>
         <source>the sound output does not answer</source>
         <translation>声音输出无应答</translation>
     </message>

@@ -80,7 +80,7 @@ struct Flapping {
     AlarmWatch alarms{cockpit.models, robotId};
     QTemporaryDir folder;
     CountingVoice voice;
-    AlarmService service{cockpit.models, alarms, {folder.path(), QStringLiteral("alarms-flap-bench"), {}, &voice}};
+    AlarmService service{cockpit.models, alarms, {folder.path(), QStringLiteral("alarms-flap-bench"), {}, {}, &voice}};
     FlappingLink link{intake};
     SceneView* scene = new SceneView;
     QTimer turns;

@@ -163,6 +163,7 @@ private:
         wishes.window = QSize(1920, 1080);
         wishes.arm = false;
         wishes.system.timing = R"(heartbeat="20ms" suspect="70ms" lost="110ms" reconnect="500ms")";
+        wishes.player = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-player");
         wishes.voice = m_recorder != nullptr ? nullptr : &m_voice;
         return wishes;
     }

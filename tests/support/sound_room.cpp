@@ -84,6 +84,12 @@ bool SoundServer::start()
     return QTest::qWaitFor(over, patience) && m_server.state() == QProcess::Running;
 }
 
+void SoundServer::stop()
+{
+    end(m_server);
+    m_modules.clear();
+}
+
 /// It has a loudspeaker's pace, and takes the bursts as they are.
 bool SoundServer::addOutput(const char* name)
 {

@@ -26,6 +26,7 @@ public:
     /// From here on this process and those that it starts play to this server, which has no output yet. Before anything of Qt Multimedia;
     /// false when it does not answer in 30 s.
     bool start();
+    void stop(); ///< as a crash does; start() has it again, without its outputs
 
     /// As a loudspeaker is plugged in; the first one is the default. False when the server refuses.
     bool addOutput(const char* name);

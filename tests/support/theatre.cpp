@@ -57,6 +57,7 @@ Options optionsOf(liena::test::TestSystem& files, const Theatre::Wishes& wishes)
     options.alarmLog = text(files.folder() / "alarms");
     options.preferences = text(files.folder() / "preferences.ini");
     options.watchdog = wishes.watchdog;
+    options.player = wishes.player;
     options.size = wishes.window;
     options.profile = wishes.profile;
     options.master = wishes.master;

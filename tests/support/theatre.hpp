@@ -43,6 +43,7 @@ public:
         std::string pictureTiming = {};               ///< of the link to the X-ray system, when it is another
         QString user;
         QString watchdog;    ///< program; empty: none
+        QString player;      ///< program; empty: none, as on a computer without sound
         QString remoteInput; ///< the way by which keys and mouse come from elsewhere; empty: they do not
         SeatBuses seat = {}; ///< where it is asked whether somebody sees the screen; empty: nowhere
         Preferences preferences = {};

@@ -90,7 +90,9 @@ private Q_SLOTS:
     void picturesThatAreNotPaintedInTimeAreAnAlarm()
     {
         QFETCH(bool, armed);
-        PuppetTheatre stage;
+        auto wishes = puppetWishes();
+        wishes.player = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-player");
+        PuppetTheatre stage(wishes);
         auto& theatre = stage.theatre;
         QVERIFY(theatre.openAll());
         if (armed)

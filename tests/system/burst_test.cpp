@@ -22,6 +22,8 @@ constexpr double inRhythm = 25;  ///< ms
 constexpr double inTune = 5;     ///< Hz
 constexpr std::size_t group = 5; ///< of pulses, in a high burst
 
+const auto player = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-player");
+
 constexpr const char* theatre = "theatre"; ///< an output
 constexpr const char* corridor = "corridor";
 
@@ -47,7 +49,11 @@ private Q_SLOTS:
 
     void cleanupTestCase() { m_record.reset(); }
 
-    void init() { m_from = m_record->length(); }
+    void init()
+    {
+        QVERIFY(m_record);
+        m_from = m_record->length();
+    }
 
     void aBurstIsHeardAsItIsDeclared_data()
     {
@@ -60,7 +66,7 @@ private Q_SLOTS:
     void aBurstIsHeardAsItIsDeclared()
     {
         QFETCH(AlarmPriority, priority);
-        Loudspeaker voice;
+        Loudspeaker voice(player);
         QVERIFY(open(voice));
         const auto told = present();
         voice.play(priority);
@@ -73,7 +79,7 @@ private Q_SLOTS:
 
     void silenceEndsABurstAndTheNextOneIsHeardWhole()
     {
-        Loudspeaker voice;
+        Loudspeaker voice(player);
         QVERIFY(open(voice));
         voice.play(AlarmPriority::High);
         QTRY_VERIFY_WITH_TIMEOUT(m_record->pulsesSince(m_from).size() >= 2, patience);
@@ -93,7 +99,7 @@ private Q_SLOTS:
 
     void aBurstBeginsInPlaceOfTheOneThatSounds()
     {
-        Loudspeaker voice;
+        Loudspeaker voice(player);
         QVERIFY(open(voice));
         voice.play(AlarmPriority::Low);
         QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
@@ -105,7 +111,7 @@ private Q_SLOTS:
     /// An alarm that stands for a minute sounds that often.
     void theTwelfthBurstIsHeardAsTheFirst()
     {
-        Loudspeaker voice;
+        Loudspeaker voice(player);
         QVERIFY(open(voice));
         for (int i = 0; i < 12; ++i) {
             const double from = m_record->length();
@@ -140,6 +146,110 @@ private Q_SLOTS:
         QVERIFY(ride.rider().waitForFinished(patience));
     }
 
+    /// The loudspeaker gives up on it, and another plays.
+    void aPlayerThatIsKilledOrHangsIsReplaced_data()
+    {
+        QTest::addColumn<int>("fate");
+        QTest::newRow("killed") << SIGKILL;
+        QTest::newRow("hangs") << SIGSTOP;
+    }
+
+    void aPlayerThatIsKilledOrHangsIsReplaced()
+    {
+        QFETCH(int, fate);
+        Loudspeaker voice(player);
+        QVERIFY(open(voice));
+        const auto first = voice.processId();
+        QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
+        QCOMPARE(::kill(static_cast<pid_t>(first), fate), 0);
+        voice.play(AlarmPriority::High); // which nobody plays
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 2, patience);
+        const auto expected = fate == SIGKILL ? QStringLiteral("has ended") : QStringLiteral("does not answer");
+        QVERIFY2(told.front().front().toString().contains(expected), qPrintable(told.front().front().toString()));
+        QCOMPARE(told.back().front().toString(), QString());
+        QVERIFY(voice.processId() != first);
+        QVERIFY(Ride::isGone(first));
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience); // the new one does
+        const auto heard = m_record->pulsesSince(m_from);
+        QCOMPARE(heard.size(), pulsesOf(AlarmPriority::High));
+        QVERIFY(isBurst(*m_record, AlarmPriority::High, heard.begin()));
+    }
+
+    void whatHasSoundedOrWasSilencedIsNotPlayedByTheNextOne_data()
+    {
+        QTest::addColumn<bool>("silenced");
+        QTest::newRow("sounded") << false;
+        QTest::newRow("silenced") << true;
+    }
+
+    void whatHasSoundedOrWasSilencedIsNotPlayedByTheNextOne()
+    {
+        QFETCH(bool, silenced);
+        Loudspeaker voice(player);
+        QVERIFY(open(voice));
+        voice.play(AlarmPriority::Low);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
+        if (silenced)
+            voice.silence();
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
+        const double ended = m_record->length();
+        QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
+        QCOMPARE(::kill(static_cast<pid_t>(voice.processId()), SIGKILL), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), 2, patience);
+        QCOMPARE(told.back().front().toString(), QString());
+        const double again = m_record->length();
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->length() > again + 2 * quiet, patience);
+        QCOMPARE(m_record->pulsesSince(ended).size(), std::size_t(0));
+    }
+
+    void aPlayerEndsWithItsConsole()
+    {
+        qint64 process = 0;
+        {
+            Loudspeaker voice(player);
+            QVERIFY(open(voice));
+            process = voice.processId();
+            QVERIFY(!Ride::isGone(process));
+        }
+        QVERIFY(Ride::isGone(process));
+    }
+
+    /// Qt 6.4 looks for it once, after three seconds. What was asked for meanwhile is heard then.
+    void aSoundServerThatWasGoneForLongerIsFoundAgain_data()
+    {
+        QTest::addColumn<bool>("before");
+        QTest::newRow("before the first burst") << false;
+        QTest::newRow("after one that was silenced") << true;
+    }
+
+    void aSoundServerThatWasGoneForLongerIsFoundAgain()
+    {
+        QFETCH(bool, before);
+        Loudspeaker voice(player);
+        QVERIFY(open(voice));
+        if (before) {
+            voice.play(AlarmPriority::High);
+            QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
+            voice.silence();
+            QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
+        }
+        QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
+        m_record.reset();
+        m_server.stop();
+        QTRY_VERIFY_WITH_TIMEOUT(!told.empty(), patience);
+        QVERIFY2(told.front().front().toString().contains(QStringLiteral("has failed")), qPrintable(told.front().front().toString()));
+        voice.play(AlarmPriority::High);
+        const auto first = voice.processId();
+        QTRY_VERIFY_WITH_TIMEOUT(voice.processId() != first && voice.processId() != 0, patience);
+        QVERIFY(isTroubled(told));
+        initTestCase();
+        if (QTest::currentTestFailed())
+            return;
+        QTRY_COMPARE_WITH_TIMEOUT(told.back().front().toString(), QString(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(0, quiet), patience);
+        QVERIFY(endsInAWholeBurst(*m_record, 0));
+    }
+
     /// Last: it takes the outputs away.
     void whatIsCutShortByTheEndOfItsOutputIsHeardWholeFromTheNextOne()
     {
@@ -147,7 +257,7 @@ private Q_SLOTS:
         SoundRecord next(corridor);
         QTRY_VERIFY2_WITH_TIMEOUT(next.length() > 0, qPrintable(m_server.said()), patience);
         QString trouble;
-        Loudspeaker voice;
+        Loudspeaker voice(player);
         QVERIFY(open(voice));
         voice.play(AlarmPriority::High);
         QTRY_VERIFY_WITH_TIMEOUT(m_record->pulsesSince(m_from).size() >= 2, patience);
@@ -176,6 +286,12 @@ private:
         QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
         voice.start();
         return told.wait(patience) && told.front().front().toString().isEmpty();
+    }
+
+    /// All the time: each thing that was told is another, and none of them that it is well.
+    static bool isTroubled(const QSignalSpy& told)
+    {
+        return std::all_of(told.begin(), told.end(), [](const QVariantList& change) { return !change.front().toString().isEmpty(); });
     }
 
     /// Judged by where the pulses end: the first one may touch what it cut short.

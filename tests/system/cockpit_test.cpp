@@ -26,6 +26,7 @@ Theatre::Wishes wishes(MasterKind master = MasterKind::Keyboard)
     Theatre::Wishes value;
     value.master = master;
     value.watchdog = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-watchdog");
+    value.player = QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-player");
     return value;
 }
 

@@ -58,6 +58,7 @@ const std::vector<Library>& libraries()
         {"pugixml", "pugi", {"liena/src/topology/"}},
         {"OpenSSL", "openssl/", {"liena/src/security/", "liena/src/transport/", "liena/src/base/hash.cpp"}},
         {"Qt", "(Qt?[A-Z]|qt|qobject)", {"console/"}},
+        {"A dialog, for which all else waits,", "(Qt[A-Z]\\w*/)?Q(\\w*Dialog|MessageBox|ErrorMessage|Wizard)\\b", {}},
         {"Qt Multimedia", "(QtMultimedia|QAudio|QMedia|QSound)", {"console/sound/"}},
         {"Qt D-Bus", "(QtDBus|QDBus)", {"console/seat/"}},
         {"SDL", "SDL", {"console/input/"}},
@@ -128,7 +129,7 @@ std::optional<std::string> againstLibraries(std::string_view file, const std::st
     for (const auto& library : libraries()) {
         const std::regex beginning(library.includes);
         if (std::regex_search(included, beginning, std::regex_constants::match_continuous) && !startsWithAny(file, library.places))
-            return library.name + " is for " + listed(library.places) + " only";
+            return library.name + " is for " + (library.places.empty() ? "nobody" : listed(library.places) + " only");
     }
     if (file.starts_with("liena/include/") && (included.starts_with("fmt/") || included.starts_with("boost/")) &&
         !included.starts_with("boost/outcome/") && !included.starts_with("boost/container/"))

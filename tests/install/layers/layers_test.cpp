@@ -85,6 +85,8 @@ void LayersTest::findsPlantedInclude_data()
     row("console/widgets/a.cpp", "#include <vtkNew.h>", "VTK is for");
     row("console/widgets/a.cpp", "#include <opencv2/core.hpp>", "OpenCV is for");
     row("console/imaging/a.cpp", "#include <charls/charls.h>", "CharLS is for liena/devices/");
+    row("console/widgets/a.cpp", "#include <QMessageBox>", "A dialog, for which all else waits, is for nobody");
+    row("console/editor/a.cpp", "#include <QtWidgets/QFileDialog>", "A dialog, for which all else waits, is for nobody");
     row("console/widgets/a.cpp", "#include <QAudioSink>", "Qt Multimedia is for console/sound/");
     row("console/app/cockpit_application.cpp", "#include <QDBusConnection>", "Qt D-Bus is for console/seat/");
     row("console/app/a.cpp", "#include <SDL.h>", "SDL is for console/input/");

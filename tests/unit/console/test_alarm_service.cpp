@@ -29,7 +29,8 @@ struct Room {
 
     AlarmSettings settings(const QString& watchdog = {}) const
     {
-        return {folder.filePath(QStringLiteral("log")), QStringLiteral("alarms-test"), watchdog};
+        return {folder.filePath(QStringLiteral("log")), QStringLiteral("alarms-test"), watchdog,
+                QStringLiteral(LIENA_PROGRAM_DIR "/liena-console-player")};
     }
 
     const Alarm* find(AlarmCondition condition)
@@ -75,6 +76,17 @@ private Q_SLOTS:
         QTRY_VERIFY(room.find(C::SoundFailed));
         QVERIFY2(room.find(C::SoundFailed)->text.contains(QStringLiteral("no sound output")), qPrintable(room.find(C::SoundFailed)->text));
         QVERIFY(!room.find(C::RecorderStopped));
+    }
+
+    void aConsoleWithoutAPlayerRaisesItsAlarm()
+    {
+        Room room;
+        auto settings = room.settings();
+        settings.player = QStringLiteral("/nowhere/player");
+        AlarmService service(room.cockpit.models, room.watch, settings);
+        service.start();
+        QTRY_VERIFY(room.find(C::SoundFailed));
+        QVERIFY2(room.find(C::SoundFailed)->text.contains(settings.player), qPrintable(room.find(C::SoundFailed)->text));
     }
 
     void aWatchdogThatIsNotThereRaisesItsAlarm()
