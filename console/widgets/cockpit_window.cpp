@@ -92,6 +92,7 @@ CockpitWindow::~CockpitWindow()
     // The widgets in it lose the focus as they die, when this is a window no more.
     disconnect(qApp, nullptr, this, nullptr);
     disconnect(m_deck, nullptr, this, nullptr);
+    hide(); // which ends every hold, as long as this can tell of it
 }
 
 void CockpitWindow::placeRegions()

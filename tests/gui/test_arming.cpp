@@ -76,6 +76,22 @@ class TestArming : public QObject {
 private Q_SLOTS:
     void initTestCase() { theme::apply(*qApp); }
 
+    void aWindowThatEndsLetsGoOfArm()
+    {
+        QList<bool> told;
+        QObject listener;
+        {
+            Arming stage;
+            QVERIFY(stage.ready());
+            stage.refresh();
+            QObject::disconnect(&stage.window, &CockpitWindow::armHoldChanged, &stage.window, nullptr); // the permit ends before the window
+            QObject::connect(&stage.window, &CockpitWindow::armHoldChanged, &listener, [&told](bool held) { told.append(held); });
+            QTest::mousePress(stage.arm(), Qt::LeftButton);
+            QCOMPARE(told, QList<bool>{true});
+        }
+        QCOMPARE(told, (QList<bool>{true, false}));
+    }
+
     void holdingArmAsksTheRobot()
     {
         Arming stage;
