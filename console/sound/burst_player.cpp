@@ -1,6 +1,7 @@
 // One sink on the default output, opened anew when the outputs change.
 #include "sound/burst_player.hpp"
 
+#include "model/alarm_burst.hpp"
 #include "sound/burst_samples.hpp"
 
 #include <QAudioDevice>
@@ -9,8 +10,17 @@
 
 namespace console {
 
-BurstPlayer::BurstPlayer() : m_look(this), m_samples(this)
+namespace {
+
+constexpr std::chrono::milliseconds onItsWay{200}; ///< to the output, and in it
+constexpr std::chrono::milliseconds lookAgain{50};
+
+} // namespace
+
+BurstPlayer::BurstPlayer() : m_look(this), m_end(this), m_samples(this)
 {
+    m_end.setSingleShot(true);
+    connect(&m_end, &QTimer::timeout, this, &BurstPlayer::noteEnd);
     m_look.setInterval(std::chrono::milliseconds(500));
     connect(&m_look, &QTimer::timeout, this, &BurstPlayer::lookForOutput);
 }
@@ -69,7 +79,6 @@ void BurstPlayer::openOutput()
         return tell({QT_TR_NOOP("%1 does not take 16 bit at 44.1 kHz"), device.description().toUtf8()});
     m_sink = std::make_unique<QAudioSink>(device, format);
     connect(m_sink.get(), &QAudioSink::stateChanged, this, &BurstPlayer::readSink);
-    tell({});
     play();
 }
 
@@ -84,12 +93,14 @@ void BurstPlayer::play()
 {
     m_sink->stop();
     m_samples.close();
+    m_end.stop();
     // As Qt chooses: 6.4 else asks for what the start before was given, which is less each time, until after some bursts nothing is heard.
     m_sink->setBufferSize(0);
     if (m_wish) {
         m_samples.setData(burstSamples(*m_wish));
         m_samples.open(QIODevice::ReadOnly);
         m_sink->start(&m_samples);
+        m_end.start(burstLength(*m_wish) + onItsWay);
     } else { // open, and at rest: so it hears that the sound server is gone, which the list of outputs does not tell
         m_sink->start();
         m_sink->suspend();
@@ -102,22 +113,34 @@ void BurstPlayer::readSink()
 {
     switch (m_sink->error()) {
     case QAudio::NoError:
-        if (m_sink->state() == QAudio::ActiveState)
+        if (m_sink->state() != QAudio::StoppedState)
             tell({});
         break;
     case QAudio::UnderrunError:
         break;
     case QAudio::OpenError:
-        return tell({QT_TR_NOOP("the sound output cannot be opened"), {}});
+        tell({QT_TR_NOOP("the sound output cannot be opened"), {}});
+        break;
     case QAudio::IOError:
-        return tell({QT_TR_NOOP("the sound output does not take what is sent to it"), {}});
+        tell({QT_TR_NOOP("the sound output does not take what is sent to it"), {}});
+        break;
     default:
-        return tell({QT_TR_NOOP("the sound output has failed"), {}});
+        tell({QT_TR_NOOP("the sound output has failed"), {}});
+        break;
     }
-    if (m_wish && m_sink->state() == QAudio::IdleState && m_samples.isOpen() && m_samples.atEnd()) {
-        m_wish.reset();
-        Q_EMIT sounded();
-    }
+}
+
+/// Its samples are handed over long before they are heard.
+void BurstPlayer::noteEnd()
+{
+    if (!m_wish || !m_sink)
+        return;
+    if (m_sink->state() == QAudio::ActiveState)
+        return m_end.start(lookAgain);
+    if (m_sink->state() != QAudio::IdleState || !m_samples.atEnd())
+        return;
+    m_wish.reset();
+    Q_EMIT sounded();
 }
 
 } // namespace console

@@ -28,7 +28,7 @@ public:
 
 Q_SIGNALS:
     void troubleChanged(const console::SoundTrouble& trouble); ///< the first time in any case
-    void sounded();                                            ///< the newest wish, to its end
+    void sounded();                                            ///< the newest wish, to its end, as far as can be known
 
 private:
     void openOutput();
@@ -36,10 +36,12 @@ private:
     void play();
     void tell(const SoundTrouble& trouble);
     void readSink();
+    void noteEnd();
 
     std::optional<AlarmPriority> m_wish; ///< that has not sounded to its end
     std::unique_ptr<QMediaDevices> m_devices;
     QTimer m_look;
+    QTimer m_end;        ///< the wish has been heard whole by then
     QByteArray m_output; ///< that was looked at last, open or not; empty: there was none
     std::unique_ptr<QAudioSink> m_sink;
     QBuffer m_samples;

@@ -3,10 +3,13 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <utility>
 
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -16,8 +19,11 @@ namespace {
 
 constexpr std::chrono::milliseconds lookEvery{500};
 constexpr std::chrono::seconds startAgain{5};
+constexpr std::chrono::seconds askEvery{2};
 constexpr std::chrono::seconds replaceAfter{10};
-constexpr int goodbyeMs = 1000;
+constexpr std::chrono::seconds mostPatience{60};
+constexpr std::chrono::seconds burstKept{30};
+constexpr int goodbyeMs = 500;
 
 Instant present() { return std::chrono::steady_clock::now(); }
 
@@ -60,6 +66,7 @@ Loudspeaker::~Loudspeaker()
 
 void Loudspeaker::start()
 {
+    m_patience = replaceAfter;
     m_look.start();
     launch(present());
 }
@@ -71,7 +78,7 @@ void Loudspeaker::launch(Instant now)
         return tell(tr("no sound player was named"));
     hangUp();
     m_replaced = false;
-    m_launched = m_well = now;
+    m_launched = m_well = m_looked = now;
     m_trouble.reset();
     m_followed = 0;
     m_watch = {};
@@ -79,7 +86,10 @@ void Loudspeaker::launch(Instant now)
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return tell(tr("%1 was not started: %2").arg(m_program, qt_error_string(errno)));
     m_orders = ends.front();
-    m_player.setChildProcessModifier([input = ends.back()] { ::dup2(input, STDIN_FILENO); });
+    m_player.setChildProcessModifier([input = ends.back()] {
+        ::dup2(input, STDIN_FILENO);
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL); // one that hangs does not hear that its input ends
+    });
     m_watch.ask(now); // to open the output
     m_player.start(m_program, {});
     ::close(ends.back());
@@ -96,6 +106,7 @@ void Loudspeaker::hangUp()
 void Loudspeaker::play(AlarmPriority priority)
 {
     m_burst = orderOf(priority);
+    m_wished = present();
     order(*m_burst);
 }
 
@@ -109,8 +120,9 @@ void Loudspeaker::silence()
 void Loudspeaker::order(PlayerOrder order)
 {
     const auto word = static_cast<char>(order);
+    m_asked = present();
     if (m_orders >= 0 && ::send(m_orders, &word, 1, MSG_NOSIGNAL | MSG_DONTWAIT) == 1)
-        m_watch.ask(present());
+        m_watch.ask(m_asked);
 }
 
 void Loudspeaker::read()
@@ -137,24 +149,39 @@ void Loudspeaker::take(const PlayerAnswer& answer)
     }
 }
 
-/// A sound server that hangs says nothing of itself.
+/// A player that hangs, since the sound server does, says nothing of itself.
 void Loudspeaker::look()
 {
     const auto now = present();
+    if (m_burst && now - m_wished > burstKept)
+        silence(); // its alarm is over, or has been repeated
+    // When this program itself stood still, the answers are read first.
+    if (now - std::exchange(m_looked, now) > 2 * lookEvery)
+        return;
     if (m_player.state() == QProcess::NotRunning) {
         if (now - m_launched >= startAgain)
             launch(now);
         return;
     }
-    const bool late = m_watch.isLate(now);
-    if (late)
+    if (m_watch.isLate(now))
         tell(tr("the sound output does not answer"));
     else if (m_trouble)
         tell(*m_trouble);
-    if (!late && m_trouble && m_trouble->isEmpty())
-        m_well = now;
-    else if (now - m_well >= replaceAfter && !std::exchange(m_replaced, true))
-        m_player.kill();
+    if (m_watch.isWaiting() || !m_trouble || !m_trouble->isEmpty())
+        return replace(now);
+    m_well = now;
+    m_patience = replaceAfter;
+    if (now - m_asked >= askEvery)
+        order(PlayerOrder::Answer);
+}
+
+/// When its time is over; the end of the process starts the next one.
+void Loudspeaker::replace(Instant now)
+{
+    if (now - m_well < m_patience || std::exchange(m_replaced, true))
+        return;
+    m_patience = std::min<Duration>(2 * m_patience, mostPatience);
+    m_player.kill();
 }
 
 void Loudspeaker::tell(const QString& trouble)

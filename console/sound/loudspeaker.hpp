@@ -14,17 +14,17 @@ namespace console {
 
 /// Its player is `liena-console-player`. Opening a sound output may take seconds, and Qt 6.4 does not find a sound server again that was
 /// gone for more than three: nothing of the console waits for it, and a player that has been without sound for ten seconds is replaced by
-/// another.
+/// another; that one after twenty, and so on, up to a minute.
 class Loudspeaker : public AlarmVoice {
     Q_OBJECT
 public:
     explicit Loudspeaker(const QString& program, QObject* parent = nullptr);
-    ~Loudspeaker() override; ///< the process has ended when this returns, which takes a second at most
+    ~Loudspeaker() override; ///< the process has ended when this returns; half a second is waited for it before it is killed
 
     /// Starts the player; from here on troubleChanged tells how it stands, the first time in any case.
     void start();
 
-    /// Leaves at once. Where nothing can sound, the newest burst is kept for when it can.
+    /// Leaves at once. Where nothing can sound, the newest burst is kept for half a minute.
     void play(console::AlarmPriority priority) override;
     void silence() override;
 
@@ -37,6 +37,7 @@ private:
     void read();
     void take(const PlayerAnswer& answer);
     void look();
+    void replace(Instant now);
     void tell(const QString& trouble);
 
     QString m_program;
@@ -46,10 +47,14 @@ private:
     AnswerWatch m_watch;
     quint64 m_followed = 0;
     std::optional<PlayerOrder> m_burst; ///< the newest, until it has sounded
+    Instant m_wished;                   ///< when
     std::optional<QString> m_trouble;   ///< as the player that runs has told it
     std::optional<QString> m_told;
     Instant m_launched;
-    Instant m_well; ///< the last time that all was well, or when the player was started
+    Instant m_well;   ///< the last time that all was well, or when the player was started
+    Instant m_asked;  ///< the last order
+    Instant m_looked; ///< the last time
+    Duration m_patience{};
     bool m_replaced = false;
 };
 

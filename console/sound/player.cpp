@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 
@@ -11,8 +12,6 @@
 namespace console {
 
 namespace {
-
-constexpr unsigned farewellSeconds = 2;
 
 /// To a console that is gone it may fail: the input's end then says so.
 void answer(const PlayerAnswer& answer)
@@ -46,10 +45,12 @@ void Player::read()
         return;
     if (count <= 0) {
         m_input.setEnabled(false);
-        ::alarm(farewellSeconds); // whatever the sound server does
         return QCoreApplication::quit();
     }
-    m_bursts.follow(wished(static_cast<PlayerOrder>(orders.at(static_cast<std::size_t>(count) - 1))));
+    const auto end = orders.rend();
+    const auto newest = std::find_if(end - count, end, [](char order) { return order != static_cast<char>(PlayerOrder::Answer); });
+    if (newest != end)
+        m_bursts.follow(wished(static_cast<PlayerOrder>(*newest)));
     for (ssize_t i = 0; i < count; ++i)
         answer({PlayerAnswer::Kind::Followed});
 }

@@ -9,8 +9,9 @@
 
 namespace console {
 
-/// To the player's standard input, one character each. Only the newest counts; others than these are taken for `Silence`.
-enum class PlayerOrder : char { Low = 'l', Medium = 'm', High = 'h', Silence = 's' };
+/// To the player's standard input, one character each. Only the newest counts, but for `Answer`, which asks for no more than that; others
+/// than these are taken for `Silence`.
+enum class PlayerOrder : char { Low = 'l', Medium = 'm', High = 'h', Silence = 's', Answer = '?' };
 
 PlayerOrder orderOf(AlarmPriority priority);
 std::optional<AlarmPriority> wished(PlayerOrder order); ///< nothing: silence
@@ -27,7 +28,7 @@ struct SoundTrouble {
 struct PlayerAnswer {
     enum class Kind : char {
         Followed = '.', ///< one more order, the first of which is to open the output, without a word from the console
-        Sounded = '~',  ///< the newest burst was played to its end
+        Sounded = '~',  ///< the newest burst was heard to its end, as far as the player can know
         Trouble = '!',  ///< it is another than before
     };
 

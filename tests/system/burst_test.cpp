@@ -187,7 +187,7 @@ private Q_SLOTS:
         QFETCH(bool, silenced);
         Loudspeaker voice(player);
         QVERIFY(open(voice));
-        voice.play(AlarmPriority::Low);
+        voice.play(AlarmPriority::High);
         QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
         if (silenced)
             voice.silence();
@@ -202,52 +202,81 @@ private Q_SLOTS:
         QCOMPARE(m_record->pulsesSince(ended).size(), std::size_t(0));
     }
 
-    void aPlayerEndsWithItsConsole()
+    void whatItsPlayersEndCutShortIsHeardWhole()
     {
-        qint64 process = 0;
-        {
-            Loudspeaker voice(player);
-            QVERIFY(open(voice));
-            process = voice.processId();
-            QVERIFY(!Ride::isGone(process));
-        }
-        QVERIFY(Ride::isGone(process));
-    }
-
-    /// Qt 6.4 looks for it once, after three seconds. What was asked for meanwhile is heard then.
-    void aSoundServerThatWasGoneForLongerIsFoundAgain_data()
-    {
-        QTest::addColumn<bool>("before");
-        QTest::newRow("before the first burst") << false;
-        QTest::newRow("after one that was silenced") << true;
-    }
-
-    void aSoundServerThatWasGoneForLongerIsFoundAgain()
-    {
-        QFETCH(bool, before);
         Loudspeaker voice(player);
         QVERIFY(open(voice));
-        if (before) {
-            voice.play(AlarmPriority::High);
-            QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
-            voice.silence();
-            QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
-        }
+        voice.play(AlarmPriority::Low); // which the sound server has whole by now
+        QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
+        QCOMPARE(::kill(static_cast<pid_t>(voice.processId()), SIGKILL), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
+        const double again = m_record->length();
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(again, quiet), patience);
+        const auto heard = m_record->pulsesSince(again);
+        QCOMPARE(heard.size(), pulsesOf(AlarmPriority::Low));
+        QVERIFY(isBurst(*m_record, AlarmPriority::Low, heard.begin()));
+    }
+
+    void aPlayerEndsWithItsInput()
+    {
+        QProcess process;
+        process.start(player, QStringList());
+        QVERIFY(process.waitForReadyRead(patience));
+        process.closeWriteChannel();
+        QVERIFY(process.waitForFinished(patience));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 0);
+    }
+
+    void aPlayerEndsWithWhoeverStartedItHoweverThatEnds_data()
+    {
+        QTest::addColumn<bool>("hangs");
+        QTest::newRow("well") << false;
+        QTest::newRow("hangs") << true;
+    }
+
+    void aPlayerEndsWithWhoeverStartedItHoweverThatEnds()
+    {
+        QFETCH(bool, hangs);
+        Ride ride(QStringLiteral("idle"));
+        QTRY_VERIFY_WITH_TIMEOUT(ride.says("is watched"), patience);
+        const auto watchdog = static_cast<pid_t>(ride.watchdog());
+        const auto process = childOf(watchdog);
+        QVERIFY(process > 0);
+        if (hangs)
+            QCOMPARE(::kill(process, SIGSTOP), 0);
+        QVERIFY(!Ride::isGone(process));
+        QCOMPARE(::kill(watchdog, SIGKILL), 0);
+        QTRY_VERIFY_WITH_TIMEOUT(Ride::isGone(process), patience);
+    }
+
+    /// Qt 6.4 looks for it once, after three seconds.
+    void aSoundServerThatWasGoneForLongerIsFoundAgain()
+    {
+        Loudspeaker voice(player);
+        QVERIFY(open(voice));
+        voice.play(AlarmPriority::High);
+        QTRY_VERIFY_WITH_TIMEOUT(!m_record->pulsesSince(m_from).empty(), patience);
+        voice.silence();
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
         QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
         m_record.reset();
         m_server.stop();
         QTRY_VERIFY_WITH_TIMEOUT(!told.empty(), patience);
         QVERIFY2(told.front().front().toString().contains(QStringLiteral("has failed")), qPrintable(told.front().front().toString()));
-        voice.play(AlarmPriority::High);
         const auto first = voice.processId();
         QTRY_VERIFY_WITH_TIMEOUT(voice.processId() != first && voice.processId() != 0, patience);
         QVERIFY(isTroubled(told));
         initTestCase();
         if (QTest::currentTestFailed())
             return;
-        QTRY_COMPARE_WITH_TIMEOUT(told.back().front().toString(), QString(), patience);
-        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(0, quiet), patience);
-        QVERIFY(endsInAWholeBurst(*m_record, 0));
+        QTRY_COMPARE_WITH_TIMEOUT(told.back().front().toString(), QString(), 2 * patience); // the next player may be twenty seconds away
+        m_from = m_record->length();
+        voice.play(AlarmPriority::High);
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
+        const auto heard = m_record->pulsesSince(m_from);
+        QCOMPARE(heard.size(), pulsesOf(AlarmPriority::High));
+        QVERIFY(isBurst(*m_record, AlarmPriority::High, heard.begin()));
     }
 
     /// Last: it takes the outputs away.
@@ -286,6 +315,13 @@ private:
         QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
         voice.start();
         return told.wait(patience) && told.front().front().toString().isEmpty();
+    }
+
+    /// The first one; 0: none.
+    static pid_t childOf(pid_t parent)
+    {
+        QFile children(QStringLiteral("/proc/%1/task/%1/children").arg(parent));
+        return children.open(QIODevice::ReadOnly) ? static_cast<pid_t>(children.readAll().split(' ').front().toInt()) : 0;
     }
 
     /// All the time: each thing that was told is another, and none of them that it is well.

@@ -15,7 +15,7 @@ private Q_SLOTS:
         for (const auto priority : {AlarmPriority::Low, AlarmPriority::Medium, AlarmPriority::High})
             QCOMPARE(wished(orderOf(priority)), std::optional(priority));
         QCOMPARE(wished(PlayerOrder::Silence), std::optional<AlarmPriority>());
-        QCOMPARE(wished(static_cast<PlayerOrder>('?')), std::optional<AlarmPriority>());
+        QCOMPARE(wished(static_cast<PlayerOrder>('x')), std::optional<AlarmPriority>());
     }
 
     void anAnswerIsReadAsItWasWritten_data()
