@@ -15,6 +15,8 @@ namespace console {
 /// Its player is `liena-console-player`. Opening a sound output may take seconds, and Qt 6.4 does not find a sound server again that was
 /// gone for more than three: nothing of the console waits for it, and a player that has been without sound for ten seconds is replaced by
 /// another; that one after twenty, and so on, up to a minute.
+///
+/// Of a thread that lives as long as the program: with the thread that started it the player ends, too.
 class Loudspeaker : public AlarmVoice {
     Q_OBJECT
 public:
