@@ -43,6 +43,7 @@ PictureDesk::PictureDesk(const Options& options, ConsoleModels& models, QObject*
       m_models(models),
       m_review(m_ring),
       m_hold(m_ring, m_table),
+      m_roadmapRequest(m_maker),
       m_saver(folderFor(options.pictures))
 {
     m_pipeline.recordInto(m_ring);
@@ -124,7 +125,7 @@ void PictureDesk::connectReference()
     connect(&m_models.picture, &PictureState::runEnded, &m_hold, &ImageHold::endRun);
     connect(&m_hold, &ImageHold::held, this, [this](const DisplayPicture& picture) {
         m_held = picture;
-        if (!m_review.isOpen() && !m_models.roadmap.isWanted())
+        if (!m_review.isOpen() && !m_models.roadmap.isWanted() && !m_roadmapRequest.isUnderWay())
             showHold();
     });
     connect(&m_review, &CineReview::pictureReady, this, &PictureDesk::showReference);
@@ -163,7 +164,9 @@ void PictureDesk::joinLog(LogView& log)
 void PictureDesk::connectRoadmap()
 {
     auto& roadmap = m_models.roadmap;
-    connect(m_reviewControls, &ReviewControls::roadmapRequested, this, &PictureDesk::beginRoadmap);
+    // Asked for again, it is made anew: from the present run, when that has contrast in it.
+    connect(m_reviewControls, &ReviewControls::roadmapRequested, &m_roadmapRequest, &RoadmapRequest::make);
+    connect(&m_roadmapRequest, &RoadmapRequest::answered, this, &PictureDesk::beginRoadmap);
     connect(m_reviewControls, &ReviewControls::opacityChanged, this, [this](double opacity) {
         for (auto* view : references())
             view->setOpacity(opacity);
@@ -182,6 +185,7 @@ void PictureDesk::connectRoadmap()
         if (!m_models.roadmap.reason().isEmpty()) {
             m_roadmapRemoved = true;
             m_maker.forget();
+            m_roadmapRequest.cancel();
             note(true, tr("roadmap removed: %1").arg(m_models.roadmap.reason()));
         }
         showVessels();
@@ -215,21 +219,20 @@ void PictureDesk::reviewAt(Instant moment)
     endRoadmap();
 }
 
-/// Asked for again, it is made anew: from the present run, when that has contrast in it.
-void PictureDesk::beginRoadmap()
+void PictureDesk::beginRoadmap(const MadeRoadmap& made)
 {
-    const auto made = m_maker.make();
-    if (!made)
+    const auto& roadmap = made.roadmap;
+    if (!roadmap)
         return answer(false, m_roadmapRemoved ? tr("no roadmap: it was removed, and no contrast was given since")
                                               : tr("no roadmap: no run has shown contrast yet; give contrast while the pedal is down"));
     m_roadmapRemoved = false;
     m_review.close();
-    m_vessels = vesselLayer(*made);
-    m_maker.watch(made);
-    m_models.roadmap.begin({made->about, made->lastNs});
+    m_vessels = made.vessels;
+    m_maker.watch(roadmap);
+    m_models.roadmap.begin({roadmap->about, roadmap->lastNs});
     const bool stands = m_models.roadmap.isValid(); // else something moved since
-    answer(false,
-           stands ? tr("roadmap made of %1 pictures of run %2").arg(made->pictures).arg(made->about.acquisition) : m_models.roadmap.line());
+    answer(false, stands ? tr("roadmap made of %1 pictures of run %2").arg(roadmap->pictures).arg(roadmap->about.acquisition)
+                         : m_models.roadmap.line());
     if (m_live->picture())
         mapPicture(*m_live->picture());
     m_reviewControls->showRoadmap(true);
@@ -237,6 +240,7 @@ void PictureDesk::beginRoadmap()
 
 void PictureDesk::endRoadmap()
 {
+    m_roadmapRequest.cancel();
     m_models.roadmap.end();
     m_maker.watch(nullptr);
     m_vessels = {};

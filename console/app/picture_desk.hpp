@@ -8,6 +8,7 @@
 #include "imaging/image_hold.hpp"
 #include "imaging/picture_saver.hpp"
 #include "imaging/roadmap_maker.hpp"
+#include "imaging/roadmap_request.hpp"
 #include "model/console_models.hpp"
 #include "model/display_state.hpp"
 
@@ -67,7 +68,7 @@ private:
     void showHold();
     void showReview();
     void reviewAt(Instant moment);
-    void beginRoadmap();
+    void beginRoadmap(const MadeRoadmap& made);
     void endRoadmap();
     void mapPicture(const DisplayPicture& live);
     void showVessels();
@@ -91,6 +92,7 @@ private:
     CineReview m_review;
     TableRest m_table;
     ImageHold m_hold;
+    RoadmapRequest m_roadmapRequest;
     PictureSaver m_saver;
     DisplayState m_display;
     std::optional<DisplayPicture> m_held;

@@ -177,7 +177,8 @@ private:
         const bool done = until(given);
         m_theatre.release(Qt::Key_G);
         const auto mapped = [this] {
-            m_theatre.click(QStringLiteral("Roadmap"));
+            if (!m_theatre.models().roadmap.isValid())
+                m_theatre.click(QStringLiteral("Roadmap"));
             return m_theatre.models().roadmap.isValid();
         };
         const auto* pane = m_theatre.window().findChild<ReferenceImageView*>();

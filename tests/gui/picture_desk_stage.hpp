@@ -63,6 +63,14 @@ struct PictureDeskStage {
         return true;
     }
 
+    /// By its button; whether there is one then.
+    bool makeRoadmap()
+    {
+        reference->tell({});
+        click(QStringLiteral("Roadmap"));
+        return QTest::qWaitFor([this] { return !reference->told().isEmpty(); }) && models.roadmap.isValid();
+    }
+
     void moveTable(double to)
     {
         AcquisitionStatus status;

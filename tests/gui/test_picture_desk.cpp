@@ -73,7 +73,7 @@ private Q_SLOTS:
         Desk desk;
         desk.moveTable(0);
         QVERIFY(desk.sendContrast(1));
-        desk.click(QStringLiteral("Roadmap"));
+        QVERIFY2(desk.makeRoadmap(), qPrintable(desk.reference->told()));
         const std::unique_ptr<ReferenceImageView> copy(desk.desk.makeReferenceCopy());
         QVERIFY(copy->picture() && copy->picture()->role == PictureRole::Roadmap);
         desk.window.hide();
@@ -201,7 +201,7 @@ private Q_SLOTS:
         Desk desk;
         desk.click(QStringLiteral("Review"));
         QCOMPARE(desk.reference->told(), QStringLiteral("there is nothing to review yet"));
-        desk.click(QStringLiteral("Roadmap"));
+        QVERIFY(!desk.makeRoadmap());
         QVERIFY(desk.reference->told().startsWith(QStringLiteral("no roadmap: ")));
         desk.click(QStringLiteral("Last image hold"));
         QCOMPARE(desk.reference->told(), QStringLiteral("no run has ended yet: there is no last image"));
@@ -217,15 +217,44 @@ private Q_SLOTS:
         const auto& roadmap = desk.models.roadmap;
         desk.moveTable(0);
         QVERIFY(desk.sendContrast(1));
-        desk.click(QStringLiteral("Roadmap"));
-        QVERIFY2(roadmap.isValid(), qPrintable(desk.reference->told()));
+        QVERIFY2(desk.makeRoadmap(), qPrintable(desk.reference->told()));
         desk.moveTable(10);
         QVERIFY(roadmap.isWanted() && !roadmap.isValid());
-        desk.click(QStringLiteral("Roadmap"));
+        QVERIFY(!desk.makeRoadmap());
         QCOMPARE(desk.reference->told(), QStringLiteral("no roadmap: it was removed, and no contrast was given since"));
         QVERIFY(desk.sendContrast(2, std::chrono::minutes(5)));
+        QVERIFY2(desk.makeRoadmap(), qPrintable(desk.reference->told()));
+    }
+
+    /// It takes its time, in which the thread that hears hands does not wait.
+    void aRoadmapIsMadeBesideTheWindowsThread()
+    {
+        Desk desk;
+        desk.moveTable(0);
+        QVERIFY(desk.sendContrast(1));
         desk.click(QStringLiteral("Roadmap"));
-        QVERIFY2(roadmap.isValid(), qPrintable(desk.reference->told()));
+        QVERIFY(!desk.models.roadmap.isWanted());
+        desk.models.picture.expect(0, std::chrono::steady_clock::now()); // the run's last picture does not take its place meanwhile
+        QTRY_VERIFY(desk.models.roadmap.isValid());
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Roadmap);
+    }
+
+    void whatIsWantedInTheMeantimeStands()
+    {
+        Desk desk;
+        desk.moveTable(0);
+        QVERIFY(desk.sendContrast(1));
+        desk.click(QStringLiteral("Roadmap"));
+        desk.click(QStringLiteral("Review"));
+        QTRY_VERIFY(desk.reference->picture());
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Review);
+        QVERIFY(desk.makeRoadmap()); // by now the one before would have come
+        QCOMPARE(desk.models.log.lines().size(), std::size_t(1));
+        // It is removed while it is being made anew: what was taken until then serves no more.
+        desk.click(QStringLiteral("Roadmap"));
+        desk.moveTable(10);
+        QVERIFY(!desk.makeRoadmap());
+        QCOMPARE(desk.reference->told(), QStringLiteral("no roadmap: it was removed, and no contrast was given since"));
     }
 
     void nothingThatWasMeasuredStandsOverAnotherPlace()

@@ -2,8 +2,10 @@
 #include "imaging/opacification.hpp"
 #include "imaging/pane_colours.hpp"
 #include "imaging/roadmap_maker.hpp"
+#include "imaging/roadmap_request.hpp"
 #include "noisy_picture.hpp"
 
+#include <QSignalSpy>
 #include <QtTest>
 
 #include <opencv2/imgproc.hpp>
@@ -97,6 +99,8 @@ private Q_SLOTS:
     void theLastRunWithContrastCounts();
     void whatIsForgottenServesNoMore();
     void comparesOnlyWhatIsWatched();
+    void eachRequestIsAnsweredOnce();
+    void aRequestThatWasCancelledIsNotAnswered();
     void paintsInItsOwnColour();
 };
 
@@ -374,6 +378,46 @@ void TestRoadmap::comparesOnlyWhatIsWatched()
     QVERIFY(!maker.displacement());
 }
 
+void TestRoadmap::eachRequestIsAnsweredOnce()
+{
+    RoadmapMaker maker;
+    RoadmapRequest request(maker);
+    QSignalSpy answers(&request, &RoadmapRequest::answered);
+    request.make();
+    request.make();
+    QVERIFY(request.isUnderWay());
+    QCOMPARE(answers.count(), 0);
+    QTRY_COMPARE(answers.count(), 1);
+    QVERIFY(!request.isUnderWay());
+    QVERIFY(!answers.takeFirst().front().value<MadeRoadmap>().roadmap);
+    takeRun(maker, {}, 1);
+    request.make();
+    QTRY_COMPARE(answers.count(), 1);
+    const auto made = answers.front().front().value<MadeRoadmap>();
+    QVERIFY(made.roadmap);
+    QCOMPARE(made.vessels.size(), QSize(edge, edge));
+}
+
+/// And the one after it is made of what there is then.
+void TestRoadmap::aRequestThatWasCancelledIsNotAnswered()
+{
+    RoadmapMaker maker;
+    takeRun(maker, {}, 1, 1);
+    takeRun(maker, {}, 1, 2);
+    RoadmapRequest request(maker);
+    QSignalSpy answers(&request, &RoadmapRequest::answered);
+    request.make();
+    request.cancel();
+    QVERIFY(!request.isUnderWay());
+    maker.forget();
+    request.make();
+    QTRY_COMPARE(answers.count(), 1);
+    QVERIFY(!answers.front().front().value<MadeRoadmap>().roadmap);
+    request.make();
+    QTRY_COMPARE(answers.count(), 2);
+    QVERIFY(!answers.back().front().value<MadeRoadmap>().roadmap);
+}
+
 void TestRoadmap::paintsInItsOwnColour()
 {
     Roadmap roadmap;
@@ -385,5 +429,5 @@ void TestRoadmap::paintsInItsOwnColour()
     QCOMPARE(qAlpha(layer.pixel(0, 0)), 0);
 }
 
-QTEST_APPLESS_MAIN(TestRoadmap)
+QTEST_GUILESS_MAIN(TestRoadmap)
 #include "test_roadmap.moc"

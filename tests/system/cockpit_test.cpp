@@ -1,5 +1,4 @@
 // The whole system: the real console and the real devices as processes, operated by clicks and keys.
-#include "imaging/reference_image_view.hpp"
 #include "theatre.hpp"
 #include "unit/console/virtual_pad.hpp"
 #include "widgets/diagnosis_sheet.hpp"
@@ -187,36 +186,6 @@ private Q_SLOTS:
         QTest::mouseClick(keyboard, Qt::LeftButton);
         QTRY_COMPARE_WITH_TIMEOUT(theatre.models().hand.masterInUse()->kind, MasterKind::Keyboard, patience);
         QVERIFY(theatre.models().hand.reading().alive);
-    }
-
-    void contrastIsGivenOnceAndARoadmapKeepsWhatItFilled()
-    {
-        Theatre theatre(wishes());
-        QVERIFY(theatre.openAll());
-        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
-        const double before = theatre.robotStatus().contrastRemaining;
-        QVERIFY(before >= 10);
-        theatre.hold(Qt::Key_G);
-        const auto& injections = theatre.models().instrument.injections();
-        const auto given = [&] { return !injections.empty() && injections.back().progress == InjectionProgress::Done; };
-        QTRY_VERIFY2_WITH_TIMEOUT(given(), qPrintable(theatre.story()), patience);
-        theatre.release(Qt::Key_G);
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(theatre.robotStatus().contrastRemaining - (before - 5)) < 0.2, patience);
-        QCOMPARE(injections.size(), std::size_t(1));
-        QVERIFY(std::abs(injections.back().delivered - 5) < 0.2);
-        const auto& roadmap = theatre.models().roadmap;
-        const auto mapped = [&] {
-            if (!roadmap.isValid()) // asked for again it would be made again, for which the console stands still
-                theatre.click(QStringLiteral("Roadmap"));
-            return roadmap.isValid();
-        };
-        QTRY_VERIFY2_WITH_TIMEOUT(mapped(), qPrintable(theatre.story()), patience);
-        const auto* pane = theatre.window().findChild<ReferenceImageView*>();
-        QTRY_VERIFY(pane->picture() && pane->picture()->role == PictureRole::Roadmap);
-        const auto shown = pane->picture()->about.frame;
-        QTRY_VERIFY2_WITH_TIMEOUT(pane->picture()->about.frame > shown + 20, qPrintable(theatre.story()), patience);
-        QVERIFY2(roadmap.isValid(), qPrintable(theatre.story())); // nothing moved
-        theatre.releaseAll();
     }
 
     void anEmergencyStopEndsMotionHereAtThePressAndThenAtTheRobot()

@@ -1,0 +1,92 @@
+// A roadmap in the whole system: made of a run with contrast, while the hand goes on moving the robot.
+#include "imaging/reference_image_view.hpp"
+#include "theatre.hpp"
+#include "widgets/theme.hpp"
+
+#include <QApplication>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace console;
+using console::test::Theatre;
+
+namespace {
+
+constexpr int patience = Theatre::patience;
+
+/// Five millilitres, while armed.
+bool giveContrast(Theatre& theatre)
+{
+    theatre.hold(Qt::Key_G);
+    const auto& injections = theatre.models().instrument.injections();
+    const bool given =
+        QTest::qWaitFor([&] { return !injections.empty() && injections.back().progress == InjectionProgress::Done; }, patience);
+    theatre.release(Qt::Key_G);
+    return given;
+}
+
+bool makeRoadmap(Theatre& theatre)
+{
+    const auto& roadmap = theatre.models().roadmap;
+    return QTest::qWaitFor([&] { return roadmap.isValid() || (theatre.click(QStringLiteral("Roadmap")), false); }, patience);
+}
+
+} // namespace
+
+class RoadmapTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { theme::apply(*qApp); }
+
+    void contrastIsGivenOnceAndARoadmapKeepsWhatItFilled()
+    {
+        Theatre theatre;
+        QVERIFY(theatre.openAll());
+        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
+        const double before = theatre.robotStatus().contrastRemaining;
+        QVERIFY(before >= 10);
+        QVERIFY2(giveContrast(theatre), qPrintable(theatre.story()));
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(theatre.robotStatus().contrastRemaining - (before - 5)) < 0.2, patience);
+        const auto& injections = theatre.models().instrument.injections();
+        QCOMPARE(injections.size(), std::size_t(1));
+        QVERIFY(std::abs(injections.back().delivered - 5) < 0.2);
+        QVERIFY2(makeRoadmap(theatre), qPrintable(theatre.story()));
+        const auto* pane = theatre.window().findChild<ReferenceImageView*>();
+        QTRY_VERIFY(pane->picture() && pane->picture()->role == PictureRole::Roadmap);
+        const auto shown = pane->picture()->about.frame;
+        QTRY_VERIFY2_WITH_TIMEOUT(pane->picture()->about.frame > shown + 20, qPrintable(theatre.story()), patience);
+        QVERIFY2(theatre.models().roadmap.isValid(), qPrintable(theatre.story())); // nothing moved
+        theatre.releaseAll();
+    }
+
+    /// A console that stands still for a tenth of a second ends motion and the pedal.
+    void askedForHoweverOftenItEndsNoMotion()
+    {
+        Theatre theatre;
+        QVERIFY(theatre.openAll());
+        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
+        QVERIFY2(giveContrast(theatre), qPrintable(theatre.story()));
+        QVERIFY2(makeRoadmap(theatre), qPrintable(theatre.story()));
+        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+        const auto& models = theatre.models();
+        const auto lines = models.log.lines().size();
+        const auto shown = models.picture.paintedCount();
+        for (int time = 0; time < 20; ++time)
+            QVERIFY(theatre.click(QStringLiteral("Roadmap")));
+        QTRY_VERIFY2_WITH_TIMEOUT(models.picture.paintedCount() > shown + 5, qPrintable(theatre.story()), patience);
+        QVERIFY2(theatre.phase() == PermitPhase::Engaged, qPrintable(theatre.story()));
+        const auto made = [&] {
+            const auto& all = models.log.lines();
+            return std::any_of(all.begin() + std::ptrdiff_t(lines), all.end(),
+                               [](const LogLine& line) { return line.text.startsWith(QStringLiteral("roadmap made of ")); });
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(made(), qPrintable(theatre.story()), patience);
+        QVERIFY2(models.roadmap.isValid(), qPrintable(theatre.story()));
+        theatre.releaseAll();
+    }
+};
+
+QTEST_MAIN(RoadmapTest)
+#include "roadmap_test.moc"
