@@ -53,12 +53,18 @@ SmallButton* PictureControls::addButton(const QString& text, const QString& name
     return button;
 }
 
+/// Where there is room for it.
+void PictureControls::addGap(int width) { m_row->addSpacerItem(new QSpacerItem(width, 0, QSizePolicy::Maximum)); }
+
 QLabel* PictureControls::addStepper(const QString& name, const std::function<void(int)>& step)
 {
+    constexpr int besideValue = 6;
     SmallButton* less = addButton(QStringLiteral("\u2212"), tr("Less %1").arg(name), tr("Less %1").arg(name));
     QLabel* label = plainLabel({}, theme::TextRole::Caption, this);
     label->setAlignment(Qt::AlignCenter);
+    addGap(besideValue);
     m_row->addWidget(label);
+    addGap(besideValue);
     SmallButton* more = addButton(QStringLiteral("+"), tr("More %1").arg(name), tr("More %1").arg(name));
     connect(less, &QPushButton::clicked, this, [step] { step(-1); });
     connect(more, &QPushButton::clicked, this, [step] { step(1); });
@@ -77,11 +83,11 @@ void PictureControls::buildWindowButtons()
 
 void PictureControls::buildSteppers()
 {
-    const auto part = [this] { m_row->addSpacerItem(new QSpacerItem(6, 0, QSizePolicy::Maximum)); }; // where there is room
+    constexpr int between = 8; // a plus and the next minus are not one button
     m_zoom = addStepper(tr("zoom"), [this](int steps) { Q_EMIT zoomRequested(steps); });
-    part(); // a plus and the next minus are not one button
+    addGap(between);
     m_noise = addStepper(tr("noise reduction"), [this](int steps) { m_display.stepNoiseReduction(steps); });
-    part();
+    addGap(between);
     m_edge = addStepper(tr("edge enhancement"), [this](int steps) { m_display.stepEdge(steps); });
 }
 

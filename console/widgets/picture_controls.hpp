@@ -35,6 +35,7 @@ protected:
 
 private:
     SmallButton* addButton(const QString& text, const QString& name, const QString& tip);
+    void addGap(int width);
     QLabel* addStepper(const QString& name, const std::function<void(int)>& step);
     void buildWindowButtons();
     void buildSteppers();
