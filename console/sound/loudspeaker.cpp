@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -20,9 +19,6 @@ namespace {
 constexpr std::chrono::milliseconds lookEvery{500};
 constexpr std::chrono::seconds startAgain{5};
 constexpr std::chrono::seconds askEvery{2};
-constexpr std::chrono::seconds replaceAfter{10};
-constexpr std::chrono::seconds mostPatience{60};
-constexpr std::chrono::seconds burstKept{30};
 constexpr int goodbyeMs = 500;
 
 Instant present() { return std::chrono::steady_clock::now(); }
@@ -66,7 +62,6 @@ Loudspeaker::~Loudspeaker()
 
 void Loudspeaker::start()
 {
-    m_patience = replaceAfter;
     m_look.start();
     launch(present());
 }
@@ -78,7 +73,8 @@ void Loudspeaker::launch(Instant now)
         return tell(tr("no sound player was named"));
     hangUp();
     m_replaced = false;
-    m_launched = m_well = m_looked = now;
+    m_launched = m_looked = now;
+    m_plan.noteStarted(now);
     m_trouble.reset();
     m_followed = 0;
     m_watch = {};
@@ -93,8 +89,8 @@ void Loudspeaker::launch(Instant now)
     m_watch.ask(now); // to open the output
     m_player.start(m_program, {});
     ::close(ends.back());
-    if (m_burst)
-        order(*m_burst);
+    if (const auto burst = m_burst.at(now))
+        order(*burst);
 }
 
 void Loudspeaker::hangUp()
@@ -105,14 +101,14 @@ void Loudspeaker::hangUp()
 
 void Loudspeaker::play(AlarmPriority priority)
 {
-    m_burst = orderOf(priority);
-    m_wished = present();
-    order(*m_burst);
+    const auto burst = orderOf(priority);
+    m_burst.keep(burst, present());
+    order(burst);
 }
 
 void Loudspeaker::silence()
 {
-    m_burst.reset();
+    m_burst.forget();
     order(PlayerOrder::Silence);
 }
 
@@ -140,7 +136,7 @@ void Loudspeaker::take(const PlayerAnswer& answer)
         break;
     case PlayerAnswer::Kind::Sounded:
         if (!m_watch.isWaiting()) // else it is an older one that has sounded
-            m_burst.reset();
+            m_burst.forget();
         break;
     case PlayerAnswer::Kind::Trouble:
         m_trouble = wordsFor(answer.trouble);
@@ -153,8 +149,8 @@ void Loudspeaker::take(const PlayerAnswer& answer)
 void Loudspeaker::look()
 {
     const auto now = present();
-    if (m_burst && now - m_wished > burstKept)
-        silence(); // its alarm is over, or has been repeated
+    if (m_burst.isTooOld(now))
+        silence();
     // When this program itself stood still, the answers are read first.
     if (now - std::exchange(m_looked, now) > 2 * lookEvery)
         return;
@@ -169,8 +165,7 @@ void Loudspeaker::look()
         tell(*m_trouble);
     if (m_watch.isWaiting() || !m_trouble || !m_trouble->isEmpty())
         return replace(now);
-    m_well = now;
-    m_patience = replaceAfter;
+    m_plan.noteWell(now);
     if (now - m_asked >= askEvery)
         order(PlayerOrder::Answer);
 }
@@ -178,9 +173,9 @@ void Loudspeaker::look()
 /// When its time is over; the end of the process starts the next one.
 void Loudspeaker::replace(Instant now)
 {
-    if (now - m_well < m_patience || std::exchange(m_replaced, true))
+    if (!m_plan.isDue(now))
         return;
-    m_patience = std::min<Duration>(2 * m_patience, mostPatience);
+    m_replaced = true;
     m_player.kill();
 }
 

@@ -3,7 +3,9 @@
 
 #include "sound/alarm_voice.hpp"
 #include "sound/answer_watch.hpp"
+#include "sound/kept_burst.hpp"
 #include "sound/player_words.hpp"
+#include "sound/replacement_plan.hpp"
 
 #include <QProcess>
 #include <QTimer>
@@ -13,8 +15,8 @@
 namespace console {
 
 /// Its player is `liena-console-player`. Opening a sound output may take seconds, and Qt 6.4 does not find a sound server again that was
-/// gone for more than three: nothing of the console waits for it, and a player that has been without sound for ten seconds is replaced by
-/// another; that one after twenty, and so on, up to a minute.
+/// gone for more than three: nothing of the console waits for it, and a player that has been without sound is replaced as
+/// `ReplacementPlan` has it.
 ///
 /// Of a thread that lives as long as the program: with the thread that started it the player ends, too.
 class Loudspeaker : public AlarmVoice {
@@ -26,7 +28,7 @@ public:
     /// Starts the player; from here on troubleChanged tells how it stands, the first time in any case.
     void start();
 
-    /// Leaves at once. Where nothing can sound, the newest burst is kept for half a minute.
+    /// Leaves at once. Where nothing can sound, the newest burst is kept as `KeptBurst` has it.
     void play(console::AlarmPriority priority) override;
     void silence() override;
 
@@ -48,15 +50,13 @@ private:
     QTimer m_look;
     AnswerWatch m_watch;
     quint64 m_followed = 0;
-    std::optional<PlayerOrder> m_burst; ///< the newest, until it has sounded
-    Instant m_wished;                   ///< when
-    std::optional<QString> m_trouble;   ///< as the player that runs has told it
+    KeptBurst m_burst;
+    ReplacementPlan m_plan;
+    std::optional<QString> m_trouble; ///< as the player that runs has told it
     std::optional<QString> m_told;
     Instant m_launched;
-    Instant m_well;   ///< the last time that all was well, or when the player was started
     Instant m_asked;  ///< the last order
     Instant m_looked; ///< the last time
-    Duration m_patience{};
     bool m_replaced = false;
 };
 

@@ -90,6 +90,9 @@ void SoundServer::stop()
     m_modules.clear();
 }
 
+void SoundServer::freeze() { ::kill(static_cast<pid_t>(m_server.processId()), SIGSTOP); }
+void SoundServer::thaw() { ::kill(static_cast<pid_t>(m_server.processId()), SIGCONT); }
+
 /// It has a loudspeaker's pace, and takes the bursts as they are.
 bool SoundServer::addOutput(const char* name)
 {

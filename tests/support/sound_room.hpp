@@ -28,6 +28,10 @@ public:
     bool start();
     void stop(); ///< as a crash does; start() has it again, without its outputs
 
+    /// It answers nobody until it thaws.
+    void freeze();
+    void thaw();
+
     /// As a loudspeaker is plugged in; the first one is the default. False when the server refuses.
     bool addOutput(const char* name);
     bool removeOutput(const char* name);

@@ -250,6 +250,23 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(Ride::isGone(process), patience);
     }
 
+    /// Never that all is well before an output is open.
+    void aSoundServerThatHangsIsToldAndOneThatAnswersAgainIsHeard()
+    {
+        Loudspeaker voice(player);
+        QSignalSpy told(&voice, &AlarmVoice::troubleChanged);
+        m_server.freeze();
+        voice.start();
+        voice.play(AlarmPriority::High);
+        const bool noticed = told.wait(patience);
+        m_server.thaw();
+        QVERIFY(noticed);
+        QCOMPARE(told.front().front().toString(), QStringLiteral("the sound output does not answer"));
+        QTRY_COMPARE_WITH_TIMEOUT(told.back().front().toString(), QString(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(m_record->hasFallenSilent(m_from, quiet), patience);
+        QVERIFY(m_record->pulsesSince(m_from).size() >= pulsesOf(AlarmPriority::High));
+    }
+
     /// Qt 6.4 looks for it once, after three seconds.
     void aSoundServerThatWasGoneForLongerIsFoundAgain()
     {
