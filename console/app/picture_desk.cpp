@@ -125,8 +125,8 @@ void PictureDesk::connectReference()
     connect(&m_models.picture, &PictureState::runEnded, &m_hold, &ImageHold::endRun);
     connect(&m_hold, &ImageHold::held, this, [this](const DisplayPicture& picture) {
         m_held = picture;
-        if (!m_review.isOpen() && !m_models.roadmap.isWanted() && !m_roadmapRequest.isUnderWay())
-            showHold();
+        if (!m_review.isOpen() && !m_models.roadmap.isWanted())
+            showReference(picture); // a roadmap that is being made takes its place when it is there
     });
     connect(&m_review, &CineReview::pictureReady, this, &PictureDesk::showReference);
     connect(&m_pipeline, &FramePipeline::pictureReady, &m_review,

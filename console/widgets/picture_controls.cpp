@@ -53,7 +53,7 @@ SmallButton* PictureControls::addButton(const QString& text, const QString& name
     return button;
 }
 
-/// Where there is room for it.
+/// Gives way where even two rows are too narrow for it.
 void PictureControls::addGap(int width) { m_row->addSpacerItem(new QSpacerItem(width, 0, QSizePolicy::Maximum)); }
 
 QLabel* PictureControls::addStepper(const QString& name, const std::function<void(int)>& step)

@@ -234,24 +234,39 @@ private Q_SLOTS:
         QVERIFY(desk.sendContrast(1));
         desk.click(QStringLiteral("Roadmap"));
         QVERIFY(!desk.models.roadmap.isWanted());
-        desk.models.picture.expect(0, std::chrono::steady_clock::now()); // the run's last picture does not take its place meanwhile
+        desk.models.picture.expect(0, std::chrono::steady_clock::now()); // the run's last picture does not take its place
         QTRY_VERIFY(desk.models.roadmap.isValid());
         QCOMPARE(desk.reference->picture()->role, PictureRole::Roadmap);
     }
 
+    void aRunThatEndsWhileNoRoadmapCanBeMadeIsHeld()
+    {
+        Desk desk;
+        QVERIFY(desk.send(1));
+        desk.click(QStringLiteral("Roadmap"));
+        desk.models.picture.expect(0, std::chrono::steady_clock::now());
+        QTRY_VERIFY(desk.reference->told().startsWith(QStringLiteral("no roadmap: ")));
+        QTRY_VERIFY(desk.reference->picture());
+        QCOMPARE(desk.reference->picture()->role, PictureRole::Hold);
+    }
+
+    /// Also when its answer is there already, and not yet heard: the pauses are for that.
     void whatIsWantedInTheMeantimeStands()
     {
+        constexpr int answered = 300; // ms
         Desk desk;
         desk.moveTable(0);
         QVERIFY(desk.sendContrast(1));
         desk.click(QStringLiteral("Roadmap"));
+        QTest::qSleep(answered);
         desk.click(QStringLiteral("Review"));
         QTRY_VERIFY(desk.reference->picture());
         QCOMPARE(desk.reference->picture()->role, PictureRole::Review);
-        QVERIFY(desk.makeRoadmap()); // by now the one before would have come
+        QVERIFY(desk.makeRoadmap());
         QCOMPARE(desk.models.log.lines().size(), std::size_t(1));
         // It is removed while it is being made anew: what was taken until then serves no more.
         desk.click(QStringLiteral("Roadmap"));
+        QTest::qSleep(answered);
         desk.moveTable(10);
         QVERIFY(!desk.makeRoadmap());
         QCOMPARE(desk.reference->told(), QStringLiteral("no roadmap: it was removed, and no contrast was given since"));

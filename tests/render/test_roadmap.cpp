@@ -101,6 +101,7 @@ private Q_SLOTS:
     void comparesOnlyWhatIsWatched();
     void eachRequestIsAnsweredOnce();
     void aRequestThatWasCancelledIsNotAnswered();
+    void aRequestMayEndBeforeItsAnswer();
     void paintsInItsOwnColour();
 };
 
@@ -407,6 +408,7 @@ void TestRoadmap::aRequestThatWasCancelledIsNotAnswered()
     RoadmapRequest request(maker);
     QSignalSpy answers(&request, &RoadmapRequest::answered);
     request.make();
+    QTest::qSleep(500); // its answer is there, and not yet heard
     request.cancel();
     QVERIFY(!request.isUnderWay());
     maker.forget();
@@ -416,6 +418,20 @@ void TestRoadmap::aRequestThatWasCancelledIsNotAnswered()
     request.make();
     QTRY_COMPARE(answers.count(), 2);
     QVERIFY(!answers.back().front().value<MadeRoadmap>().roadmap);
+}
+
+void TestRoadmap::aRequestMayEndBeforeItsAnswer()
+{
+    RoadmapMaker maker;
+    takeRun(maker, {}, 1);
+    int answers = 0;
+    {
+        RoadmapRequest request(maker);
+        connect(&request, &RoadmapRequest::answered, this, [&answers] { ++answers; });
+        request.make();
+    }
+    QCoreApplication::processEvents();
+    QCOMPARE(answers, 0);
 }
 
 void TestRoadmap::paintsInItsOwnColour()

@@ -68,7 +68,8 @@ public:
     bool mayHaveMore() const;
 
     /// The kernel joins what is written to packets of up to 64 KiB and sends each in one burst, behind which a control message of another
-    /// connection waits: from now on it is given no more than this at a time, and told to keep two writes apart. 0: as it likes.
+    /// connection waits: from now on it is given no more than this at a time, and told to keep two writes apart. 0: as it likes. Longer
+    /// only between two writes: TLS keeps the buffer of a record for the rest of its write, and a longer one does not go into it.
     void limitBursts(std::size_t bytes);
 
     /// TLS keeps its buffers, 17 KiB for each direction in use, while they are empty. Else it asks the heap for them with each record,
