@@ -31,8 +31,6 @@ public:
     /// Something else is wanted, or something moved: what was taken until now answers no request any more.
     void cancel();
 
-    bool isUnderWay() const { return m_isWanted; }
-
 Q_SIGNALS:
     /// The answer to each request that was not cancelled, in a later turn of the event loop.
     void answered(const console::MadeRoadmap& made);

@@ -1,78 +1,17 @@
 // Tests of the vessels that a run filled: what is found, what is not, and whether the patient moved.
+#include "contrast_run.hpp"
 #include "imaging/opacification.hpp"
 #include "imaging/pane_colours.hpp"
 #include "imaging/roadmap_maker.hpp"
-#include "imaging/roadmap_request.hpp"
-#include "noisy_picture.hpp"
 
-#include <QSignalSpy>
 #include <QtTest>
 
 #include <opencv2/imgproc.hpp>
 
 using namespace console;
+using namespace console::test;
 
 namespace {
-
-constexpr int edge = 256;
-constexpr double absorbed = 0.12; ///< of the logarithm
-
-struct Scene {
-    double contrast = 0; ///< 0 to 1, in the vessel
-    cv::Point2d patient; ///< pixels
-    Photometric photometric = Photometric::Monochrome2;
-    IntensityRelationship intensity = IntensityRelationship::Linear;
-    double level = 1;   ///< of the whole picture
-    bool dense = false; ///< air beside the head saturates the detector, and a quarter of it is all bone
-};
-
-bool inVessel(int y) { return y >= 120 && y < 128; }
-
-/// Half of it twice as bright as the other, with bones; a vessel across both.
-cv::Mat picture(unsigned seed, const Scene& scene)
-{
-    const auto light = [&scene](int x, int y) {
-        const double px = x - scene.patient.x;
-        const double py = y - scene.patient.y;
-        const double bones = 0.2 * std::sin(px * 0.31 + 2 * std::sin(py * 0.11)) * std::cos(py * 0.23 + std::sin(px * 0.07));
-        const double beam = !scene.dense ? (px < edge / 2.0 ? 1200 : 2400) : x < edge / 4 ? 9000 : x < edge / 2 ? 200 : 1200;
-        const double back = beam * scene.level * (1 + bones);
-        return inVessel(y) ? back * std::exp(-absorbed * scene.contrast) : back;
-    };
-    cv::Mat stored;
-    cv::Mat linear = samples::noisyPicture(edge, seed, light, [](double value) { return value / 4; });
-    if (scene.intensity == IntensityRelationship::Logarithmic) {
-        cv::log(linear, linear);
-        linear *= 4095 / std::log(4095.0);
-    }
-    if (scene.photometric == Photometric::Monochrome1)
-        linear = 4095 - linear;
-    cv::Mat(cv::min(linear, 4095.0F)).convertTo(stored, CV_16U);
-    return stored;
-}
-
-XrayFrame frame(quint32 number, const Scene& scene, quint32 run = 1)
-{
-    XrayFrame frame;
-    frame.frame = number;
-    frame.acquisition = run;
-    frame.rows = frame.columns = edge;
-    frame.bitsStored = 12;
-    frame.photometric = scene.photometric;
-    frame.intensity = scene.intensity;
-    frame.captureNs = 1'000'000'000ULL + number * 66'000'000ULL;
-    return frame;
-}
-
-/// Contrast comes after the sixth picture or a later one, passes, and is gone again.
-template <typename Taker>
-void takeRun(Taker& taker, Scene scene, double contrast, quint32 run = 1, quint32 pictures = 20, quint32 before = 6)
-{
-    for (quint32 number = 1; number <= pictures; ++number) {
-        scene.contrast = number > before && number < before + 10 ? contrast : 0;
-        taker.take(picture(run * 1000 + number, scene), frame(run * 100 + number, scene, run));
-    }
-}
 
 double meanOf(const cv::Mat& vessels, const cv::Rect& part) { return cv::mean(vessels(part))[0]; }
 
@@ -99,9 +38,6 @@ private Q_SLOTS:
     void theLastRunWithContrastCounts();
     void whatIsForgottenServesNoMore();
     void comparesOnlyWhatIsWatched();
-    void eachRequestIsAnsweredOnce();
-    void aRequestThatWasCancelledIsNotAnswered();
-    void aRequestMayEndBeforeItsAnswer();
     void paintsInItsOwnColour();
 };
 
@@ -379,61 +315,6 @@ void TestRoadmap::comparesOnlyWhatIsWatched()
     QVERIFY(!maker.displacement());
 }
 
-void TestRoadmap::eachRequestIsAnsweredOnce()
-{
-    RoadmapMaker maker;
-    RoadmapRequest request(maker);
-    QSignalSpy answers(&request, &RoadmapRequest::answered);
-    request.make();
-    request.make();
-    QVERIFY(request.isUnderWay());
-    QCOMPARE(answers.count(), 0);
-    QTRY_COMPARE(answers.count(), 1);
-    QVERIFY(!request.isUnderWay());
-    QVERIFY(!answers.takeFirst().front().value<MadeRoadmap>().roadmap);
-    takeRun(maker, {}, 1);
-    request.make();
-    QTRY_COMPARE(answers.count(), 1);
-    const auto made = answers.front().front().value<MadeRoadmap>();
-    QVERIFY(made.roadmap);
-    QCOMPARE(made.vessels.size(), QSize(edge, edge));
-}
-
-/// And the one after it is made of what there is then.
-void TestRoadmap::aRequestThatWasCancelledIsNotAnswered()
-{
-    RoadmapMaker maker;
-    takeRun(maker, {}, 1, 1);
-    takeRun(maker, {}, 1, 2);
-    RoadmapRequest request(maker);
-    QSignalSpy answers(&request, &RoadmapRequest::answered);
-    request.make();
-    QTest::qSleep(500); // its answer is there, and not yet heard
-    request.cancel();
-    QVERIFY(!request.isUnderWay());
-    maker.forget();
-    request.make();
-    QTRY_COMPARE(answers.count(), 1);
-    QVERIFY(!answers.front().front().value<MadeRoadmap>().roadmap);
-    request.make();
-    QTRY_COMPARE(answers.count(), 2);
-    QVERIFY(!answers.back().front().value<MadeRoadmap>().roadmap);
-}
-
-void TestRoadmap::aRequestMayEndBeforeItsAnswer()
-{
-    RoadmapMaker maker;
-    takeRun(maker, {}, 1);
-    int answers = 0;
-    {
-        RoadmapRequest request(maker);
-        connect(&request, &RoadmapRequest::answered, this, [&answers] { ++answers; });
-        request.make();
-    }
-    QCoreApplication::processEvents();
-    QCOMPARE(answers, 0);
-}
-
 void TestRoadmap::paintsInItsOwnColour()
 {
     Roadmap roadmap;
@@ -445,5 +326,5 @@ void TestRoadmap::paintsInItsOwnColour()
     QCOMPARE(qAlpha(layer.pixel(0, 0)), 0);
 }
 
-QTEST_GUILESS_MAIN(TestRoadmap)
+QTEST_APPLESS_MAIN(TestRoadmap)
 #include "test_roadmap.moc"
