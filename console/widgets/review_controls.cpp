@@ -13,6 +13,7 @@ namespace console {
 namespace {
 
 constexpr int strengthStep = 10; ///< per cent
+constexpr int leastSlider = 40;  ///< px: its handle, and a way for it
 
 } // namespace
 
@@ -52,6 +53,7 @@ void ReviewControls::addStrength(QHBoxLayout* row)
     m_opacity->setAccessibleName(tr("Strength of the roadmap's vessels"));
     m_opacity->setToolTip(m_opacity->accessibleName());
     m_opacity->setFocusPolicy(Qt::TabFocus); // a click leaves the keys to the hand
+    m_opacity->setMinimumWidth(leastSlider);
     m_opacity->setRange(0, 100);
     m_opacity->setValue(60);
     row->addWidget(m_opacity, 4);

@@ -16,6 +16,13 @@ SmallButton::SmallButton(const QString& text, const QString& accessibleName, con
     theme::setTextRole(this, theme::TextRole::Caption);
 }
 
+QSize SmallButton::sizeHint() const
+{
+    constexpr int air = 10;
+    const int side = theme::touchSide(this);
+    return (QPushButton::sizeHint() + QSize(air, 0)).expandedTo({side, side});
+}
+
 void SmallButton::setInForce(bool inForce)
 {
     setCheckable(true);

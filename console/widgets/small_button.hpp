@@ -13,6 +13,9 @@ public:
     /// What it stands for is in force; a click alone changes nothing of it.
     void setInForce(bool inForce);
 
+    /// With some air beside its words, which a row without that room takes back.
+    QSize sizeHint() const override;
+
 protected:
     void nextCheckState() override {}
 };
