@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QtTest>
 
 #include <algorithm>
@@ -29,6 +30,24 @@ SmallButton* named(Root& root, const QString& name)
 bool isWhole(const QPushButton& button)
 {
     return button.fontMetrics().horizontalAdvance(button.text()) <= button.width() - 4 && button.fontMetrics().height() <= button.height();
+}
+
+/// From a value to the buttons beside it, and from a button's words to its sides; the least of them.
+int leastAir(const PictureControls& controls)
+{
+    int least = controls.width();
+    for (const SmallButton* button : controls.findChildren<SmallButton*>()) {
+        if (button->isVisible())
+            least = std::min(least, (button->width() - button->fontMetrics().horizontalAdvance(button->text())) / 2);
+        for (const QLabel* value : controls.findChildren<QLabel*>()) {
+            const int between = button->x() < value->x() ? value->geometry().left() - button->geometry().right()
+                                                         : button->geometry().left() - value->geometry().right();
+            const int height = value->geometry().center().y();
+            if (button->geometry().top() <= height && height <= button->geometry().bottom())
+                least = std::min(least, between);
+        }
+    }
+    return least;
 }
 
 QStringList notWhole(const PicturePane& pane)
@@ -208,9 +227,11 @@ private Q_SLOTS:
             QCOMPARE(pane->width(), pane == &live ? edge : edge / 2); // nothing in it asks for more
             QTRY_COMPARE(notWhole(*pane), QStringList());
         }
+        QTRY_VERIFY(leastAir(*live.findChild<PictureControls*>()) >= 6);
         reference.findChild<ReviewControls*>()->showRoadmap(true);
         QVERIFY(named(reference, QStringLiteral("Stronger vessels of the roadmap"))->isVisible());
         QTRY_COMPARE(notWhole(reference), QStringList());
+        QVERIFY(reference.findChild<QSlider*>()->width() >= 40); // a way for its handle
     }
 
     void theVesselsStrengthIsSteppedByTheKeyboard()
