@@ -168,19 +168,22 @@ void AlarmBand::setFoldedSheets(const std::vector<std::pair<quint64, QString>>& 
     m_folded = sheets;
     if (!same)
         makeChips();
-    for (std::size_t i = 0; i < sheets.size(); ++i) { // their time runs: they stay, so that a finger or the keys stay on them
-        m_chips[i]->setText(sheets[i].second);
-        m_chips[i]->setAccessibleName(tr("Show again: %1").arg(sheets[i].second));
+    for (std::size_t i = 0; i < m_chips.size(); ++i) { // their time runs: they stay, so that a finger or the keys stay on them
+        const QString& text = m_folded[i].second;
+        m_chips[i]->setText(text);
+        m_chips[i]->setAccessibleName(tr("Show again: %1").arg(text));
     }
 }
 
+/// What goes may be the one that was pressed, and who hears that the focus has moved may set other ones.
 void AlarmBand::makeChips()
 {
-    for (QPushButton* chip : m_chips) {
-        returnFocus(chip);
-        delete chip;
-    }
-    m_chips.clear();
+    while (!m_chips.empty())
+        for (QPushButton* chip : std::exchange(m_chips, {})) {
+            chip->deleteLater();
+            returnFocus(chip);
+            chip->hide();
+        }
     for (const auto& [key, text] : m_folded) {
         auto* chip = new TouchButton(text, this);
         makeCompact(chip);

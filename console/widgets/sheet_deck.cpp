@@ -7,6 +7,9 @@
 #include <QApplication>
 #include <QResizeEvent>
 
+#include <optional>
+#include <utility>
+
 namespace console {
 
 SheetDeck::SheetDeck(IncidentModel& incidents, QWidget* parent) : QWidget(parent), m_incidents(incidents), m_sheet(new DiagnosisSheet(this))
@@ -110,14 +113,17 @@ void SheetDeck::refresh(const SessionModel& sessions, const PromptSurroundings& 
 {
     m_incidents.forgetHealed(now);
     std::vector<std::pair<quint64, QString>> chips;
+    std::optional<std::pair<IncidentRecord, PromptContent>> open;
     for (const auto* records : {&m_incidents.incidents(), &m_incidents.interruptions()})
         for (const IncidentRecord& record : *records) {
-            const PromptContent content = promptContent(record, sessions, around, now);
+            PromptContent content = promptContent(record, sessions, around, now);
             if (record.id == m_open)
-                m_sheet->setContent(record, content);
+                open.emplace(record, std::move(content));
             else
-                chips.emplace_back(record.id, content.folded);
+                chips.emplace_back(record.id, std::move(content.folded));
         }
+    if (open) // a button that goes gives the focus away, and who hears of it may change the records
+        m_sheet->setContent(open->first, open->second);
     Q_EMIT chipsChanged(chips);
 }
 

@@ -18,7 +18,7 @@ SmallButton::SmallButton(const QString& text, const QString& accessibleName, con
 
 QSize SmallButton::sizeHint() const
 {
-    constexpr int air = 10;
+    constexpr int air = 4;
     const int side = theme::touchSide(this);
     return (QPushButton::sizeHint() + QSize(air, 0)).expandedTo({side, side});
 }

@@ -4,6 +4,7 @@
 #include "widgets/self_test_block.hpp"
 
 #include <QApplication>
+#include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -67,6 +68,46 @@ private Q_SLOTS:
         QCOMPARE(stage.named<QPushButton>(QStringLiteral("Show again: Robot link lost, 0:13")), chip);
         QTest::mouseRelease(chip, Qt::LeftButton);
         QCOMPARE(asked.count(), 1);
+    }
+
+    /// Pressed, it opens its sheet, and there is a chip for the one that was open instead.
+    void aChipMayGoWhileItIsPressed()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        auto* band = stage.window.findChild<AlarmBand*>();
+        connect(band, &AlarmBand::sheetRequested, band, [band] { band->setFoldedSheets({{2, QStringLiteral("Arm link lost")}}); });
+        band->setFoldedSheets({{1, QStringLiteral("Robot link lost")}});
+        QPointer<QPushButton> chip = stage.named<QPushButton>(QStringLiteral("Show again: Robot link lost"));
+        QVERIFY(chip);
+        QTest::mouseClick(chip, Qt::LeftButton);
+        QVERIFY(!chip || !chip->isVisible());
+        QVERIFY(stage.named<QPushButton>(QStringLiteral("Show again: Arm link lost")));
+    }
+
+    /// Who hears that the keys went from a chip that goes may set others at once: the newest are what stays, each once.
+    void chipsMayBeSetWhileSomeGo()
+    {
+        CockpitStage stage;
+        QVERIFY(stage.ready());
+        QVERIFY(QTest::qWaitForWindowActive(&stage.window));
+        auto* band = stage.window.findChild<AlarmBand*>();
+        band->setFoldedSheets({{1, QStringLiteral("Robot link lost")}, {2, QStringLiteral("Arm link lost")}});
+        stage.named<QPushButton>(QStringLiteral("Show again: Robot link lost"))->setFocus();
+        int heard = 0;
+        const auto set = [&] {
+            if (heard++ == 0)
+                band->setFoldedSheets({{3, QStringLiteral("X-ray link lost")}});
+        };
+        const auto hears = connect(qApp, &QApplication::focusChanged, band, set);
+        band->setFoldedSheets({{4, QStringLiteral("Cockpit link lost")}, {5, QStringLiteral("Table link lost")}});
+        disconnect(hears);
+        QVERIFY(heard > 0);
+        QStringList chips;
+        for (const auto* button : band->findChildren<QPushButton*>())
+            if (button->isVisible() && button->accessibleName().startsWith(QStringLiteral("Show again")))
+                chips << button->text();
+        QCOMPARE(chips, QStringList{QStringLiteral("X-ray link lost")});
     }
 
     void selfTestShowsItsColoursAndAsks()

@@ -227,7 +227,7 @@ private Q_SLOTS:
             QCOMPARE(pane->width(), pane == &live ? edge : edge / 2); // nothing in it asks for more
             QTRY_COMPARE(notWhole(*pane), QStringList());
         }
-        QTRY_VERIFY(leastAir(*live.findChild<PictureControls*>()) >= 6);
+        QTRY_VERIFY(leastAir(*live.findChild<PictureControls*>()) >= 5);
         reference.findChild<ReviewControls*>()->showRoadmap(true);
         QVERIFY(named(reference, QStringLiteral("Stronger vessels of the roadmap"))->isVisible());
         QTRY_COMPARE(notWhole(reference), QStringList());
