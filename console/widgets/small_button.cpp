@@ -16,17 +16,17 @@ SmallButton::SmallButton(const QString& text, const QString& accessibleName, con
     theme::setTextRole(this, theme::TextRole::Caption);
 }
 
+void SmallButton::setInForce(bool inForce)
+{
+    setCheckable(true);
+    setChecked(inForce);
+}
+
 QSize SmallButton::sizeHint() const
 {
     constexpr int air = 4;
     const int side = theme::touchSide(this);
     return (QPushButton::sizeHint() + QSize(air, 0)).expandedTo({side, side});
-}
-
-void SmallButton::setInForce(bool inForce)
-{
-    setCheckable(true);
-    setChecked(inForce);
 }
 
 } // namespace console
