@@ -50,6 +50,25 @@ public:
         }
     }
 
+    /// The sender's computer does nothing for so long: it sends nothing, and what comes meanwhile is late by what is left of it.
+    void standStill(Nanoseconds time)
+    {
+        const auto until = m_now + time;
+        for (; m_now < until; m_now += step) {
+            const double carried = std::min(m_queue, capacity * std::chrono::duration<double>(step).count());
+            m_queue -= carried;
+            m_left += carried;
+            while (m_entries.size() > 1 && m_entries.front().total < m_left)
+                m_entries.pop_front();
+            m_onItsWay.push_back(
+                {m_now + m_idle, m_now - m_entries.front().at, carried, carried / std::chrono::duration<double>(step).count()});
+        }
+        for (auto& news : m_onItsWay) {
+            news.waiting += std::max(until - news.known, Nanoseconds::zero());
+            news.known = std::max(news.known, until);
+        }
+    }
+
     /// What was carried a round trip ago is known now.
     void acknowledge()
     {

@@ -17,33 +17,34 @@ constexpr auto longestSilence = 50ms; // until a burst's first acknowledgement; 
 constexpr auto longWay = 10ms;        // there and back: from here on round trips vary by milliseconds
 constexpr auto alwaysTolerated = 200us;
 constexpr auto toleratedWhenCalm = 100us;
-constexpr auto mostUnrest = 8ms;             // that is taken for one: what is longer is a queue
-constexpr auto unrestHalves = 10s;           // what was seen of it, when it is not seen again
-constexpr double clearlyBelow = 0.75;        // what passed without a queue a moment ago
-constexpr double provenLeft = 0.97;          // of that, a second later
-constexpr double drain = 0.25;               // of the rate, while a queue drains
-constexpr double drainWhenSlow = 0.125;      // where a segment more is long in coming through, or may be
-constexpr double settling = 0.002;           // seconds in which the smoothed round trip forgets
-constexpr double used = 0.7;                 // of the rate: less delivered proves nothing
-constexpr double margin = 0.93;              // of what was delivered while a queue stood
-constexpr double allThatIsSent = 0.95;       // nearly
-constexpr double mostThatIsSent = 0.85;      // by a path that may be long
-constexpr double leastProof = 0.002;         // seconds at the rate: shorter bursts do not show what the path carries
-constexpr double deepestFall = 0.125;        // at once: a moment in which a processor stood still proves no more
-constexpr double doubtful = 0.5;             // of the rate: whatever makes it fall further at once is to be seen twice
-constexpr double asBefore = 0.15;            // of the ceiling: a queue met so near it confirms it
-constexpr auto passed = 3500ms;              // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
-constexpr auto passedWhenCalm = 2000ms;      // and that of a calm path
-constexpr double refuted = 1.1;              // times a ceiling, without a queue: it is none
-constexpr double quickest = 1.25;            // a step while nothing is known
-constexpr double gentle = 1.01;              // a step near the ceiling
-constexpr double nearCeiling = 0.9;          // gently from here
-constexpr double untried = 0.97;             // of the ceiling: below it hardly ever a queue of ours stands
-constexpr double leastBoldest = 1.08;        // of the steps on a slow path, which must not be as bold as on others
-constexpr double bolder = 1.5;               // each step beyond the ceiling, as long as no queue shows
-constexpr double inOnePiece = 2896;          // bytes: two packets, which the kernel sends and acknowledges together
-constexpr double noticing = 12;              // such pieces, until the smoothed round trip shows a queue
-constexpr double usual = 0.0002;             // seconds of what is delivered, in a round trip without a queue
+constexpr auto mostUnrest = 8ms;        // that is taken for one: what is longer is a queue
+constexpr auto unrestHalves = 10s;      // what was seen of it, when it is not seen again
+constexpr double clearlyBelow = 0.75;   // what passed without a queue a moment ago
+constexpr double provenLeft = 0.97;     // of that, a second later
+constexpr double drain = 0.25;          // of the rate, while a queue drains
+constexpr double drainWhenSlow = 0.125; // where a segment more is long in coming through, or may be
+constexpr double settling = 0.002;      // seconds in which the smoothed round trip forgets
+constexpr double smoothing = 8;         // acknowledgements that bring the smoothed round trip nearer to the present one by a factor of e
+constexpr double used = 0.7;            // of the rate: less delivered proves nothing
+constexpr double margin = 0.93;         // of what was delivered while a queue stood
+constexpr double allThatIsSent = 0.95;  // nearly
+constexpr double mostThatIsSent = 0.85; // by a path that may be long
+constexpr double leastProof = 0.002;    // seconds at the rate: shorter bursts do not show what the path carries
+constexpr double deepestFall = 0.125;   // at once: a moment in which a processor stood still proves no more
+constexpr double doubtful = 0.5;        // of the rate: whatever makes it fall further at once is to be seen twice
+constexpr double asBefore = 0.15;       // of the ceiling: a queue met so near it confirms it
+constexpr auto passed = 3500ms;         // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
+constexpr auto passedWhenCalm = 2000ms; // and that of a calm path
+constexpr double refuted = 1.1;         // times a ceiling, without a queue: it is none
+constexpr double quickest = 1.25;       // a step while nothing is known
+constexpr double gentle = 1.01;         // a step near the ceiling
+constexpr double nearCeiling = 0.9;     // gently from here
+constexpr double untried = 0.97;        // of the ceiling: below it hardly ever a queue of ours stands
+constexpr double leastBoldest = 1.08;   // of the steps on a slow path, which must not be as bold as on others
+constexpr double bolder = 1.5;          // each step beyond the ceiling, as long as no queue shows
+constexpr double inOnePiece = 2896;     // bytes: two packets, which the kernel sends and acknowledges together
+constexpr double noticing = 12;         // such pieces, until the smoothed round trip shows a queue
+constexpr double usual = 0.0002;        // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 // With header and seal two full packets.
 constexpr std::size_t smallestSegment = 2854;
@@ -62,7 +63,7 @@ void PathRate::restart()
     m_ofLate = {};
     m_usualWait.forget();
     m_draining = false;
-    m_effective = 0;
+    m_effective = m_forgotten = 0;
     m_bytes = {};
     m_sent = 0;
 }
@@ -148,9 +149,9 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
         m_judged = now;
     const double carried = bytes / (seconds + secondsOf(m_waiting));
     const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
-    if (hasWaited(facts))
+    if (hasWaited(facts) && facts.bytesAcknowledged >= m_forgotten)
         meetQueue(facts, tells ? carried : m_rate, mayBeUnrest(facts), now);
-    else if (bytes / seconds > m_rate * used && proves) {
+    else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves) {
         if (!isCalm(facts))
             m_confirmed.reset(); // with pauses a step too far is over soon
         grow(facts, carried, now);
@@ -241,15 +242,17 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts))
         delivered = m_rate;
+    const bool wasProven = m_proven > m_rate * used;
     if (isUnrest(facts, delivered, now))
         return;
     if (allCame)
         m_proven = std::max(m_proven, std::min(m_rate, m_carried));
-    if (delivered < m_rate * allThatIsSent)
-        m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
+    const bool less = delivered < m_rate * allThatIsSent;
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
-    m_doubted = !again && delivered < m_rate * doubtful && facts.leastRoundTrip < longWay;
+    m_doubted = !again && delivered < m_rate * doubtful && (wasProven || facts.leastRoundTrip < longWay);
+    if (less && !m_doubted)
+        m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     if (again && m_confirmed)
         delivered = (delivered + *m_ceiling) / 2; // what a token bucket had left came through, too
     m_ceiling = std::clamp(delivered, least, most);
@@ -261,7 +264,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
         std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
     yield(facts);
     m_step = gentle;
-    m_nextStep = now + (m_doubted ? std::max<Nanoseconds>(shortestWindow, timeToNotice()) : pauseBetweenSteps());
+    m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (isSlow() || isCalm(facts));
     const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : passed) - climb, 0s);
@@ -271,12 +274,16 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
 }
 
 /// The rate is lower now: first what stands drains, and what was sent before says nothing of it. A rate that fell deep at once may still be
-/// far above what the path carries. On a long way it is known late that a queue is gone.
+/// far above what the path carries. On a long way it is known late that a queue is gone, and the round trip goes on telling of a long one.
 void PathRate::yield(const transport::PathFacts& facts)
 {
     m_draining = true;
     m_drain = facts.leastRoundTrip < longWay && (m_doubted || isSlow()) ? drainWhenSlow : drain;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
+    if (facts.leastRoundTrip < longWay || m_waiting <= mostUnrest || isSlow()) // which would make it wait for too much
+        return;
+    const double times = secondsOf(m_waiting) / secondsOf(tolerated(facts));
+    m_forgotten = facts.bytesSent + static_cast<std::uint64_t>(smoothing * inOnePiece * std::log(std::max(times, 1.0)));
 }
 
 void PathRate::shift(double bytesPerSecond)
@@ -294,7 +301,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant
     if (m_calm.listens() && !listen(facts, delivered, now))
         return;
     if (m_doubted)
-        return growInDoubt(now);
+        return growInDoubt(facts, now);
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
         m_rate = std::min(m_rate * quickest, m_ceiling ? *m_ceiling * margin : most);
         return;
@@ -337,14 +344,14 @@ bool PathRate::listen(const transport::PathFacts& facts, double delivered, Insta
     return true;
 }
 
-/// A processor that stands still for some milliseconds looks like a path that carries a tenth. One that does shows its queue again within a
-/// step or two.
-void PathRate::growInDoubt(Instant now)
+/// A processor that stands still for some milliseconds looks like a path that carries a tenth, and so does a network. One that does shows
+/// its queue again within a step or two.
+void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
 {
     if (now < m_nextStep)
         return;
     m_rate = std::min(m_rate * quickest, most);
-    m_nextStep = now + std::max<Nanoseconds>(shortestWindow, timeToNotice());
+    m_nextStep = now + pauseInDoubt(facts);
     if (m_rate > *m_ceiling * refuted) {
         m_ceiling.reset();
         m_doubted = false;
@@ -357,6 +364,13 @@ PathRate::Nanoseconds PathRate::timeOf(double bytes) const
 }
 
 PathRate::Nanoseconds PathRate::timeToNotice() const { return timeOf(noticing * inOnePiece); }
+
+/// On a long way a queue shows a round trip later.
+PathRate::Nanoseconds PathRate::pauseInDoubt(const transport::PathFacts& facts) const
+{
+    const auto until = timeToNotice() + (facts.leastRoundTrip >= longWay ? facts.leastRoundTrip : Nanoseconds::zero());
+    return std::max<Nanoseconds>(shortestWindow, until);
+}
 
 /// A step too far must show before the next one.
 PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nanoseconds>(gentlePause, timeToNotice()); }

@@ -28,7 +28,8 @@ struct KnownRate {
 /// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently. Round trips of a long
 /// path vary without any queue: what is late by a part of a round trip only, while all that was sent arrives, costs the rate little, and
 /// what goes on far below a rate that passed is held for the path's own. Where a long path turns out to be calm (PathCalm), commands are to
-/// wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only there, too.
+/// wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only there, too. A computer or a
+/// network that stands still for a moment looks like a path that carries a tenth: a rate that fell so deep is raised again soon.
 ///
 /// The lanes of one session share its path, and the rate is that of all of them together: each sends at an even part of it, by how many are
 /// in a burst at the moment, and judges what it delivers as many times over. A burst that ends gives its part back at once, and one that
@@ -146,6 +147,7 @@ private:
     Nanoseconds timeOf(double bytes) const;
     Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
+    Nanoseconds pauseInDoubt(const transport::PathFacts& facts) const;
     bool isSlow() const;
     std::optional<Nanoseconds> usualWait() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
@@ -154,7 +156,7 @@ private:
     void yield(const transport::PathFacts& facts);
     void grow(const transport::PathFacts& facts, double delivered, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
-    void growInDoubt(Instant now);
+    void growInDoubt(const transport::PathFacts& facts, Instant now);
 
     std::shared_ptr<FairShare> m_share;
     DeviceId m_session;
@@ -176,6 +178,7 @@ private:
     bool m_draining = false;
     double m_drain = 1;            ///< of the rate, while it drains
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
+    std::uint64_t m_forgotten = 0; ///< once this is acknowledged the smoothed round trip says nothing of the queue before
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};
     std::optional<Instant> m_confirmed; ///< a slow or calm path's ceiling, met twice: tried again from then on, and gently

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <utility>
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
@@ -116,6 +117,63 @@ private slots:
         const auto figures = millisecondsOf(path.late, "ms of 20 s, ") + millisecondsOf(path.veryLate, "ms very late");
         QVERIFY2(path.late < 200ms && path.veryLate < 20ms, figures.constData());
         QVERIFY2(slowest < 23ms, millisecondsOf(slowest, "ms, of at least 17").constData());
+    }
+
+    void isBackSoonAfterAStandstill_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("unrestUs");
+        QTest::addColumn<bool>("ofTheNetwork");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int frames : {15, 30})
+                for (const int unrest : {0, 150, 2000})
+                    for (const bool network : {false, true})
+                        QTest::addRow("%.0f Mbit/s, %d frames/s, %d us, the %s stands still", megabits, frames, unrest,
+                                      network ? "network" : "sender")
+                            << megabits * 125'000 << frames << unrest << network;
+    }
+
+    /// For 3 to 60 ms, at the beginning, in the middle or at the end of a frame: that is no path that carries less. Frames leave in 17 ms
+    /// at least, and on an unquiet path those after some moments in twice that.
+    void isBackSoonAfterAStandstill()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestUs);
+        QFETCH(bool, ofTheNetwork);
+        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
+        const double bytes = capacity * 0.0168;
+        for (const auto still : {3ms, 8ms, 15ms, 30ms, 60ms})
+            for (const auto moment : {2ms, 8ms, 14ms}) {
+                Path path(capacity, 40ms);
+                path.mostUnrest = std::chrono::microseconds(unrestUs);
+                path.lateTogether = 20;
+                const auto frame = [&](Nanoseconds stillFor = {}) {
+                    Nanoseconds taken{};
+                    for (const double before = path.sent(); path.sent() < before + bytes && taken < 1s; taken += 250us) {
+                        if (stillFor > 0ns && taken >= moment) {
+                            path.stalled = ofTheNetwork;
+                            ofTheNetwork ? path.run(stillFor) : path.standStill(stillFor);
+                            path.stalled = false;
+                            taken += std::exchange(stillFor, 0ns);
+                        }
+                        path.run(250us);
+                    }
+                    path.run(std::max<Nanoseconds>(period - taken, 0ns), false);
+                    return taken;
+                };
+                for (int i = 0; i < 6 * framesPerSecond; ++i)
+                    frame();
+                frame(still);
+                Nanoseconds all{};
+                for (int i = 0; i < 5 * framesPerSecond; ++i)
+                    all += frame();
+                const auto mean = all / (5 * framesPerSecond);
+                const auto figures = millisecondsOf(mean, "ms in the five seconds after ") + millisecondsOf(still, "ms, begun after ") +
+                                     millisecondsOf(moment, "ms");
+                QVERIFY2(mean < (unrestUs < 1000 ? 24ms : 36ms), figures.constData());
+            }
     }
 
     void learnsFromFramesWhatALongAndSlowPathCarries_data()
