@@ -250,7 +250,10 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     const bool less = delivered < m_rate * allThatIsSent;
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
-    m_doubted = !again && delivered < m_rate * doubtful && (wasProven || facts.leastRoundTrip < longWay);
+    const bool wasDoubted =
+        std::exchange(m_doubted, !again && delivered < m_rate * doubtful && (wasProven || facts.leastRoundTrip < longWay));
+    if (!wasDoubted)
+        m_ceilingBefore = m_ceiling;
     if (less && !m_doubted)
         m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     if (again && m_confirmed)
@@ -290,8 +293,9 @@ void PathRate::shift(double bytesPerSecond)
 {
     m_rate = std::clamp(m_rate + bytesPerSecond, least, most);
     m_carried = std::clamp(m_carried + bytesPerSecond, least, most);
-    if (m_ceiling)
-        m_ceiling = std::clamp(*m_ceiling + bytesPerSecond, least, most);
+    for (auto* ceiling : {&m_ceiling, &m_ceilingBefore})
+        if (*ceiling)
+            *ceiling = std::clamp(**ceiling + bytesPerSecond, least, most);
 }
 
 void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant now)
@@ -353,7 +357,7 @@ void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
     m_rate = std::min(m_rate * quickest, most);
     m_nextStep = now + pauseInDoubt(facts);
     if (m_rate > *m_ceiling * refuted) {
-        m_ceiling.reset();
+        m_ceiling = m_ceilingBefore && *m_ceilingBefore > m_rate ? m_ceilingBefore : std::nullopt;
         m_doubted = false;
     }
 }

@@ -171,9 +171,10 @@ private:
     Nanoseconds m_waiting{};
     double m_rate = first;
     std::optional<double> m_limit;
-    std::optional<double> m_ceiling; ///< delivered when a queue was met last
-    bool m_doubted = false;          ///< the rate fell so deep at once that the ceiling is to be met again, soon
-    double m_delivered = 0;          ///< bytes per second, of late
+    std::optional<double> m_ceiling;       ///< delivered when a queue was met last
+    std::optional<double> m_ceilingBefore; ///< the fall that is doubted, or was last
+    bool m_doubted = false;                ///< the rate fell so deep at once that the ceiling is to be met again, soon
+    double m_delivered = 0;                ///< bytes per second, of late
     Instant m_shown{};
     bool m_draining = false;
     double m_drain = 1;            ///< of the rate, while it drains

@@ -84,6 +84,7 @@ void PathRate::learnFrom(const PathRate& other)
     m_shown = std::max(m_shown, other.m_shown);
     m_rate = other.m_rate;
     m_ceiling = other.m_ceiling;
+    m_ceilingBefore = other.m_ceilingBefore;
     m_doubted = other.m_doubted;
     m_carried = other.m_carried;
     m_proven = other.m_proven;
