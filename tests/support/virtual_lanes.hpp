@@ -133,6 +133,7 @@ private:
         const auto unsent = static_cast<std::uint32_t>(m_unsent);
         rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_sent), static_cast<std::uint64_t>(m_acknowledged), 0, {}, unsent},
                      now, m_waiting > 0);
+        rate.endsBurst(m_waiting <= 0);
         m_pace = rate.rate();
         m_look = now + 5ms;
     }

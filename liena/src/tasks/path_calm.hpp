@@ -24,6 +24,7 @@ public:
     void begin()
     {
         m_left = verdicts;
+        m_overheard = 0;
         m_latest = {};
     }
     void stop() { m_left = 0; }
@@ -42,7 +43,7 @@ public:
         m_latest = std::max(m_latest, late);
         if (--m_left > 0)
             return Heard::NotAll;
-        const auto heard = std::max(m_latest * 5 / 4, least);
+        const auto heard = heardOf(m_latest);
         const bool isFirst = m_pause == first;
         m_unrest = heard <= most ? heard : usual;
         m_pause = isCalm() ? longest : std::min(m_pause * 2, longest);
@@ -50,6 +51,17 @@ public:
         if (isCalm())
             return Heard::Calm;
         return isFirst ? Heard::Doubtful : Heard::Unquiet;
+    }
+
+    /// So late acknowledgements came while bulk left as fast as it may, and met no queue: that tells of a calm path only.
+    void overhear(Nanoseconds late)
+    {
+        m_latest = m_overheard == 0 ? late : std::max(m_latest, late);
+        if (++m_overheard < verdicts)
+            return;
+        m_overheard = 0;
+        if (const auto heard = heardOf(m_latest); heard <= most)
+            m_unrest = heard;
     }
 
     /// By so much round trips vary, as far as it was heard.
@@ -64,7 +76,10 @@ private:
     static constexpr Nanoseconds longest = std::chrono::seconds(10);     ///< what was heard may have changed since
     static constexpr Nanoseconds first = std::chrono::milliseconds(250); ///< what was heard may have been left of a queue
 
+    static Nanoseconds heardOf(Nanoseconds latest) { return std::max(latest * 5 / 4, least); }
+
     int m_left = 0;
+    int m_overheard = 0;
     Nanoseconds m_latest{};
     Nanoseconds m_unrest = usual;
     Nanoseconds m_pause = first; ///< until it is due again

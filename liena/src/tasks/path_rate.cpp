@@ -37,6 +37,7 @@ constexpr auto passed = 3500ms;         // before a slow path's confirmed ceilin
 constexpr auto passedWhenCalm = 2000ms; // and that of a calm path
 constexpr double refuted = 1.1;         // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;       // a step while nothing is known
+constexpr double triedStep = 1.12;      // a step once the end of a burst was sent still faster
 constexpr double gentle = 1.01;         // a step near the ceiling
 constexpr double nearCeiling = 0.9;     // gently from here
 constexpr double untried = 0.97;        // of the ceiling: below it hardly ever a queue of ours stands
@@ -89,6 +90,7 @@ transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
 {
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
+    m_isLong = facts.leastRoundTrip >= longWay;
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
         m_unrestSeen = now;
@@ -133,7 +135,7 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     if (m_ceiling && m_rate < *m_ceiling * untried && isEffective(facts))
         m_usualWait.note(m_waiting, now);
     if (!receiverLimits && m_delivered > m_rate * used)
-        grow(facts, m_delivered, now);
+        grow(facts, m_delivered, quickest, now);
 }
 
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
@@ -154,7 +156,7 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves) {
         if (!isCalm(facts))
             m_confirmed.reset(); // with pauses a step too far is over soon
-        grow(facts, carried, now);
+        grow(facts, carried, m_burst->tries ? triedStep : quickest, now);
     }
     m_draining = false; // it had the pause for that
 }
@@ -201,6 +203,15 @@ PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) con
 std::optional<PathRate::Nanoseconds> PathRate::usualWait() const { return isSlow() ? m_usualWait.calmest() : std::nullopt; }
 
 bool PathRate::isCalm(const transport::PathFacts& facts) const { return facts.leastRoundTrip >= longWay && m_calm.isCalm(); }
+
+void PathRate::endsBurst(bool ends)
+{
+    m_tries = ends && mayTry();
+    if (m_tries && m_burst)
+        m_burst->tries = true;
+}
+
+bool PathRate::mayTry() const { return m_isLong && m_calm.isCalm() && !m_ceiling && !m_draining; }
 
 bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
 {
@@ -298,7 +309,7 @@ void PathRate::shift(double bytesPerSecond)
             *ceiling = std::clamp(**ceiling + bytesPerSecond, least, most);
 }
 
-void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant now)
+void PathRate::grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now)
 {
     m_shown = now;
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
@@ -306,8 +317,10 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, Instant
         return;
     if (m_doubted)
         return growInDoubt(facts, now);
+    if (!m_ceiling && m_isLong && !m_calm.listens())
+        m_calm.overhear(m_waiting - timeOf(inOnePiece));
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
-        m_rate = std::min(m_rate * quickest, m_ceiling ? *m_ceiling * margin : most);
+        m_rate = std::min(m_rate * quickStep, m_ceiling ? *m_ceiling * margin : most);
         return;
     }
     if (now < m_nextStep || (m_confirmed && now < *m_confirmed))

@@ -45,6 +45,7 @@ public:
     static constexpr double least = 125'000;    ///< bytes per second: 1 Mbit/s
     static constexpr double first = 12'500'000; ///< before anything is known: 100 Mbit/s
     static constexpr double most = 12.5e9;      ///< 100 Gbit/s: no limit worth the name
+    static constexpr double tried = 1.25;       ///< times the rate: what the end of a burst may leave at
 
     PathRate() = default;
     ~PathRate();
@@ -87,8 +88,12 @@ public:
     /// When the kernel will have sent what it had when the pause began.
     Instant leaves() const { return m_leaves; }
 
+    /// Whether what is written now is the last of a burst. While a calm long way is learnt, that leaves faster than the rate: a whole burst
+    /// too fast would be over before it told anything, and a command at its end would wait for all of it.
+    void endsBurst(bool ends);
+
     /// Bytes per second at which to send.
-    double rate() const { return std::min(m_draining ? part() * m_drain : part(), m_limit.value_or(most)); }
+    double rate() const { return std::min(part() * (m_draining ? m_drain : m_tries ? tried : 1.0), m_limit.value_or(most)); }
 
     /// Not more than this, whatever the path seems to carry; nothing: no limit.
     void limit(std::optional<double> bytesPerSecond) { m_limit = bytesPerSecond; }
@@ -128,6 +133,7 @@ private:
         std::optional<Instant> end;
         std::uint64_t bytesSent = 0; ///< before it
         bool alone = true;           ///< of those nothing was under way any more
+        bool tries = false;          ///< its end left faster than the rate
     };
 
     transport::PathFacts asOfSession(const transport::PathFacts& facts, Instant now);
@@ -136,6 +142,7 @@ private:
     void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool isCalm(const transport::PathFacts& facts) const;
+    bool mayTry() const;
     bool isEffective(const transport::PathFacts& facts) const;
     bool hasWaited(const transport::PathFacts& facts) const;
     bool hasQueue(const transport::PathFacts& facts, Instant now) const;
@@ -154,7 +161,7 @@ private:
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
     void yield(const transport::PathFacts& facts);
-    void grow(const transport::PathFacts& facts, double delivered, Instant now);
+    void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
     void growInDoubt(const transport::PathFacts& facts, Instant now);
 
@@ -176,6 +183,8 @@ private:
     bool m_doubted = false;                ///< the rate fell so deep at once that the ceiling is to be met again, soon
     double m_delivered = 0;                ///< bytes per second, of late
     Instant m_shown{};
+    bool m_isLong = false; ///< the way, when looked at last
+    bool m_tries = false;  ///< what the path carries beyond the rate, now
     bool m_draining = false;
     double m_drain = 1;            ///< of the rate, while it drains
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now

@@ -27,7 +27,7 @@ void PathRate::pause(Instant now, std::uint32_t unsent)
     m_leaves = now + std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(unsent / rate()));
     if (m_share)
         m_share->pause(*this, now);
-    m_isBurst = false;
+    m_isBurst = m_tries = false;
     m_window.reset();
     m_draining = false; // it drains by itself
     if (m_burst && !m_burst->end)

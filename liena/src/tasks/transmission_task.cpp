@@ -80,6 +80,7 @@ void TransmissionTask::keepPace(std::chrono::steady_clock::time_point now)
     constexpr double worthTelling = 0.005;
     if (const auto facts = m_channel->facts())
         m_rate->observe(*facts, now, !m_queue->empty());
+    m_rate->endsBurst(m_queue->empty());
     if (std::abs(m_rate->rate() - m_paced) <= m_paced * worthTelling)
         return;
     m_paced = m_rate->rate();

@@ -15,7 +15,8 @@ using Path = liena::test::VirtualPath;
 
 namespace {
 
-constexpr double gigabit = 125e6; // bytes per second
+constexpr double gigabit = 125e6;     // bytes per second
+constexpr double inTheKernel = 0.004; // seconds of what a stream sends, that leave with its last write
 
 QByteArray millisecondsOf(Nanoseconds time, const char* what)
 {
@@ -174,6 +175,43 @@ private slots:
                                      millisecondsOf(moment, "ms");
                 QVERIFY2(mean < (unrestUs < 1000 ? 24ms : 36ms), figures.constData());
             }
+    }
+
+    void commandsHardlyWaitWhileALongAndFastPathIsLearnt_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("unrestUs");
+        for (const double megabits : {400.0, 1000.0})
+            for (const int frames : {15, 30})
+                for (const int unrest : {0, 150, 300})
+                    QTest::addRow("%.0f Mbit/s, %d frames/s, %d us", megabits, frames, unrest) << megabits * 125'000 << frames << unrest;
+    }
+
+    /// From the first frame on. What left too fast at once, as a whole frame would, would keep them waiting twice as long.
+    void commandsHardlyWaitWhileALongAndFastPathIsLearnt()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestUs);
+        Path path(capacity, 40ms);
+        path.mostUnrest = std::chrono::microseconds(unrestUs);
+        path.lateTogether = 20;
+        path.muchTooLong = path.carrying(8562) + 1500us;
+        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
+        const double bytes = capacity * 0.0168;
+        Nanoseconds last{};
+        for (int i = 0; i < 5 * framesPerSecond; ++i) {
+            last = {};
+            for (const double end = path.sent() + bytes; path.sent() < end && last < 1s; last += 250us) {
+                path.rate.endsBurst(end - path.sent() < path.rate.steady() * inTheKernel);
+                path.run(250us);
+            }
+            path.run(std::max<Nanoseconds>(period - last, 0ns), false);
+        }
+        const auto figures = millisecondsOf(path.veryLate, "ms of 5 s very late, ") + millisecondsOf(path.longestWait, "ms at the longest");
+        QVERIFY2(path.veryLate < (framesPerSecond > 15 ? 12ms : 5ms), figures.constData());
+        QVERIFY2(last < 20ms, millisecondsOf(last, "ms for a frame of 17").constData());
     }
 
     void learnsFromFramesWhatALongAndSlowPathCarries_data()
