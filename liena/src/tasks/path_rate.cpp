@@ -370,7 +370,8 @@ void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
     m_rate = std::min(m_rate * quickest, most);
     m_nextStep = now + pauseInDoubt(facts);
     if (m_rate > *m_ceiling * refuted) {
-        m_ceiling = m_ceilingBefore && *m_ceilingBefore > m_rate ? m_ceilingBefore : std::nullopt;
+        // On a short way a step beyond what it carries is seen before it is over.
+        m_ceiling = m_isLong && m_ceilingBefore && *m_ceilingBefore > m_rate ? m_ceilingBefore : std::nullopt;
         m_doubted = false;
     }
 }
