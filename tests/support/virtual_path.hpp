@@ -35,11 +35,7 @@ public:
             m_queue += taken - carried;
             m_entered += taken;
             m_entries.push_back({m_now, m_entered});
-            m_left += carried;
-            while (m_entries.size() > 1 && m_entries.front().total < m_left)
-                m_entries.pop_front();
-            const auto piece = m_tokens > 0 ? Nanoseconds::zero() : carrying(acknowledged);
-            m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at + piece, carried, carried / seconds});
+            leave(carried, m_tokens > 0 ? Nanoseconds::zero() : carrying(acknowledged));
             acknowledge();
             m_sent += offered;
             longestWait = std::max(longestWait, waiting());
@@ -57,11 +53,7 @@ public:
         for (; m_now < until; m_now += step) {
             const double carried = std::min(m_queue, capacity * std::chrono::duration<double>(step).count());
             m_queue -= carried;
-            m_left += carried;
-            while (m_entries.size() > 1 && m_entries.front().total < m_left)
-                m_entries.pop_front();
-            m_onItsWay.push_back(
-                {m_now + m_idle, m_now - m_entries.front().at, carried, carried / std::chrono::duration<double>(step).count()});
+            leave(carried, Nanoseconds::zero());
         }
         for (auto& news : m_onItsWay) {
             news.waiting += std::max(until - news.known, Nanoseconds::zero());
@@ -140,6 +132,16 @@ private:
         double bytes = 0;
         double rate = 0;
     };
+
+    /// So much in this step, besides what the piece itself takes.
+    void leave(double carried, Nanoseconds piece)
+    {
+        m_left += carried;
+        while (m_entries.size() > 1 && m_entries.front().total < m_left)
+            m_entries.pop_front();
+        const double seconds = std::chrono::duration<double>(step).count();
+        m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at + piece, carried, carried / seconds});
+    }
 
     /// A switch has half a megabyte or so, a faster one more.
     double deepest() const { return std::max(512e3, capacity * 0.005); }

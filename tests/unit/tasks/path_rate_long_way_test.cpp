@@ -18,6 +18,35 @@ namespace {
 constexpr double gigabit = 125e6;     // bytes per second
 constexpr double inTheKernel = 0.004; // seconds of what a stream sends, that leave with its last write
 
+/// Frames of so many bytes as the path carries in 16.8 ms.
+class Frames {
+public:
+    Frames(Path& path, int perSecond) : m_path(path), m_bytes(path.capacity * 0.0168), m_period(1'000'000'000 / perSecond) {}
+
+    /// How long it took. `stillFor`: the network, or the sender, stands still so long once the frame has taken `moment`.
+    Nanoseconds send(Nanoseconds stillFor = {}, Nanoseconds moment = {}, bool ofTheNetwork = false)
+    {
+        Nanoseconds taken{};
+        for (const double end = m_path.sent() + m_bytes; m_path.sent() < end && taken < 1s; taken += 250us) {
+            if (stillFor > 0ns && taken >= moment) {
+                m_path.stalled = ofTheNetwork;
+                ofTheNetwork ? m_path.run(stillFor) : m_path.standStill(stillFor);
+                m_path.stalled = false;
+                taken += std::exchange(stillFor, 0ns);
+            }
+            m_path.rate.endsBurst(end - m_path.sent() < m_path.rate.steady() * inTheKernel);
+            m_path.run(250us);
+        }
+        m_path.run(std::max(m_period - taken, Nanoseconds::zero()), false);
+        return taken;
+    }
+
+private:
+    Path& m_path;
+    double m_bytes;
+    Nanoseconds m_period;
+};
+
 QByteArray millisecondsOf(Nanoseconds time, const char* what)
 {
     return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
@@ -96,25 +125,16 @@ private slots:
         Path path(capacity, 40ms);
         path.mostUnrest = std::chrono::microseconds(unrestUs);
         path.lateTogether = 20;
-        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
-        const double bytes = capacity * 0.0168;
-        auto slowest = 0us;
-        const auto frames = [&](int count) {
-            for (double before = path.sent(); count > 0; --count, before = path.sent()) {
-                auto taken = 0us;
-                for (; path.sent() < before + bytes && taken < 1s; taken += 250us)
-                    path.run(250us);
-                slowest = std::max(slowest, taken);
-                path.run(std::max(period - taken, 0us), false);
-            }
-        };
-        frames(framesPerSecond);
+        Frames frames(path, framesPerSecond);
+        for (int i = 0; i < framesPerSecond; ++i)
+            frames.send();
         path.forget();
-        slowest = 0us;
         const auto segment = path.carrying(static_cast<double>(path.rate.segment()));
         path.tooLong = segment + 500us;
         path.muchTooLong = segment + 1500us;
-        frames(20 * framesPerSecond);
+        Nanoseconds slowest{};
+        for (int i = 0; i < 20 * framesPerSecond; ++i)
+            slowest = std::max(slowest, frames.send());
         const auto figures = millisecondsOf(path.late, "ms of 20 s, ") + millisecondsOf(path.veryLate, "ms very late");
         QVERIFY2(path.late < 200ms && path.veryLate < 20ms, figures.constData());
         QVERIFY2(slowest < 23ms, millisecondsOf(slowest, "ms, of at least 17").constData());
@@ -143,33 +163,18 @@ private slots:
         QFETCH(int, framesPerSecond);
         QFETCH(int, unrestUs);
         QFETCH(bool, ofTheNetwork);
-        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
-        const double bytes = capacity * 0.0168;
         for (const auto still : {3ms, 8ms, 15ms, 30ms, 60ms})
             for (const auto moment : {2ms, 8ms, 14ms}) {
                 Path path(capacity, 40ms);
                 path.mostUnrest = std::chrono::microseconds(unrestUs);
                 path.lateTogether = 20;
-                const auto frame = [&](Nanoseconds stillFor = {}) {
-                    Nanoseconds taken{};
-                    for (const double before = path.sent(); path.sent() < before + bytes && taken < 1s; taken += 250us) {
-                        if (stillFor > 0ns && taken >= moment) {
-                            path.stalled = ofTheNetwork;
-                            ofTheNetwork ? path.run(stillFor) : path.standStill(stillFor);
-                            path.stalled = false;
-                            taken += std::exchange(stillFor, 0ns);
-                        }
-                        path.run(250us);
-                    }
-                    path.run(std::max<Nanoseconds>(period - taken, 0ns), false);
-                    return taken;
-                };
+                Frames frames(path, framesPerSecond);
                 for (int i = 0; i < 6 * framesPerSecond; ++i)
-                    frame();
-                frame(still);
+                    frames.send();
+                frames.send(still, moment, ofTheNetwork);
                 Nanoseconds all{};
                 for (int i = 0; i < 5 * framesPerSecond; ++i)
-                    all += frame();
+                    all += frames.send();
                 const auto mean = all / (5 * framesPerSecond);
                 const auto figures = millisecondsOf(mean, "ms in the five seconds after ") + millisecondsOf(still, "ms, begun after ") +
                                      millisecondsOf(moment, "ms");
@@ -198,17 +203,10 @@ private slots:
         path.mostUnrest = std::chrono::microseconds(unrestUs);
         path.lateTogether = 20;
         path.muchTooLong = path.carrying(8562) + 1500us;
-        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
-        const double bytes = capacity * 0.0168;
+        Frames frames(path, framesPerSecond);
         Nanoseconds last{};
-        for (int i = 0; i < 5 * framesPerSecond; ++i) {
-            last = {};
-            for (const double end = path.sent() + bytes; path.sent() < end && last < 1s; last += 250us) {
-                path.rate.endsBurst(end - path.sent() < path.rate.steady() * inTheKernel);
-                path.run(250us);
-            }
-            path.run(std::max<Nanoseconds>(period - last, 0ns), false);
-        }
+        for (int i = 0; i < 5 * framesPerSecond; ++i)
+            last = frames.send();
         const auto figures = millisecondsOf(path.veryLate, "ms of 5 s very late, ") + millisecondsOf(path.longestWait, "ms at the longest");
         QVERIFY2(path.veryLate < (framesPerSecond > 15 ? 12ms : 5ms), figures.constData());
         QVERIFY2(last < 20ms, millisecondsOf(last, "ms for a frame of 17").constData());
