@@ -90,15 +90,24 @@ Descriptor::~Descriptor()
         ::close(m_number);
 }
 
-Descriptor tcpTo(std::uint16_t port)
+Descriptor tcpSocket()
 {
     auto made = openSocket(SOCK_STREAM);
-    const auto address = loopback(port);
     const int on = 1;
     ::setsockopt(made.number(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    if (made && ::connect(made.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 && errno != EINPROGRESS)
-        return {};
     return made;
+}
+
+bool connectTo(const Descriptor& socket, std::uint16_t port)
+{
+    const auto address = loopback(port);
+    return ::connect(socket.number(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 || errno == EINPROGRESS;
+}
+
+Descriptor tcpTo(std::uint16_t port)
+{
+    auto made = tcpSocket();
+    return connectTo(made, port) ? std::move(made) : Descriptor();
 }
 
 Descriptor listenAt(std::uint16_t port)

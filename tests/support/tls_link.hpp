@@ -31,7 +31,10 @@ private:
     int m_number = -1;
 };
 
-/// A non-blocking TCP connection to 127.0.0.1:`port`, begun or made. Nothing when there are no descriptors left.
+Descriptor tcpSocket();                                       ///< non-blocking; nothing when there are no descriptors left
+bool connectTo(const Descriptor& socket, std::uint16_t port); ///< to 127.0.0.1:`port`, begun or made
+
+/// Both of them. Nothing when one fails.
 Descriptor tcpTo(std::uint16_t port);
 Descriptor listenAt(std::uint16_t port);
 Descriptor udpAt(std::uint16_t port); ///< 0: any port

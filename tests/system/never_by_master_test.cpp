@@ -72,7 +72,7 @@ bool movesWholly(Stage& stage)
     };
     const QDeadlineTimer deadline(3 * patience);
     while (!deadline.hasExpired())
-        if (stage.theatre.armAndMove() && QTest::qWaitFor([&] { return whole() || !stage.mayMove(); }, patience) && stage.mayMove())
+        if (stage.theatre.armAndMove() && stage.whileItMayMove(whole))
             return true;
     return false;
 }
@@ -91,80 +91,103 @@ private Q_SLOTS:
 
     void cleanupTestCase() { m_stage.reset(); }
 
-    /// With its key still down a hand that is held up stands for a moment, and goes on when it pushes harder.
     void theForceOfTheRobotSlowsTheHandAndNeverPushesIt()
     {
-        Stage& stage = *m_stage;
-        const auto force = [&stage] { return stage.theatre.models().hand.reading().forceToHand.value_or(99); };
-        QVERIFY2(movesWholly(stage), qPrintable(stage.theatre.story()));
-        const int rested = stage.robot.engagedAtRest();
-        const int freely = stage.robot.movements();
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.movements() > freely + 50, qPrintable(stage.theatre.story()), patience);
-        QCOMPARE(stage.robot.engagedAtRest(), rested); // without a force it does not stand
-        QCOMPARE(force(), 0.0);
-        QTRY_VERIFY2(paintedOfHand(stage).contains(QStringLiteral("FORCETOHANDnone")), qPrintable(paintedOfHand(stage)));
-
-        stage.robot.setForce(1.5);
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.engagedAtRest() > rested + 20, qPrintable(stage.theatre.story()), patience);
-        QTRY_VERIFY2_WITH_TIMEOUT(std::abs(force() - 1.5) < 0.01, qPrintable(QString::number(force())), patience);
-        QTRY_VERIFY2(paintedOfHand(stage).contains(QStringLiteral("FORCETOHANDresistance1.50")), qPrintable(paintedOfHand(stage)));
-        const int against = stage.robot.movements();
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.movements() > against + 50, qPrintable(stage.theatre.story()), patience);
-
-        stage.robot.setForce(-1.5); // the same the other way: what pulls the wire pulls no robot along
-        QTRY_VERIFY2_WITH_TIMEOUT(std::abs(force() + 1.5) < 0.01, qPrintable(QString::number(force())), patience);
-        const int along = stage.robot.movements();
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.movements() > along + 50, qPrintable(stage.theatre.story()), patience);
-        QCOMPARE(stage.phase(), PermitPhase::Engaged);
-        QVERIFY2(stage.robot.fastest() <= asked + 1e-3, qPrintable(QString::number(stage.robot.fastest())));
-
-        stage.theatre.strike(Qt::Key_F12); // and who moves nothing feels nothing, though the robot still does
-        QTRY_COMPARE_WITH_TIMEOUT(force(), 0.0, patience);
-        stage.robot.setForce(0);
-        stage.theatre.releaseAll();
+        QVERIFY2(m_stage->tryWhileItMoves([this](bool& over) { feelTheRobot(over); }), qPrintable(m_stage->theatre.story()));
+        m_stage->theatre.releaseAll();
     }
 
     // Rule 3.
 
     void aStickThatIsPushedBeforeTheTriggerMovesNothingUntilItWasAtRest()
     {
-        Stage& stage = *m_stage;
         VirtualPad pad;
         QVERIFY(pad.sound());
+        QVERIFY2(use(*m_stage, MasterKind::GamePad), qPrintable(m_stage->theatre.story()));
+        QVERIFY2(m_stage->tryWhileItMoves([&](bool& over) { pushBeforeTheTrigger(pad, over); }), qPrintable(m_stage->theatre.story()));
+        m_stage->theatre.releaseAll();
+    }
+
+private:
+    /// With its key still down a hand that is held up stands for a moment, and goes on when it pushes harder.
+    void feelTheRobot(bool& over)
+    {
+        Stage& stage = *m_stage;
+        const auto force = [&stage] { return stage.theatre.models().hand.reading().forceToHand.value_or(99); };
+        const auto movesMore = [&stage] {
+            const int before = stage.robot.movements();
+            return stage.whileItMayMove([&] { return stage.robot.movements() > before + 50; });
+        };
+        stage.robot.setForce(0);
+        QVERIFY2(movesWholly(stage), qPrintable(stage.theatre.story()));
+        const int rested = stage.robot.engagedAtRest();
+        if (!movesMore())
+            return;
+        QCOMPARE(stage.robot.engagedAtRest(), rested); // without a force it does not stand
+        QCOMPARE(force(), 0.0);
+        QTRY_VERIFY2(paintedOfHand(stage).contains(QStringLiteral("FORCETOHANDnone")), qPrintable(paintedOfHand(stage)));
+
+        stage.robot.setForce(1.5);
+        const auto isHeldUp = [&] {
+            return stage.robot.engagedAtRest() > rested + 20 && std::abs(force() - 1.5) < 0.01 &&
+                   paintedOfHand(stage).contains(QStringLiteral("FORCETOHANDresistance1.50"));
+        };
+        if (!stage.whileItMayMove(isHeldUp) || !movesMore())
+            return;
+
+        stage.robot.setForce(-1.5); // the same the other way: what pulls the wire pulls no robot along
+        if (!stage.whileItMayMove([&] { return std::abs(force() + 1.5) < 0.01; }) || !movesMore())
+            return;
+        QCOMPARE(stage.phase(), PermitPhase::Engaged);
+        QVERIFY2(stage.robot.fastest() <= asked + 1e-3, qPrintable(QString::number(stage.robot.fastest())));
+
+        stage.theatre.strike(Qt::Key_F12); // and who moves nothing feels nothing, though the robot still does
+        QTRY_COMPARE_WITH_TIMEOUT(force(), 0.0, patience);
+        stage.robot.setForce(0);
+        over = true;
+    }
+
+    void pushBeforeTheTrigger(VirtualPad& pad, bool& over)
+    {
+        Stage& stage = *m_stage;
         const auto push = [&pad](double part) { pad.stick(SDL_CONTROLLER_AXIS_LEFTY, -part); };
-        QVERIFY2(use(stage, MasterKind::GamePad), qPrintable(stage.theatre.story()));
+        const auto stands = [&stage](int since) { return stage.robot.engagedAtRest() > since + 50; };
+        pad.trigger(0);
+        push(0);
         QVERIFY2(stage.theatre.arm(), qPrintable(stage.theatre.story()));
         int moved = stage.robot.movements();
         int rested = stage.robot.engagedAtRest();
         push(1);
         QVERIFY(stage.settles()); // it is heard, and is nothing yet
         pad.trigger(1);
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.engagedAtRest() > rested + 50, qPrintable(stage.theatre.story()), patience);
+        bool lasted = stage.whileItMayMove([&] { return stands(rested); });
         QCOMPARE(stage.robot.movements(), moved);
+        if (!lasted)
+            return;
         push(0.5); // nor does less of it count as rest
         QVERIFY(stage.settles());
         QCOMPARE(stage.robot.movements(), moved);
         push(0);
         QVERIFY(stage.settles());
         push(1);
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.movements() > moved, qPrintable(stage.theatre.story()), patience);
+        if (!stage.whileItMayMove([&] { return stage.robot.movements() > moved; }))
+            return;
         const auto first = stage.robot.newestMovements().front();
         constexpr std::chrono::milliseconds underway(100); // what the first command that the robot heard may have been late
         QVERIFY2(first.velocity <= asked * rampAt(first.engagedFor + underway) + 1e-3, qPrintable(QString::number(first.velocity)));
 
         // The same at each further press.
         pad.trigger(0);
-        QTRY_COMPARE_WITH_TIMEOUT(stage.phase(), PermitPhase::Armed, patience);
+        if (!stage.whileItMayMove([&] { return stage.phase() == PermitPhase::Armed; }))
+            return;
         QVERIFY(stage.settles());
         moved = stage.robot.movements();
         rested = stage.robot.engagedAtRest();
         pad.trigger(1);
-        QTRY_VERIFY2_WITH_TIMEOUT(stage.robot.engagedAtRest() > rested + 50, qPrintable(stage.theatre.story()), patience);
+        over = stage.whileItMayMove([&] { return stands(rested); });
         QCOMPARE(stage.robot.movements(), moved);
-        stage.theatre.releaseAll();
     }
 
-private:
     std::unique_ptr<Stage> m_stage;
 };
 

@@ -8,6 +8,7 @@
 
 #include <QAbstractSlider>
 #include <QApplication>
+#include <QDeadlineTimer>
 #include <QPointer>
 #include <QTest>
 
@@ -29,6 +30,25 @@ struct NeverStage : PuppetTheatre {
     bool open() { return theatre.openAll(); }
     PermitPhase phase() const { return theatre.phase(); }
     bool mayMove() const { return phase() == PermitPhase::Armed || phase() == PermitPhase::Engaged; }
+
+    /// Waits until it is so, or motion has ended. Whether it is so and motion goes on.
+    template <typename Condition>
+    bool whileItMayMove(Condition condition)
+    {
+        return QTest::qWaitFor([&] { return condition() || !mayMove(); }, patience) && condition() && mayMove();
+    }
+
+    /// Makes the attempt, which sets what it is given at its end, again where motion ended before: a busy computer paints too late, or
+    /// stands still. What must never be is looked for each time. Whether one came to its end.
+    template <typename Try>
+    bool tryWhileItMoves(Try attempt)
+    {
+        const QDeadlineTimer deadline(3 * patience);
+        bool over = false;
+        while (!over && !deadline.hasExpired() && !QTest::currentTestFailed())
+            attempt(over);
+        return over;
+    }
 
     /// Waits for so many of the robot's turns, ten milliseconds each; false when the console was armed at any time between.
     bool staysUnarmed(std::uint64_t turns)
