@@ -57,7 +57,7 @@ cv::Mat attenuation(const cv::Mat& values, const XrayFrame& frame)
     return -result;
 }
 
-/// The value that `share` of all are not above.
+/// The value that `share` of all are not above. Of one at least.
 float quantile(std::vector<float>& values, double share)
 {
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -238,6 +238,8 @@ std::optional<Roadmap> Opacification::roadmap() const
 
     const NoiseAround noise(brightened);
     std::vector<float> values = noise.whereSeen(darkened / noise.around());
+    if (values.empty())
+        return std::nullopt;
     const float usual = quantile(values, 0.5);
     const float darkest = quantile(values, 1 - darkestShare);
     std::transform(values.begin(), values.end(), values.begin(), [usual](float value) { return std::abs(value - usual); });

@@ -136,14 +136,15 @@ void AlarmBand::setAlarms(const std::vector<Alarm>& alarms)
     m_alarms = alarms;
     m_test->setSoundWorks(std::none_of(alarms.begin(), alarms.end(),
                                        [](const Alarm& alarm) { return alarm.condition == AlarmCondition::SoundFailed && alarm.present; }));
-    const Alarm* next = firstUnacknowledged(); // of the highest priority
-    m_test->setMayBegin(next == nullptr || next->priority != AlarmPriority::High);
+    const Alarm* const first = firstUnacknowledged(); // of the highest priority
+    const bool shown = first != nullptr && first == &m_alarms.front();
+    const auto next = first != nullptr ? std::optional(*first) : std::nullopt; // its own: what follows moves the focus, and may come back
+    m_test->setMayBegin(!next || next->priority != AlarmPriority::High);
     if (!next)
         returnFocus(m_acknowledge);
-    m_acknowledge->setVisible(next != nullptr);
+    m_acknowledge->setVisible(next.has_value());
     if (next) {
         constexpr qsizetype mostCharacters = 24;
-        const bool shown = next == &m_alarms.front();
         const bool whole = next->text.size() <= mostCharacters;
         const QString text = whole ? next->text : next->text.left(mostCharacters - 1) + QChar(0x2026);
         m_acknowledge->setText(shown           ? tr("Acknowledge")
