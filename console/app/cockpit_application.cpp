@@ -68,9 +68,27 @@ bool CockpitApplication::prepare(QString* error)
     m_link = SystemLink::create(settings, m_models, m_pictures.pipeline(), error);
     if (!m_link)
         return false;
+    if (m_options.rehearsal && !rehearsesHere(error))
+        return false;
     m_control = std::make_unique<CockpitControl>(m_models, *m_link, m_hand);
     buildAlarms();
     buildWindow();
+    return true;
+}
+
+/// By a recording nothing is moved but what this computer simulates: a robot elsewhere may be a real one.
+bool CockpitApplication::rehearsesHere(QString* error) const
+{
+    const auto& sessions = m_models.sessions;
+    for (const auto& device : sessions.devices()) {
+        const bool moves = device.kind == DeviceKind::Hand || device.kind == DeviceKind::Arm;
+        if (moves && !device.self && !device.onThisComputer && sessions.linkTo(device.id) != nullptr)
+            return *error =
+                       tr("--rehearsal lets a recording stand for the live picture, and \"%1\" at %2 is not on this computer: it may be "
+                          "a real robot; name devices at a loopback address in the topology, or start without --rehearsal")
+                           .arg(device.title, device.address),
+                   false;
+    }
     return true;
 }
 

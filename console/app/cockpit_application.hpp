@@ -56,6 +56,7 @@ public:
     const ConsoleModels& models() const { return m_models; }
 
 private:
+    bool rehearsesHere(QString* error) const;
     void buildAlarms();
     void buildWindow();
     void buildTopology();

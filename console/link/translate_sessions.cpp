@@ -146,6 +146,7 @@ SessionModel::Topology topologyValues(const liena::SystemTopology& topology, lie
         node.kind = kindOf(node.id);
         node.messageSet = text(device.messageSet);
         node.address = QStringLiteral("%1:%2").arg(text(device.host)).arg(device.port);
+        node.onThisComputer = device.onLoopback;
         node.self = device.id == self;
         value.devices.push_back(std::move(node));
     }

@@ -22,9 +22,10 @@ struct DeviceNode {
     QString title; ///< for people; the name when the topology gives none
     QString site;  ///< where the device stands, free text; may be empty
     DeviceKind kind = DeviceKind::Special;
-    QString messageSet; ///< the set's name
-    QString address;    ///< `host:port`
-    bool self = false;  ///< this console
+    QString messageSet;          ///< the set's name
+    QString address;             ///< `host:port`
+    bool onThisComputer = false; ///< at a loopback address: no other computer reaches it
+    bool self = false;           ///< this console
 
     /// `0x40018208`.
     QString idText() const;

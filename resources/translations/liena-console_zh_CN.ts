@@ -972,6 +972,10 @@
         <source>the screen is in sight again</source>
         <translation>屏幕重新可见</translation>
     </message>
+    <message>
+        <source>--rehearsal lets a recording stand for the live picture, and &quot;%1&quot; at %2 is not on this computer: it may be a real robot; name devices at a loopback address in the topology, or start without --rehearsal</source>
+        <translation>--rehearsal 使录制图像代替实时图像，而“%1”（%2）不在本机上：它可能是真实的机器人；请在拓扑中使用本机回环地址上的设备，或不带 --rehearsal 启动</translation>
+    </message>
 </context>
 <context>
     <name>console::CockpitControl</name>

@@ -35,7 +35,8 @@ struct TopologyDevice {
     std::string host;
     std::uint16_t port = 0;
     std::string title;
-    std::string site; ///< free text, for people: where the device stands
+    std::string site;        ///< free text, for people: where the device stands
+    bool onLoopback = false; ///< its host is a loopback address or `localhost`: programs of one computer reach it, nobody else
 };
 
 /// Only these application messages flow on the link that carries a flow; `message` is a report of `from`'s set or a command of the other's.

@@ -18,13 +18,6 @@ namespace asio = boost::asio;
 
 namespace {
 
-bool isLoopback(const std::string& host)
-{
-    boost::system::error_code notNumeric;
-    const auto address = asio::ip::make_address(host, notNumeric);
-    return notNumeric ? host == "localhost" : address.is_loopback();
-}
-
 Result<std::shared_ptr<security::TlsIdentity>> loadIdentity(const Settings& settings, const SystemTopology& topology,
                                                             const TopologyDevice& own)
 {
@@ -40,7 +33,7 @@ Result<std::shared_ptr<security::TlsIdentity>> loadIdentity(const Settings& sett
                   "no-security",
                   {},
                   own.name});
-    if (!isLoopback(own.host) && !settings.allowInsecureNetwork)
+    if (!own.onLoopback && !settings.allowInsecureNetwork)
         return fail(Errc::Forbidden,
                     fmt::format("security mode none binds to loopback addresses only, not to {}; use mode tls, or allow an insecure "
                                 "network on purpose",

@@ -112,6 +112,7 @@ void TopologyReader::readHost(const Element& element, TopologyDevice& device)
     if (!name)
         return host->reject(fmt::format("{} {}", inQuotes(device.host), why),
                             "give the address or the name at which the device is reached");
+    device.onLoopback = name->isLoopback;
     if (port)
         m_endpoints.take({name->canonical, device.port}, *host, fmt::format("the endpoint {} port {}", device.host, device.port));
     if (m_topology.m_security == SecurityMode::None && !name->isLoopback)
