@@ -160,7 +160,7 @@ private:
         push(1);
         QVERIFY(stage.settles()); // it is heard, and is nothing yet
         pad.trigger(1);
-        bool lasted = stage.whileItMayMove([&] { return stands(rested); });
+        const bool lasted = stage.whileItMayMove([&] { return stands(rested); });
         QCOMPARE(stage.robot.movements(), moved);
         if (!lasted)
             return;
