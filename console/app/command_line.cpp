@@ -104,8 +104,8 @@ struct Declared {
         QStringLiteral("FILE")};
     QCommandLineOption rehearsal{
         QStringLiteral("rehearsal"),
-        QStringLiteral("A recorded picture may stand for the live one, for robots that this computer simulates: refused where one is at "
-                       "another address than a loopback one. The screen says so.")};
+        QStringLiteral("A recorded picture may stand for the live one. The screen says so. Only where every linked robot is at a loopback "
+                       "address: what stands elsewhere may be a real one.")};
     QCommandLineOption measureOnRequest{QStringLiteral("measure-on-request"),
                                         QStringLiteral("Let `liena bench --live` of this user measure the lines of this console.")};
     QCommandLineOption realTimePriority{QStringLiteral("realtime-priority"),

@@ -9,12 +9,6 @@ namespace reference = liena::test::reference;
 
 namespace {
 
-liena::test::DeviceSpec at(const char* host, liena::test::DeviceSpec device)
-{
-    device.host = host;
-    return device;
-}
-
 /// Whether the console gets as far as showing itself.
 bool begins(liena::test::TestSystem& files, bool rehearsal, QString& error)
 {
@@ -54,12 +48,13 @@ private Q_SLOTS:
         QFETCH(QString, armHost);
         QFETCH(QString, xrayHost);
         QFETCH(QString, refused);
-        const auto robot = robotHost.toLatin1();
-        const auto arm = armHost.toLatin1();
-        const auto xray = xrayHost.toLatin1();
-        liena::test::TestSystem files({reference::cockpit, at(robot.constData(), reference::robot), at(arm.constData(), reference::arm),
-                                       at(xray.constData(), reference::xray)},
-                                      {"cockpit robot", "cockpit arm", "cockpit xray"});
+        auto robot = reference::robot;
+        auto arm = reference::arm;
+        auto xray = reference::xray;
+        robot.host = robotHost.toStdString();
+        arm.host = armHost.toStdString();
+        xray.host = xrayHost.toStdString();
+        liena::test::TestSystem files({reference::cockpit, robot, arm, xray}, {"cockpit robot", "cockpit arm", "cockpit xray"});
         QString error;
         QVERIFY2(begins(files, false, error), qPrintable(error)); // the same without a rehearsal
         QCOMPARE(begins(files, true, error), refused.isEmpty());
@@ -68,8 +63,9 @@ private Q_SLOTS:
 
     void aRobotOfAnotherCockpitDoesNotMatter()
     {
-        liena::test::TestSystem files({reference::cockpit, at("192.0.2.7", reference::robot), reference::arm},
-                                      {"cockpit arm", "arm robot"});
+        auto robot = reference::robot;
+        robot.host = "192.0.2.7";
+        liena::test::TestSystem files({reference::cockpit, robot, reference::arm}, {"cockpit arm", "arm robot"});
         QString error;
         QVERIFY2(begins(files, true, error), qPrintable(error));
     }
