@@ -265,6 +265,8 @@ void SessionIntake::takeFigures(const std::vector<liena::LinkStatus>& links, Ins
     for (const auto& status : links) {
         const auto peer = status.peer.value();
         const auto before = m_figuresBefore.find(peer);
+        if (before != m_figuresBefore.end())
+            tellOtherWay(before->second, status);
         m_models.sessions.setLinkFigures(peer, linkFigures(status, before == m_figuresBefore.end() ? nullptr : &before->second, between),
                                          now);
         if (status.clockOffset)
@@ -272,6 +274,16 @@ void SessionIntake::takeFigures(const std::vector<liena::LinkStatus>& links, Ins
         m_figuresBefore[peer] = status;
     }
     m_figuresAt = now;
+}
+
+/// A host with several addresses may be reached another way after an interruption: never in silence.
+void SessionIntake::tellOtherWay(const liena::LinkStatus& before, const liena::LinkStatus& now)
+{
+    if (before.remoteAddress.empty() || (before.remoteAddress == now.remoteAddress && before.localAddress == now.localAddress))
+        return;
+    const auto way = [](const liena::LinkStatus& link) { return tr("%1 to %2").arg(text(link.localAddress), text(link.remoteAddress)); };
+    log(LogKind::Trouble,
+        tr("%1: another way now, from %2; before from %3").arg(m_models.sessions.titleOf(now.peer.value()), way(now), way(before)));
 }
 
 } // namespace console

@@ -43,6 +43,7 @@ private:
     IncidentRecord record(const liena::Incident& incident, Instant at) const;
     std::vector<HoldLine> holdLines(const liena::Incident& incident) const;
     void timeHold(HoldLine& line, const liena::Incident& incident, const liena::HoldReport& hold) const;
+    void tellOtherWay(const liena::LinkStatus& before, const liena::LinkStatus& now);
     QString failureText(const liena::SessionEvent& event) const;
     QString ofIncident(const QString& line, const liena::Incident& incident) const;
     void log(LogKind kind, const QString& text);

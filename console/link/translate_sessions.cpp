@@ -119,6 +119,8 @@ LinkFigures linkFigures(const liena::LinkStatus& status, const liena::LinkStatus
     figures.packetsPass = status.packetsHeard > 0 && status.packetsHeardByPeer > 0;
     figures.toPeerConnected = status.toPeerConnected;
     figures.fromPeerConnected = status.fromPeerConnected;
+    figures.localAddress = text(status.localAddress);
+    figures.remoteAddress = text(status.remoteAddress);
     figures.peerState = linkState(status.peerState);
     if (previous != nullptr) {
         figures.messagesInPerSecond = rate(status.messagesReceived, previous->messagesReceived, between);

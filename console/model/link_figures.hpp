@@ -4,6 +4,7 @@
 #include "model/instant.hpp"
 #include "model/link_state.hpp"
 
+#include <QString>
 #include <QtGlobal>
 
 #include <cstdint>
@@ -31,6 +32,8 @@ struct LinkFigures {
     bool packetsPass = false; ///< UDP, both ways, within the last few heartbeats: the way that no lost segment holds up
     bool toPeerConnected = false;
     bool fromPeerConnected = false;
+    QString localAddress;                    ///< of our connection to the peer; empty before the first
+    QString remoteAddress;                   ///< the peer's end of it
     LinkState peerState = LinkState::Closed; ///< as the peer last said it
 
     /// At `now`, not when the figures were read: never less than the truth then, and more by at most the time since they were read.

@@ -179,13 +179,17 @@ QString hostOf(const DeviceNode* device) { return device == nullptr ? QString() 
 QString otherLinks(const IncidentRecord& incident, const SessionModel& sessions)
 {
     const auto lostHost = incident.peer != 0 ? hostOf(sessions.device(incident.peer)) : QString();
+    const auto* lost = sessions.linkTo(incident.peer);
+    const auto lostInterface = lost != nullptr ? lost->figures.localAddress : QString();
     QStringList others;
     for (const auto& link : sessions.links()) {
         const auto* device = link.own && link.peer != incident.peer ? sessions.device(link.peer) : nullptr;
         if (device == nullptr)
             continue;
         const auto host = hostOf(device);
-        const auto place = !host.isEmpty() && host == lostHost ? Text::tr("same computer") : device->site.isEmpty() ? host : device->site;
+        auto place = !host.isEmpty() && host == lostHost ? Text::tr("same computer") : device->site.isEmpty() ? host : device->site;
+        if (const auto& own = link.figures.localAddress; host != lostHost && !own.isEmpty() && !lostInterface.isEmpty())
+            place = own == lostInterface ? Text::tr("%1, same interface").arg(place) : Text::tr("%1, by %2").arg(place, own);
         const auto state = carriesMessages(link.state) ? Text::tr("open") : Text::tr("not open");
         others << Text::tr("%1 (%2) %3").arg(sessions.titleOf(link.peer), place, state);
     }

@@ -239,7 +239,7 @@ void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, const Speed& 
     const double line = QFontMetricsF(painter.font()).height();
     painter.setPen(valueInk(m_reading.freshness));
     drawFigures(painter, QRectF(where.left(), where.top(), where.width(), line), Qt::AlignRight | Qt::AlignVCenter,
-                figureText(std::abs(speed.value), 1, speed.unit));
+                signedFigure(m_reading.freshness == Freshness::Unknown ? std::optional<double>() : speed.value, 1, speed.unit));
     painter.setFont(theme::font(TextRole::Body, scale));
     painter.drawText(QRectF(where.left(), where.top(), where.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
                      m_reading.freshness == Freshness::Unknown ? QString() : speed.words);
@@ -281,7 +281,7 @@ void AxisPanel::paintEvent(QPaintEvent*)
     const QFontMetricsF body(theme::font(TextRole::Body, scale));
     const double nameWidth = std::max(width() * 0.2, strong.horizontalAdvance(tr("Guidewire")) + strong.height() * 1.75 + gap * 0.75);
     const double speedWidth = std::max(width() * 0.28, body.horizontalAdvance(tr("anticlockwise")) +
-                                                           figuresWidth(theme::font(TextRole::Strong, scale), tr("000.0 mm/s")) + gap / 2);
+                                                           figuresWidth(theme::font(TextRole::Strong, scale), tr("+000.0 mm/s")) + gap / 2);
     const QRectF all(rect());
     paintName(painter, QRectF(all.left(), all.top(), nameWidth - gap / 2, all.height()));
     paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedWidth - gap, all.height()));

@@ -18,6 +18,13 @@ QString figure(std::optional<double> value, int decimals, const QString& unit)
     return number + QChar(0x00A0) + unit;
 }
 
+QString signedFigure(std::optional<double> value, int decimals, const QString& unit)
+{
+    if (!value || !std::isfinite(*value) || std::round(*value * std::pow(10, decimals)) == 0)
+        return figure(value ? std::optional(std::abs(*value)) : value, decimals, unit);
+    return (*value > 0 ? QLatin1Char('+') : QChar(0x2212)) + figure(std::abs(*value), decimals, unit);
+}
+
 QString spokenAge(std::chrono::nanoseconds age)
 {
     const double seconds = std::max(0.0, std::chrono::duration<double>(age).count());

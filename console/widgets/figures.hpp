@@ -14,6 +14,9 @@ namespace console {
 /// `12.3 mm`; an em dash and the unit when there is no value.
 QString figure(std::optional<double> value, int decimals, const QString& unit);
 
+/// The same with a sign, also where it is plus: for directions. What is shown as zero has none.
+QString signedFigure(std::optional<double> value, int decimals, const QString& unit);
+
 /// An age as a person says it: `84 ms`, `2.4 s`, `3:07`, `1:02:09`.
 QString spokenAge(std::chrono::nanoseconds age);
 

@@ -47,7 +47,7 @@ double HandBlock::askedWidth() const
     const double scale = theme::scaleOf(this);
     const QFontMetricsF caption(theme::font(TextRole::Caption, scale));
     const QFont strong = theme::font(TextRole::Strong, scale);
-    const double motion = caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(strong, tr("advance 00.0 mm/s"));
+    const double motion = caption.horizontalAdvance(tr("Guidewire")) + figuresWidth(strong, tr("advance +00.0 mm/s"));
     const double force = caption.horizontalAdvance(tr("FORCE TO HAND")) + figuresWidth(strong, tr("resistance 0.00 N"));
     return (m_hand.forceToHand ? std::max(motion, force) : motion) + theme::px(this, 14);
 }
@@ -162,9 +162,8 @@ std::vector<HandBlock::Row> HandBlock::rows() const
     const auto& motion = m_hand.motion;
     std::vector<Row> rows{
         {tr("Scale"), scaleText()},
-        {tr("Guidewire"),
-         tr("%1 %2").arg(advanceWord(motion.guidewireVelocity), figure(std::abs(motion.guidewireVelocity), 1, tr("mm/s")))},
-        {tr("Catheter"), tr("%1 %2").arg(advanceWord(motion.catheterVelocity), figure(std::abs(motion.catheterVelocity), 1, tr("mm/s")))}};
+        {tr("Guidewire"), tr("%1 %2").arg(advanceWord(motion.guidewireVelocity), signedFigure(motion.guidewireVelocity, 1, tr("mm/s")))},
+        {tr("Catheter"), tr("%1 %2").arg(advanceWord(motion.catheterVelocity), signedFigure(motion.catheterVelocity, 1, tr("mm/s")))}};
     if (m_hand.forceToHand)
         rows.push_back({tr("FORCE TO HAND"), forceText()});
     return rows;

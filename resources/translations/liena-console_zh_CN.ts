@@ -721,8 +721,8 @@
         <translation>导丝</translation>
     </message>
     <message>
-        <source>000.0 mm/s</source>
-        <translation>000.0 mm/s</translation>
+        <source>+000.0 mm/s</source>
+        <translation>+000.0 mm/s</translation>
     </message>
     <message>
         <source>°/s</source>
@@ -1348,8 +1348,8 @@
         <translation>X 射线系统数据转发，%1</translation>
     </message>
     <message>
-        <source>≈ %1 injections · %2 mL/s</source>
-        <translation>≈ %1 次注射 · %2 mL/s</translation>
+        <source>≈ %1 injections · %2 mL/s (≤ %3)</source>
+        <translation>≈ %1 次注射 · %2 mL/s（≤ %3）</translation>
     </message>
     <message>
         <source>%1, %2 ago</source>
@@ -1848,8 +1848,8 @@
         <translation>导丝</translation>
     </message>
     <message>
-        <source>advance 00.0 mm/s</source>
-        <translation>推进 00.0 mm/s</translation>
+        <source>advance +00.0 mm/s</source>
+        <translation>推进 +00.0 mm/s</translation>
     </message>
     <message>
         <source>FORCE TO HAND</source>
@@ -4724,6 +4724,14 @@
         <source>Topology %1, hash %2</source>
         <translation>拓扑 %1，哈希 %2</translation>
     </message>
+    <message>
+        <source>%1, same interface</source>
+        <translation>%1，同一网络接口</translation>
+    </message>
+    <message>
+        <source>%1, by %2</source>
+        <translation>%1，经 %2</translation>
+    </message>
 </context>
 <context>
     <name>console::RecordedMaster</name>
@@ -5415,6 +5423,14 @@
     <message>
         <source>the audit file is written again</source>
         <translation>审计文件已恢复写入</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 到 %2</translation>
+    </message>
+    <message>
+        <source>%1: another way now, from %2; before from %3</source>
+        <translation>%1：现改走另一路径，从 %2；此前从 %3</translation>
     </message>
 </context>
 <context>

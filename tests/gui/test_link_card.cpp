@@ -6,6 +6,9 @@
 #include <QApplication>
 #include <QTest>
 
+#include <utility>
+#include <vector>
+
 using namespace console;
 using namespace console::test;
 using namespace std::chrono_literals;
@@ -31,20 +34,40 @@ LinkNode linkIn(LinkState state)
     return link;
 }
 
-/// All texts of its card, one behind the other.
-QString painted(const LinkNode& link)
+void show(LinkCard& card, const LinkNode& link)
 {
     DeviceNode device;
     device.id = link.peer;
     device.title = QStringLiteral("Vascular robot");
     device.kind = DeviceKind::Hand;
-    LinkCard card(link.peer);
     card.resize(card.sizeHint());
     card.setLink(link, device, now);
-    QString all;
-    for (const ShownText& shown : textsPaintedBy(card))
-        all += shown.text;
-    return all;
+}
+
+/// All texts of its card, one behind the other.
+QString painted(const LinkNode& link)
+{
+    LinkCard card(link.peer);
+    show(card, link);
+    return wordsPaintedBy(card);
+}
+
+QImage pictureOf(const LinkNode& link)
+{
+    LinkCard card(link.peer);
+    show(card, link);
+    return card.grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+/// Red pixels of the left and of the right half.
+std::pair<int, int> red(const QImage& picture)
+{
+    std::pair<int, int> found;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            if (const QColor seen = picture.pixelColor(x, y); seen.red() > 150 && seen.green() < 110)
+                ++(x < picture.width() / 2 ? found.first : found.second);
+    return found;
 }
 
 } // namespace
@@ -80,6 +103,41 @@ private Q_SLOTS:
         QVERIFY2(shows(carries ? QStringLiteral("Loss so far6.0\u00A0%") : QStringLiteral("Loss so far\u2014\u00A0%")), qPrintable(words));
         const bool closed = state == LinkState::Closed;
         QVERIFY2(shows(closed ? QStringLiteral("Heard ago\u2014Round") : QStringLiteral("Heard ago12\u00A0ms")), qPrintable(words));
+    }
+
+    /// One direction may be broken while the other stands.
+    void eachDirectionHasAnArrowOfItsOwn()
+    {
+        const auto arrows = [](bool toPeer, bool fromPeer) {
+            LinkNode link = linkIn(LinkState::Suspect);
+            link.figures.toPeerConnected = toPeer;
+            link.figures.fromPeerConnected = fromPeer;
+            return red(pictureOf(link));
+        };
+        QCOMPARE(arrows(true, true), std::pair(0, 0));
+        QVERIFY(arrows(false, true).first > 0);
+        QCOMPARE(arrows(false, true).second, 0);
+        QVERIFY(arrows(true, false).second > 0);
+        QCOMPARE(arrows(true, false).first, 0);
+    }
+
+    void theLastMinuteIsDrawn()
+    {
+        LinkNode link = linkIn(LinkState::Open);
+        link.figures.toPeerConnected = link.figures.fromPeerConnected = true;
+        const QImage before = pictureOf(link);
+        for (int i = 300; i >= 0; --i) // half of the minute
+            link.history.push_back({now - i * 100ms, LinkState::Open, 8.0 + i % 7, 0.5, 10.0});
+        const QImage after = pictureOf(link);
+        std::vector<int> columns;
+        for (int x = 0; x < before.width(); ++x)
+            for (int y = 0; y < before.height(); ++y)
+                if (before.pixel(x, y) != after.pixel(x, y)) {
+                    columns.push_back(x);
+                    break;
+                }
+        QVERIFY(columns.size() > std::size_t(before.width()) / 4);
+        QVERIFY2(columns.front() > before.width() / 3, qPrintable(QString::number(columns.front()))); // the older half is empty
     }
 
     void aFigureThatIsNotKnownIsADash()

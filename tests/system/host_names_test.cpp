@@ -116,11 +116,13 @@ private Q_SLOTS:
         auto line = std::make_unique<SlowLine>(QHostAddress("127.0.0.2"), QHostAddress("127.0.0.1"));
         QVERIFY(line->open(stage.peer.role().port));
         stage.openPeer();
+        QCOMPARE(stage.linkOf(stage.xrayId).remoteAddress, std::string("127.0.0.2"));
         answers = false;
         asked = 0;
         line.reset(); // that network is gone
         QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Interrupted, stage.xrayId); }), stage.story().c_str());
         QVERIFY2(!stage.robot.heard(Kind::Lost, stage.xrayId), stage.story().c_str());
+        QVERIFY2(eventually([&] { return stage.linkOf(stage.xrayId).remoteAddress == "127.0.0.1"; }), stage.story().c_str());
         QCOMPARE(asked.load(), 0);
     }
 

@@ -5,10 +5,13 @@
 
 #include <boost/asio/ip/tcp.hpp>
 
+#include <QElapsedTimer>
 #include <QTest>
 
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -39,11 +42,12 @@ struct NarrowPath {
     std::unique_ptr<TransmissionTask> task;
     std::vector<std::byte> received;
 
-    NarrowPath()
+    /// `rate`: of a bulk lane, which it paces; then the peer has room for all.
+    explicit NarrowPath(PathRate* rate = nullptr)
     {
         tcp::acceptor acceptor(io);
         acceptor.open(tcp::v4());
-        acceptor.set_option(tcp::acceptor::receive_buffer_size(4096));
+        acceptor.set_option(tcp::acceptor::receive_buffer_size(rate != nullptr ? 1 << 20 : 4096));
         acceptor.bind(tcp::endpoint(asio::ip::address_v4::loopback(), 0));
         acceptor.listen();
         tcp::socket here(io);
@@ -51,8 +55,9 @@ struct NarrowPath {
         acceptor.accept(peer);
         descriptor = here.native_handle();
         channel = std::make_shared<TcpChannel>(std::move(here));
-        task = std::make_unique<TransmissionTask>(channel, queue, TransmissionTask::Settings{.segment = segment, .batch = 4 * segment},
-                                                  nullptr, [](const std::string&, bool) {});
+        TransmissionTask::Settings settings{.segment = segment, .batch = 4 * segment};
+        settings.traffic = rate != nullptr ? TcpChannel::Traffic::Bulk : TcpChannel::Traffic::Prompt;
+        task = std::make_unique<TransmissionTask>(channel, queue, settings, rate, [](const std::string&, bool) {});
     }
     ~NarrowPath() { task->close(); }
 
@@ -105,12 +110,16 @@ struct NarrowPath {
         return std::nullopt;
     }
 
-    int sendBuffer() const
+    template <typename Value = int>
+    Value option(int level, int name) const
     {
-        int bytes = 0;
-        socklen_t size = sizeof bytes;
-        return ::getsockopt(descriptor, SOL_SOCKET, SO_SNDBUF, &bytes, &size) == 0 ? bytes : -1;
+        Value value{};
+        socklen_t size = sizeof value;
+        return ::getsockopt(descriptor, level, name, &value, &size) == 0 ? value : Value(-1);
     }
+    int sendBuffer() const { return option(SOL_SOCKET, SO_SNDBUF); }
+    int mostUnsent() const { return option(IPPROTO_TCP, TCP_NOTSENT_LOWAT); }
+    std::uint64_t pace() const { return option<std::uint64_t>(SOL_SOCKET, SO_MAX_PACING_RATE); }
 };
 
 } // namespace
@@ -123,12 +132,36 @@ private Q_SLOTS:
     {
         NarrowPath path;
         QCOMPARE(path.sendBuffer(), 2 * PromptBuffer::smallest); // it counts what it needs itself, and doubles it for that
+        QCOMPARE(path.mostUnsent(), PromptBuffer::unsent);
         for (int i = 0; i < 100; ++i)
             path.push(state, Rank::Status, segment);
         path.sendOn();
         QCOMPARE(path.sendBuffer(), 2 * PromptBuffer::smallest); // more room would only be filled
         QTRY_VERIFY(path.isEmptied());
         QVERIFY2(path.received.size() <= 2 * PromptBuffer::smallest, qPrintable(QString::number(path.received.size())));
+    }
+
+    /// The kernel itself holds bulk back: not faster than the rate, whatever the path would take.
+    void bulkLeavesNoFasterThanItsRate()
+    {
+        constexpr std::size_t frame = 1'000'000;
+        PathRate rate;
+        NarrowPath path(&rate);
+        const double begun = rate.rate();
+        QElapsedTimer time;
+        time.start();
+        path.push(state, Rank::Bulk, frame);
+        while (path.received.size() < frame && !time.hasExpired(10'000)) {
+            path.sendOn();
+            path.read(~std::size_t{0});
+        }
+        QVERIFY2(path.received.size() >= frame, qPrintable(QString::number(path.received.size())));
+        const double seconds = double(time.nsecsElapsed()) / 1e9;
+        const auto pace = double(path.pace());
+        QVERIFY2(pace >= begun / 2 && pace <= 2 * rate.rate(), qPrintable(QStringLiteral("%1 of %2").arg(pace).arg(rate.rate())));
+        QVERIFY2(path.mostUnsent() > 0 && path.mostUnsent() < int(frame / 4), qPrintable(QString::number(path.mostUnsent())));
+        const double most = std::max(begun, rate.rate()) * 1.25; // a burst's end may try a step more
+        QVERIFY2(double(frame - frame / 4) / seconds <= most, qPrintable(QStringLiteral("%1 s").arg(seconds)));
     }
 
     void commandWaitsForOneSegment_data()

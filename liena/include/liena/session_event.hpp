@@ -134,7 +134,9 @@ struct LinkStatus {
     std::uint8_t packetsHeardByPeer = 0; ///< the same as the peer last said it; 0: the datagram path to it does not work
     bool toPeerConnected = false;
     bool fromPeerConnected = false;
-    IncidentId incident = 0;                         ///< of this pair; 0 when there is none
+    std::string localAddress;  ///< of our newest connection for control: which of our interfaces it leaves by; empty before the first
+    std::string remoteAddress; ///< and the peer's, as text; a host with several may be reached another way after an interruption
+    IncidentId incident = 0;   ///< of this pair; 0 when there is none
     std::optional<std::chrono::nanoseconds> latency; ///< median of the last 200 ms (a slower heartbeat: of its period), ± clockUncertainty
 
     /// What messages of this number can count on, beside the other bulk to this peer that flows now; nothing while that is not known.

@@ -159,6 +159,8 @@ LinkStatus DistributedModule::status() const
     status.packetsHeardByPeer = m_machine.datagramsHeardByPeer();
     status.toPeerConnected = m_machine.isOutgoingUp();
     status.fromPeerConnected = m_machine.isIncomingUp();
+    status.localAddress = m_laneZero.way().local;
+    status.remoteAddress = m_laneZero.way().remote;
     status.incident = m_machine.incident();
     status.latency = carriesMessages(status.state) ? m_latency : std::nullopt;
     return status;

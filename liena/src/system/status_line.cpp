@@ -99,6 +99,7 @@ std::string StatusLine::linkOf(const LinkStatus& link, Instant now)
     json.add("heartbeats", link.heartbeatsReceived).add("heartbeats_missed", link.heartbeatsMissed);
     json.add("interruptions", link.interruptions).add("epoch", link.epoch).add("peer_epoch", link.peerEpoch);
     json.add("to_peer_connected", link.toPeerConnected).add("from_peer_connected", link.fromPeerConnected);
+    json.add("local_address", link.localAddress).add("remote_address", link.remoteAddress);
     json.add("datagrams", link.packetsHeard > 0 && link.packetsHeardByPeer > 0).add("bulk_lanes", static_cast<unsigned>(link.bulkLanes));
     json.add("bulk_lanes_in", static_cast<unsigned>(link.bulkLanesIn)).add("bulk_workers", static_cast<unsigned>(link.bulkWorkers));
     json.put("bulk_rate", link.bulkRate ? fmt::format("{:.0f}", *link.bulkRate) : "null").add("bulk_queued_bytes", link.bulkQueuedBytes);

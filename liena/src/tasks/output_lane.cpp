@@ -84,6 +84,7 @@ void OutputLane::established(std::shared_ptr<transport::TcpChannel> channel)
         bury(std::move(m_task));
     }
     m_queue->restart();
+    m_way = {channel->localAddress().to_string(), channel->remote().address().to_string()};
     m_paced = m_settings.traffic == transport::TcpChannel::Traffic::Bulk && !channel->isLocal();
     m_rate.shareWith(m_paced && m_settings.interfaces != nullptr ? m_settings.interfaces->of(channel->localAddress()) : nullptr, m_peer.id);
     const auto settings = channel->isLocal() ? onThisComputer(m_settings, channel->isSecured()) : m_settings;

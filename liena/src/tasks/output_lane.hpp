@@ -72,6 +72,13 @@ public:
     /// Before its first connection, where others tell something of the path; see PathRate::beginAt().
     void beginAt(double bytesPerSecond) { m_rate.beginAt(bytesPerSecond); }
 
+    /// The addresses of the newest connection, as text; empty before the first.
+    struct Way {
+        std::string local;
+        std::string remote;
+    };
+    const Way& way() const { return m_way; }
+
     std::uint64_t bytesSent() const { return m_bytesSent + (m_task ? m_task->bytesSent() : 0); }
 
     /// Ends the connection and any attempt. Session management that waits may still leave within `grace`; nothing else does.
@@ -94,6 +101,7 @@ private:
     std::unique_ptr<TransmissionTask> m_task;
     std::unique_ptr<transport::TcpClient> m_client;
     std::vector<boost::asio::ip::address> m_addresses;
+    Way m_way;
     protocol::EncodedMessage m_attach;
     PathRate m_rate; ///< kept from one connection to the next: they take the same path
     bool m_paced = false;

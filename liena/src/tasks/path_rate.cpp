@@ -33,8 +33,7 @@ constexpr double leastProof = 0.002;    // seconds at the rate: shorter bursts d
 constexpr double deepestFall = 0.125;   // at once: a moment in which a processor stood still proves no more
 constexpr double doubtful = 0.5;        // of the rate: whatever makes it fall further at once is to be seen twice
 constexpr double asBefore = 0.15;       // of the ceiling: a queue met so near it confirms it
-constexpr auto passed = 3500ms;         // before a slow path's confirmed ceiling is passed again, by waiting and by gentle steps
-constexpr auto passedWhenCalm = 2000ms; // and that of a calm path
+constexpr auto passed = 2000ms;         // before a slow or calm path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr double refuted = 1.1;         // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;       // a step while nothing is known
 constexpr double triedStep = 1.12;      // a step once the end of a burst was sent still faster
@@ -281,7 +280,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (isSlow() || isCalm(facts));
-    const auto wait = std::max<Nanoseconds>((isCalm(facts) ? passedWhenCalm : passed) - climb, 0s);
+    const auto wait = std::max<Nanoseconds>(passed - climb, 0s);
     m_confirmed = believed ? std::optional(now + wait) : std::nullopt;
     if (m_share)
         m_share->even(*this);

@@ -183,6 +183,16 @@ private Q_SLOTS:
         const auto lines = promptContent(lost(robot), sessions, around(), start).evidence;
         const auto others = QStringLiteral("Other links of this console: Arm (same computer) open, X-ray (patient) not open");
         QVERIFY2(lines.contains(others), qPrintable(lines.join(QLatin1Char('\n'))));
+        LinkFigures figures;
+        figures.localAddress = QStringLiteral("10.0.0.1");
+        sessions.setLinkFigures(robot, figures, start);
+        sessions.setLinkFigures(arm, figures, start); // of the same computer, whatever it goes by
+        sessions.setLinkFigures(xray, figures, start);
+        const auto told = [&] { return promptContent(lost(robot), sessions, around(), start).evidence.join(QLatin1Char('\n')); };
+        QVERIFY2(told().contains(QStringLiteral("Arm (same computer) open, X-ray (patient, same interface) not open")), qPrintable(told()));
+        figures.localAddress = QStringLiteral("10.0.1.1");
+        sessions.setLinkFigures(xray, figures, start);
+        QVERIFY2(told().contains(QStringLiteral("X-ray (patient, by 10.0.1.1) not open")), qPrintable(told()));
         sessions.setTopology({});
         QVERIFY(!promptContent(lost(robot), sessions, around(), start).evidence.join(QLatin1Char(' ')).contains(QStringLiteral("Other")));
     }

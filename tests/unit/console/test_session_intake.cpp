@@ -61,6 +61,28 @@ private Q_SLOTS:
         QVERIFY(!linkFigures(now, nullptr, 0ms).jitter);
     }
 
+    void anotherWayToTheSameDeviceIsToldOnce()
+    {
+        ConsoleModels models;
+        fill(models);
+        SessionIntake intake(models);
+        liena::LinkStatus status;
+        status.peer = robot;
+        const auto reads = [&](const char* local, const char* remote) {
+            status.localAddress = local;
+            status.remoteAddress = remote;
+            intake.takeFigures({status}, start);
+            return models.log.rowCount();
+        };
+        QCOMPARE(reads("", ""), 0);
+        QCOMPARE(reads("10.0.0.1", "10.0.0.2"), 0); // the first is no change
+        QCOMPARE(reads("10.0.0.1", "10.0.0.2"), 0);
+        QCOMPARE(reads("10.0.1.1", "10.0.1.2"), 1);
+        QVERIFY2(lineOf(models, 0).contains(QStringLiteral("another way now, from 10.0.1.1 to 10.0.1.2; before from 10.0.0.1 to 10.0.0.2")),
+                 qPrintable(lineOf(models, 0)));
+        QCOMPARE(reads("10.0.1.1", "10.0.1.2"), 1);
+    }
+
     void stateThatHealedWithinOneBurstIsToldAllTheSame()
     {
         ConsoleModels models;
