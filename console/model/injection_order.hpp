@@ -14,7 +14,6 @@ namespace console {
 /// What is asked for: the defaults of the robot's message set.
 inline constexpr double plannedInjection = 5;     ///< mL
 inline constexpr double plannedInjectionRate = 2; ///< mL/s
-inline constexpr double mostInjectionRate = 10;   ///< mL/s, the limit of that set
 
 /// Why no injection can be asked for now, in the order in which a person would mend it.
 enum class InjectionBar : std::uint8_t { None, NotArmed, RobotUnheard, Running, NotEnough };

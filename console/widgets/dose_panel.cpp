@@ -20,13 +20,10 @@ namespace colour = theme::colour;
 
 namespace {
 
-/// How many injections, how fast each would go, and how fast the robot may be asked for one.
+/// How many injections, and how fast each would go.
 QString stockText(const QString& injections)
 {
-    return DosePanel::tr("\u2248 %1 injections \u00B7 %2 mL/s (\u2264 %3)")
-        .arg(injections)
-        .arg(plannedInjectionRate, 0, 'f', 0)
-        .arg(mostInjectionRate, 0, 'f', 0);
+    return DosePanel::tr("\u2248 %1 injections \u00B7 %2 mL/s").arg(injections).arg(plannedInjectionRate, 0, 'f', 0);
 }
 
 bool hasEnded(const InjectionStatus& injection)

@@ -1348,8 +1348,8 @@
         <translation>X 射线系统数据转发，%1</translation>
     </message>
     <message>
-        <source>≈ %1 injections · %2 mL/s (≤ %3)</source>
-        <translation>≈ %1 次注射 · %2 mL/s（≤ %3）</translation>
+        <source>≈ %1 injections · %2 mL/s</source>
+        <translation>≈ %1 次注射 · %2 mL/s</translation>
     </message>
     <message>
         <source>%1, %2 ago</source>
