@@ -125,7 +125,7 @@ PictureReading PictureState::reading(Instant now) const
     }
     reading.processing = m_newest->painted - m_newest->arrived + m_newest->filterDelay;
     reading.shownPerSecond = paintedPerSecond(now);
-    reading.atRate = nearly(reading.shownPerSecond, reading.expectedPerSecond) && enough(reading.shownPerSecond, reading.expectedPerSecond);
+    reading.atRate = enough(reading.shownPerSecond, reading.expectedPerSecond);
     const bool rising = m_rose && now - *m_rose < rateWindow;
     const double asked = rising ? std::min(m_rateBefore, reading.expectedPerSecond) : reading.expectedPerSecond;
     reading.keepsRate = enough(reading.shownPerSecond, asked);

@@ -72,8 +72,8 @@ struct PictureReading {
     bool mayGuide = false;           ///< the source is one that instruments may be moved by
     double shownPerSecond = 0;
     double expectedPerSecond = 0; ///< acquired, or what the X-ray system says that it sends of that; 0: nothing is expected
-    bool atRate = false;          ///< that is shown, to a tenth or one a second: for arming
-    bool keepsRate = false;       ///< more than two thirds are shown; a rate that rose within the last second is not asked for yet
+    bool atRate = false;          ///< more than two thirds of that are shown
+    bool keepsRate = false;       ///< the same, where a rate that rose within the last second is not asked for yet
     bool slow = false;            ///< noticeably fewer than that rate are shown: for caution
     Duration liveFor{};           ///< without a gap beyond the limit, at the rate
     std::optional<Duration> frozenFor;
