@@ -10,7 +10,7 @@ namespace {
 
 std::shared_ptr<const MessageSet> load(const char* name)
 {
-    auto set = MessageSet::load(std::string(LIENA_SOURCE_DIR) + "/resources/devices/" + name + ".xml");
+    auto set = MessageSet::load(std::string(LIENA_SOURCE_DIR "/resources/devices/") + name + ".xml");
     if (!set) {
         std::fprintf(stderr, "simulation: %s; run it where the source tree is\n", set.error().what.c_str());
         std::exit(2);

@@ -57,7 +57,7 @@ void SimulationTest::seedsHold_data()
 {
     QTest::addColumn<quint64>("seed");
     QTest::addColumn<quint64>("hash");
-    const auto hashes = readHashes(std::string(LIENA_SOURCE_DIR) + "/tests/simulation/golden_hashes");
+    const auto hashes = readHashes(LIENA_SOURCE_DIR "/tests/simulation/golden_hashes");
     QVERIFY2(hashes.size() >= 40, "tests/simulation/golden_hashes is not there, or not whole");
     for (const auto& [seed, hash] : hashes)
         QTest::addRow("seed %llu", static_cast<unsigned long long>(seed)) << quint64{seed} << quint64{hash};

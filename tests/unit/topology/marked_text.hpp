@@ -52,7 +52,7 @@ inline bool holds(const Findings& findings, Severity severity, const MarkedText&
     });
 }
 
-inline std::string sourceFile(const std::string& relative) { return std::string(LIENA_SOURCE_DIR) + "/" + relative; }
+inline std::string sourceFile(const std::string& relative) { return LIENA_SOURCE_DIR "/" + relative; }
 
 inline QByteArray bytesOf(const std::string& path)
 {
