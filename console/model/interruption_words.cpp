@@ -1,6 +1,8 @@
 // The account of an interruption in words: numbers where they are known, "unknown" and why where they are not.
 #include "model/interruption.hpp"
 
+#include "model/number_text.hpp"
+
 #include <QCoreApplication>
 #include <QDateTime>
 
@@ -15,17 +17,15 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::Interruption)
 };
 
-QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
-
 /// As it reads: a difference of such figures is the one that whoever reads them finds.
-double rounded(double value, int decimals) { return number(value, decimals).toDouble(); }
+double rounded(double value, int decimals) { return QString::number(value, 'f', decimals).toDouble(); }
 
 QString span(Duration duration)
 {
     constexpr double minute = 60;
     const double all = seconds(duration);
     if (all < minute)
-        return Text::tr("%1 s").arg(number(all, 1));
+        return Text::tr("%1 s").arg(numberText(all, 1));
     const auto whole = static_cast<qint64>(all);
     return Text::tr("%1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
@@ -63,7 +63,7 @@ private:
         const auto& to = m_now.tip->position;
         const double way = std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
         const double error = std::hypot(m_before.tip->error, m_now.tip->error);
-        return {name, Text::tr("moved %1\u00A0mm (tracker \u00B1%2\u00A0mm)").arg(number(way, 1), number(error, 1)), way > error};
+        return {name, Text::tr("moved %1\u00A0mm (tracker \u00B1%2\u00A0mm)").arg(numberText(way, 1), numberText(error, 1)), way > error};
     }
 
     AccountLine force() const
@@ -77,11 +77,11 @@ private:
         constexpr double shown = 0.005;      // N
         constexpr double noticeable = 0.045; // 0.05, and what a difference of doubles lacks of it
         if (std::abs(to - from) < shown)
-            return {name, Text::tr("%1\u00A0N, as before").arg(number(to, decimals)), false};
+            return {name, Text::tr("%1\u00A0N, as before").arg(numberText(to, decimals)), false};
         return {name,
                 Text::tr("%1\u00A0N before, %2\u00A0N now (%3%4\u00A0N)")
-                    .arg(number(from, decimals), number(to, decimals), to < from ? QStringLiteral("\u2212") : QStringLiteral("+"),
-                         number(std::abs(to - from), decimals)),
+                    .arg(numberText(from, decimals), numberText(to, decimals), to < from ? QStringLiteral("\u2212") : QStringLiteral("+"),
+                         numberText(std::abs(to - from), decimals)),
                 std::abs(to - from) >= noticeable};
     }
 
@@ -95,9 +95,10 @@ private:
         constexpr double least = 0.05; // mL, of what is shown
         if (to > from + least)
             return {name,
-                    Text::tr("unknown: %1\u00A0mL before, %2\u00A0mL now; filled up or started anew").arg(number(from, 1), number(to, 1)),
+                    Text::tr("unknown: %1\u00A0mL before, %2\u00A0mL now; filled up or started anew")
+                        .arg(numberText(from, 1), numberText(to, 1)),
                     true};
-        return {name, Text::tr("%1\u00A0mL used, %2\u00A0mL left").arg(number(std::max(0.0, from - to), 1), number(to, 1)),
+        return {name, Text::tr("%1\u00A0mL used, %2\u00A0mL left").arg(numberText(std::max(0.0, from - to), 1), numberText(to, 1)),
                 from - to >= least};
     }
 
@@ -108,7 +109,7 @@ private:
             return {name, why, true};
         const double time = m_now.xray->fluoroscopyTime - m_before.xray->fluoroscopyTime;
         constexpr double least = 0.05; // s, of what is shown
-        return {name, Text::tr("%1 s of beam").arg(number(std::max(0.0, time), 1)), time >= least};
+        return {name, Text::tr("%1 s of beam").arg(numberText(std::max(0.0, time), 1)), time >= least};
     }
 
     AccountLine pictures() const
@@ -142,7 +143,7 @@ private:
         addDistance(deeds, Text::tr("isocentre"), from.sourceObjectDistance, to.sourceObjectDistance);
         const double way = std::hypot(to.table[0] - from.table[0], to.table[1] - from.table[1], to.table[2] - from.table[2]);
         if (way >= leastWay)
-            deeds << Text::tr("table moved %1\u00A0mm").arg(number(way, 1));
+            deeds << Text::tr("table moved %1\u00A0mm").arg(numberText(way, 1));
         if (deeds.isEmpty())
             return {name, Text::tr("where they were"), false};
         return {name, deeds.join(Text::tr("; ")), true};
@@ -195,7 +196,7 @@ private:
     static void addAxis(QStringList& deeds, const QString& axis, double from, double to)
     {
         if (std::abs(to - from) >= leastWay)
-            deeds << Text::tr("%1 at %2\u00A0mm before, %3\u00A0mm now").arg(axis, number(from, 1), number(to, 1));
+            deeds << Text::tr("%1 at %2\u00A0mm before, %3\u00A0mm now").arg(axis, numberText(from, 1), numberText(to, 1));
     }
 
     /// From the source; 0 is one that is not known.
@@ -210,7 +211,7 @@ private:
     static void addTurn(QStringList& deeds, const QString& axis, double from, double to)
     {
         if (std::abs(std::remainder(to - from, 360)) >= leastWay)
-            deeds << Text::tr("%1 at %2\u00B0 before, %3\u00B0 now").arg(axis, number(from, 1), number(to, 1));
+            deeds << Text::tr("%1 at %2\u00B0 before, %3\u00B0 now").arg(axis, numberText(from, 1), numberText(to, 1));
     }
 
     static void addGripper(QStringList& deeds, const QString& gripper, bool before, bool now)

@@ -1,6 +1,8 @@
 // The guards of motion, checked and put into words.
 #include "model/permit_guards.hpp"
 
+#include "model/number_text.hpp"
+
 #include <QCoreApplication>
 
 #include <cmath>
@@ -14,8 +16,6 @@ struct Text {
 };
 
 GuardLine line(Guard guard, bool met, const QString& holds, const QString& missing) { return {guard, met, met ? holds : missing}; }
-
-QString number(double value, int decimals) { return QString::number(value, 'f', decimals); }
 
 GuardLine identityLine(const GuardReadings& r)
 {
@@ -37,7 +37,7 @@ GuardLine heartbeatLine(const GuardReadings& r, const GuardLimits& limits)
 
 GuardLine clockLine(const GuardReadings& r)
 {
-    const auto missing = r.clockUncertainty ? Text::tr("Clock uncertain by ±%1 ms").arg(number(milliseconds(*r.clockUncertainty), 1))
+    const auto missing = r.clockUncertainty ? Text::tr("Clock uncertain by ±%1 ms").arg(numberText(milliseconds(*r.clockUncertainty), 1))
                                             : Text::tr("Clocks not yet compared");
     return line(Guard::ClockKnown, r.clockUncertainty && *r.clockUncertainty <= clockUncertaintyLimit(r.pictureLimit),
                 Text::tr("Clocks compared"), missing);
@@ -54,10 +54,11 @@ QString pictureMissing(const GuardReadings& r, const GuardLimits& limits)
         return Text::tr("Picture's age is unknown");
     if (const auto oldest = *picture.age + picture.uncertainty; oldest > r.pictureLimit)
         return Text::tr("Picture may be %1 ms old, at most %2 ms")
-            .arg(number(milliseconds(oldest), 0), number(milliseconds(r.pictureLimit), 0));
+            .arg(numberText(milliseconds(oldest), 0), numberText(milliseconds(r.pictureLimit), 0));
     if (!picture.atRate)
-        return Text::tr("Picture slow: %1 of %2 a second").arg(number(picture.shownPerSecond, 0), number(picture.expectedPerSecond, 0));
-    return Text::tr("Picture live for %1 of %2 s").arg(number(seconds(picture.liveFor), 1), number(seconds(limits.pictureRun), 1));
+        return Text::tr("Picture slow: %1 of %2 a second")
+            .arg(numberText(picture.shownPerSecond, 0), numberText(picture.expectedPerSecond, 0));
+    return Text::tr("Picture live for %1 of %2 s").arg(numberText(seconds(picture.liveFor), 1), numberText(seconds(limits.pictureRun), 1));
 }
 
 bool pictureTrusted(const GuardReadings& r)
@@ -110,8 +111,8 @@ GuardLine forceLine(const GuardReadings& r)
 {
     const bool nearZero = std::abs(r.force) <= r.limits.forceNearZero;
     return line(Guard::ForceNearZero, r.robotFresh && (nearZero || r.forceAccepted),
-                nearZero ? Text::tr("Force near zero") : Text::tr("Force %1 N, accepted").arg(number(r.force, 2)),
-                r.robotFresh ? Text::tr("Force %1 N").arg(number(r.force, 2)) : Text::tr("Force is not known"));
+                nearZero ? Text::tr("Force near zero") : Text::tr("Force %1 N, accepted").arg(numberText(r.force, 2)),
+                r.robotFresh ? Text::tr("Force %1 N").arg(numberText(r.force, 2)) : Text::tr("Force is not known"));
 }
 
 /// The robot refuses what is older than its message set says, and a command is as old as the way there and back.
@@ -126,9 +127,9 @@ QString roundTripMissing(const GuardReadings& r, Duration most, const QString& b
         return Text::tr("It is not known how late the robot takes commands");
     if (!carried(r))
         return Text::tr("Commands take %1 ms there and back, the robot takes them up to %2 ms")
-            .arg(number(milliseconds(*r.usualRoundTrip), 0), number(milliseconds(*r.carried), 0));
+            .arg(numberText(milliseconds(*r.usualRoundTrip), 0), numberText(milliseconds(*r.carried), 0));
     return Text::tr("Commands take %1 ms there and back, %2")
-        .arg(number(milliseconds(*r.roundTrip), 0), bound.arg(number(milliseconds(most), 0)));
+        .arg(numberText(milliseconds(*r.roundTrip), 0), bound.arg(numberText(milliseconds(most), 0)));
 }
 
 GuardLine roundTripLine(const GuardReadings& r)

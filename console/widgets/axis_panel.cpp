@@ -22,6 +22,7 @@ constexpr double fullVelocity = 40;  // mm/s, the command's own limit
 constexpr double fullRotation = 720; // deg/s
 constexpr double stillBelow = 0.05;
 constexpr double leastZone = 8; // px, of a soft limit's zone: one that is drawn to scale is not seen
+constexpr int speedBarGap = 5;  // px, from the line on which a speed stands to its bar
 
 double markerSize(const QRectF& track) { return track.height() * 0.55; }
 
@@ -190,9 +191,13 @@ void AxisPanel::paintTrackEnds(QPainter& painter, const QRectF& where) const
         drawFigures(painter, where, side | Qt::AlignVCenter, reached.isEmpty() ? end : reached);
     };
     const auto& travel = m_reading.travel;
-    paint(Qt::AlignLeft, limitWord(m_reading.softLow, m_reading.hardLow),
-          travel ? figure(travel->hard.low, 0, tr("mm")) : tr("limits not reported"));
-    paint(Qt::AlignRight, limitWord(m_reading.softHigh, m_reading.hardHigh), travel ? figure(travel->hard.high, 0, tr("mm")) : QString());
+    // The lower end names its unit where there is room for both to stand apart.
+    const QString high = travel ? figure(travel->hard.high, 0, tr("mm")) : QString();
+    QString low = travel ? figure(travel->hard.low, 0, tr("mm")) : tr("limits not reported");
+    if (travel && figuresWidth(painter.font(), low + QStringLiteral("   ") + high) > where.width())
+        low = figure(travel->hard.low, 0, QString());
+    paint(Qt::AlignLeft, limitWord(m_reading.softLow, m_reading.hardLow), low);
+    paint(Qt::AlignRight, limitWord(m_reading.softHigh, m_reading.hardHigh), high);
 }
 
 // Between the position and its bar: beside the position there is no room for it on most screens. The smallest have less than a line.
@@ -202,7 +207,7 @@ void AxisPanel::paintAngle(QPainter& painter, const QRectF& where) const
     const QFont strong = theme::font(TextRole::Strong, scale);
     painter.setFont(where.height() > QFontMetricsF(strong).height() * 1.2 ? strong : theme::font(TextRole::Caption, scale));
     const QString angle = figureText(m_reading.angle, 0, tr("\u00B0"));
-    const bool worded = figuresWidth(painter.font(), tr("turned -0000\u00B0")) <= where.width();
+    const bool worded = figuresWidth(painter.font(), tr("turned %1").arg(figure(-1000, 0, tr("\u00B0")))) <= where.width();
     drawFigures(painter, where, Qt::AlignLeft | Qt::AlignVCenter, worded ? tr("turned %1").arg(angle) : angle);
 }
 
@@ -232,18 +237,43 @@ QString AxisPanel::driveText(const DriveReading& drive) const
     return tr("%1 \u00B7 %2").arg(figure(shown(drive.temperature), 0, tr("°C")), figure(shown(drive.current), 1, tr("A")));
 }
 
-void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, const Speed& speed) const
+// As large as a position where that leaves a line for the drive.
+theme::TextRole AxisPanel::speedRole(double height) const
 {
     const double scale = theme::scaleOf(this);
-    painter.setFont(theme::font(TextRole::Strong, scale));
-    const double line = QFontMetricsF(painter.font()).height();
+    const double needed = QFontMetricsF(theme::font(TextRole::Value, scale)).ascent() + speedBarGap + speedBarHeight() + 3 +
+                          QFontMetricsF(theme::font(TextRole::Caption, scale)).height();
+    return needed <= height ? TextRole::Value : TextRole::Strong;
+}
+
+double AxisPanel::speedBarHeight() const { return std::max(5.0, theme::px(this, 9) * 1.0); }
+
+double AxisPanel::speedWidth(TextRole role) const
+{
+    const double scale = theme::scaleOf(this);
+    const QFont figures = theme::font(role, scale);
+    const QFontMetricsF words(theme::font(TextRole::Body, scale));
+    const double advance = std::max(words.horizontalAdvance(tr("advance")), words.horizontalAdvance(tr("retract")));
+    const double turn = std::max(words.horizontalAdvance(tr("clockwise")), words.horizontalAdvance(tr("anticlockwise")));
+    return std::max(advance + figuresWidth(figures, signedFigure(100, 1, tr("mm/s"))),
+                    turn + figuresWidth(figures, signedFigure(fullRotation, 1, tr("\u00B0/s")))) +
+           theme::px(this, 12);
+}
+
+// Figures and words stand on one line; neither has much below it.
+void AxisPanel::paintSpeed(QPainter& painter, const QRectF& where, TextRole role, const Speed& speed) const
+{
+    const double scale = theme::scaleOf(this);
+    painter.setFont(theme::font(role, scale));
+    const QFontMetricsF figures(painter.font());
+    const double line = where.top() + figures.ascent();
     painter.setPen(valueInk(m_reading.freshness));
-    drawFigures(painter, QRectF(where.left(), where.top(), where.width(), line), Qt::AlignRight | Qt::AlignVCenter,
+    drawFigures(painter, QRectF(where.left(), where.top(), where.width(), figures.height()), Qt::AlignRight | Qt::AlignVCenter,
                 signedFigure(m_reading.freshness == Freshness::Unknown ? std::optional<double>() : speed.value, 1, speed.unit));
     painter.setFont(theme::font(TextRole::Body, scale));
-    painter.drawText(QRectF(where.left(), where.top(), where.width(), line), Qt::AlignLeft | Qt::AlignVCenter,
-                     m_reading.freshness == Freshness::Unknown ? QString() : speed.words);
-    const QRectF track(where.left(), where.top() + line + 2, where.width(), std::max(5.0, theme::px(this, 9) * 1.0));
+    if (m_reading.freshness != Freshness::Unknown)
+        painter.drawText(QPointF(where.left(), line), speed.words);
+    const QRectF track(where.left(), line + speedBarGap, where.width(), speedBarHeight());
     painter.fillRect(track, colour::raised);
     const auto xOf = [&](double v) { return track.center().x() + track.width() / 2 * std::clamp(v / speed.fullScale, -1.0, 1.0); };
     if (m_reading.freshness == Freshness::Fresh) {
@@ -278,17 +308,16 @@ void AxisPanel::paintEvent(QPaintEvent*)
     const double gap = theme::px(this, 24);
     const double scale = theme::scaleOf(this);
     const QFontMetricsF strong(theme::font(TextRole::Strong, scale));
-    const QFontMetricsF body(theme::font(TextRole::Body, scale));
     const double nameWidth = std::max(width() * 0.2, strong.horizontalAdvance(tr("Guidewire")) + strong.height() * 1.75 + gap * 0.75);
-    const double speedWidth = std::max(width() * 0.28, body.horizontalAdvance(tr("anticlockwise")) +
-                                                           figuresWidth(theme::font(TextRole::Strong, scale), tr("+000.0 mm/s")) + gap / 2);
+    const auto role = speedRole(height() / 2.0);
+    const double speedRoom = std::max(width() * 0.28, speedWidth(role));
     const QRectF all(rect());
     paintName(painter, QRectF(all.left(), all.top(), nameWidth - gap / 2, all.height()));
-    paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedWidth - gap, all.height()));
-    const QRectF speed(all.right() - speedWidth, all.top(), speedWidth, all.height() / 2);
+    paintPosition(painter, QRectF(all.left() + nameWidth, all.top(), all.width() - nameWidth - speedRoom - gap, all.height()));
+    const QRectF speed(all.right() - speedRoom, all.top(), speedRoom, all.height() / 2);
     const AxisReading& r = m_reading;
-    paintSpeed(painter, speed, {r.velocity, r.askedVelocity, fullVelocity, advanceWord(r.velocity), tr("mm/s"), r.advance});
-    paintSpeed(painter, speed.translated(0, speed.height()),
+    paintSpeed(painter, speed, role, {r.velocity, r.askedVelocity, fullVelocity, advanceWord(r.velocity), tr("mm/s"), r.advance});
+    paintSpeed(painter, speed.translated(0, speed.height()), role,
                {r.rotation, r.askedRotation, fullRotation, turnWord(r.rotation), tr("\u00B0/s"), r.turn});
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/instrument_state.hpp"
 #include "widgets/icons.hpp"
+#include "widgets/theme.hpp"
 
 #include <QWidget>
 
@@ -62,7 +63,10 @@ private:
         QString words, unit;
         DriveReading drive;
     };
-    void paintSpeed(QPainter& painter, const QRectF& where, const Speed& speed) const;
+    theme::TextRole speedRole(double height) const;
+    double speedBarHeight() const;
+    double speedWidth(theme::TextRole role) const; ///< of words and figures at their widest
+    void paintSpeed(QPainter& painter, const QRectF& where, theme::TextRole role, const Speed& speed) const;
     void paintDrive(QPainter& painter, const QRectF& where, const DriveReading& drive) const;
     QString driveText(const DriveReading& drive) const;
     QString limitWord(bool soft, bool hard) const;

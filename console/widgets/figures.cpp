@@ -1,6 +1,8 @@
 // Numbers as a person reads them.
 #include "widgets/figures.hpp"
 
+#include "model/number_text.hpp"
+
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -11,18 +13,17 @@ namespace console {
 
 QString figure(std::optional<double> value, int decimals, const QString& unit)
 {
-    const QString number = value && std::isfinite(*value) ? QString::number(*value, 'f', decimals) : QStringLiteral("\u2014");
+    const QString shown = value && std::isfinite(*value) ? numberText(*value, decimals) : QStringLiteral("\u2014");
     const bool degrees = unit.startsWith(QChar(0x00B0)) && !unit.endsWith(QLatin1Char('C'));
     if (unit.isEmpty() || degrees)
-        return number + unit;
-    return number + QChar(0x00A0) + unit;
+        return shown + unit;
+    return shown + QChar(0x00A0) + unit;
 }
 
 QString signedFigure(std::optional<double> value, int decimals, const QString& unit)
 {
-    if (!value || !std::isfinite(*value) || std::round(*value * std::pow(10, decimals)) == 0)
-        return figure(value ? std::optional(std::abs(*value)) : value, decimals, unit);
-    return (*value > 0 ? QLatin1Char('+') : QChar(0x2212)) + figure(std::abs(*value), decimals, unit);
+    const bool plus = value && std::isfinite(*value) && *value > 0 && !isShownAsZero(*value, decimals);
+    return (plus ? QStringLiteral("+") : QString()) + figure(value, decimals, unit);
 }
 
 QString spokenAge(std::chrono::nanoseconds age)

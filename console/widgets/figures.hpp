@@ -11,7 +11,7 @@
 
 namespace console {
 
-/// `12.3 mm`; an em dash and the unit when there is no value.
+/// `12.3 mm`, with a minus sign where it is negative and not shown as zero; an em dash and the unit when there is no value.
 QString figure(std::optional<double> value, int decimals, const QString& unit);
 
 /// The same with a sign, also where it is plus: for directions. What is shown as zero has none.

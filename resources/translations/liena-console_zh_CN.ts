@@ -713,16 +713,8 @@
         <translation>°</translation>
     </message>
     <message>
-        <source>turned -0000°</source>
-        <translation>转角 -0000°</translation>
-    </message>
-    <message>
         <source>Guidewire</source>
         <translation>导丝</translation>
-    </message>
-    <message>
-        <source>+000.0 mm/s</source>
-        <translation>+000.0 mm/s</translation>
     </message>
     <message>
         <source>°/s</source>

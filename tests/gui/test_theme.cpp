@@ -155,6 +155,17 @@ private Q_SLOTS:
         QCOMPARE(figuresWidth(font, QStringLiteral("111.1 mm")), figuresWidth(font, QStringLiteral("888.8 mm")));
     }
 
+    void figuresBelowZeroHaveAMinusSign()
+    {
+        const auto mm = QStringLiteral("mm");
+        QCOMPARE(figure(-2.55, 1, mm), QStringLiteral("\u22122.5\u00A0mm"));
+        QCOMPARE(figure(-0.04, 1, mm), QStringLiteral("0.0\u00A0mm"));
+        QCOMPARE(figure(-0.04, 2, mm), QStringLiteral("\u22120.04\u00A0mm"));
+        QCOMPARE(signedFigure(-2.0, 1, mm), QStringLiteral("\u22122.0\u00A0mm"));
+        QCOMPARE(signedFigure(2.0, 1, mm), QStringLiteral("+2.0\u00A0mm"));
+        QCOMPARE(signedFigure(0.04, 1, mm), QStringLiteral("0.0\u00A0mm"));
+    }
+
     void unknownIsADash_data()
     {
         QTest::addColumn<double>("value");

@@ -98,7 +98,7 @@ const std::vector<Change>& changes()
         {"X-ray system silent now", [](auto& s) { s.xray.reset(); }, "Pictures", "unknown: no report of the X-ray system now"},
         {"stands as it did", [](auto&) {}, "C-arm and table", "where they were"},
         {"C-arm turned", [](auto& s) { s.xray->geometry.primaryAngle = -30; }, "C-arm and table",
-         "LAO/RAO at 0.0\u00B0 before, -30.0\u00B0 now"},
+         "LAO/RAO at 0.0\u00B0 before, \u221230.0\u00B0 now"},
         {"C-arm tilted and drawn back",
          [](auto& s) {
              s.xray->geometry.secondaryAngle = 12.5;
