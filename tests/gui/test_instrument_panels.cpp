@@ -6,7 +6,9 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QFontMetricsF>
 #include <QTest>
+#include <QTransform>
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +58,14 @@ std::vector<int> differingColumns(const QImage& one, const QImage& other)
     return columns;
 }
 
+/// Rows from the first in which two pictures differ to the last.
+int differingHeight(const QImage& one, const QImage& other)
+{
+    const QTransform onItsSide = QTransform().rotate(90);
+    const auto rows = differingColumns(one.transformed(onItsSide), other.transformed(onItsSide));
+    return rows.empty() ? 0 : rows.back() - rows.front() + 1;
+}
+
 } // namespace
 
 class TestInstrumentPanels : public QObject {
@@ -87,6 +97,35 @@ private Q_SLOTS:
         QVERIFY2(words.contains(turn), qPrintable(words));
         if (std::abs(velocity) < 0.05)
             QVERIFY2(!words.contains(QLatin1Char('+')) && !words.contains(QChar(0x2212) + QStringLiteral("0.0")), qPrintable(words));
+    }
+
+    void speedsAreAsLargeAsPositionsWhereTheDriveKeepsItsLine_data()
+    {
+        QTest::addColumn<int>("height");
+        QTest::addColumn<int>("role");
+        QTest::addColumn<bool>("drive");
+        QTest::newRow("as at the reference") << 136 << int(theme::TextRole::Value) << true;
+        QTest::newRow("little room") << 120 << int(theme::TextRole::Strong) << true;
+        QTest::newRow("hardly any") << 90 << int(theme::TextRole::Strong) << false;
+    }
+
+    void speedsAreAsLargeAsPositionsWhereTheDriveKeepsItsLine()
+    {
+        QFETCH(int, height);
+        QFETCH(int, role);
+        QFETCH(bool, drive);
+        AxisPanel panel(QStringLiteral("Guidewire"), icons::Icon::Guidewire);
+        panel.resize(686, height);
+        const auto pictureAt = [&](double velocity) {
+            auto r = reading(velocity);
+            r.freshness = Freshness::Stale; // its bar is empty then: only figures differ
+            panel.setReading(r);
+            return panel.grab().toImage().convertToFormat(QImage::Format_RGB32);
+        };
+        const int painted = differingHeight(pictureAt(1.1), pictureAt(8.8));
+        const double figure = QFontMetricsF(theme::font(theme::TextRole(role), 1)).tightBoundingRect(QStringLiteral("8")).height();
+        QVERIFY2(std::abs(painted - figure) <= 1.5, qPrintable(QStringLiteral("%1 rows, a figure has %2").arg(painted).arg(figure)));
+        QCOMPARE(wordsPaintedBy(panel).contains(QStringLiteral("\u00B0C")), drive);
     }
 
     void whatIsNotKnownHasNoDirection()
