@@ -5,6 +5,7 @@
 #include "never_possible_stage.hpp"
 
 #include <QApplication>
+#include <QDeadlineTimer>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
@@ -144,26 +145,36 @@ private:
 
     static QString described(int key) { return QStringLiteral("key 0x%1").arg(key, 0, 16); }
 
-    /// With all that the hand may ask for: the soft start is over.
+    /// With all that the hand may ask for: the soft start is over. A busy computer paints too late, and motion ends.
     bool moves()
     {
         Stage& stage = *m_stage;
         const auto set = [&stage] { return std::abs(stage.theatre.models().hand.reading().motion.guidewireVelocity); };
-        const auto whole = [&] { return !stage.mayMove() || (set() > 0 && stage.robot.fastest() > 0.99 * set()); };
-        stage.theatre.strike(Qt::Key_F1); // what was tried may have brought a view, or closed a link
-        if (!stage.theatre.models().sessions.allOpen() && !stage.open())
-            return false;
-        return stage.theatre.armAndMove() && QTest::qWaitFor(whole, patience) && stage.mayMove();
+        const auto whole = [&] { return set() > 0 && stage.robot.fastest() > 0.99 * set(); };
+        const QDeadlineTimer deadline(3 * patience);
+        while (!deadline.hasExpired()) {
+            stage.theatre.strike(Qt::Key_F1); // what was tried may have brought a view, or closed a link
+            if (!stage.theatre.models().sessions.allOpen() && !stage.open())
+                return false;
+            if (stage.theatre.armAndMove() && stage.whileItMayMove(whole))
+                return true;
+        }
+        return false;
     }
 
     /// The robot heard what became of the last. After so many in a row the console may have stood still, which ends motion.
     bool heardMore()
     {
         QCoreApplication::processEvents(); // by which it has noticed
-        if (!m_stage->mayMove() && !moves())
-            return false;
-        const int before = m_stage->robot.movements();
-        return QTest::qWaitFor([&] { return m_stage->robot.movements() > before + 20; }, patience);
+        const QDeadlineTimer deadline(3 * patience);
+        while (!deadline.hasExpired()) {
+            if (!m_stage->mayMove() && !moves())
+                return false;
+            const int before = m_stage->robot.movements();
+            if (m_stage->whileItMayMove([&] { return m_stage->robot.movements() > before + 20; }))
+                return true;
+        }
+        return false;
     }
 
     bool theForceStillStops()
