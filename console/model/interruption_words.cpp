@@ -17,9 +17,6 @@ struct Text {
     Q_DECLARE_TR_FUNCTIONS(console::Interruption)
 };
 
-/// As it reads: a difference of such figures is the one that whoever reads them finds.
-double rounded(double value, int decimals) { return QString::number(value, 'f', decimals).toDouble(); }
-
 QString span(Duration duration)
 {
     constexpr double minute = 60;
@@ -72,8 +69,8 @@ private:
         if (const auto why = noRobot(); !why.isEmpty())
             return {name, why, true};
         constexpr int decimals = 2;
-        const double from = rounded(m_before.robot->guidewireForce, decimals);
-        const double to = rounded(m_now.robot->guidewireForce, decimals);
+        const double from = asShown(m_before.robot->guidewireForce, decimals);
+        const double to = asShown(m_now.robot->guidewireForce, decimals);
         constexpr double shown = 0.005;      // N
         constexpr double noticeable = 0.045; // 0.05, and what a difference of doubles lacks of it
         if (std::abs(to - from) < shown)

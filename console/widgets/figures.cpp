@@ -22,7 +22,7 @@ QString figure(std::optional<double> value, int decimals, const QString& unit)
 
 QString signedFigure(std::optional<double> value, int decimals, const QString& unit)
 {
-    const bool plus = value && std::isfinite(*value) && *value > 0 && !isShownAsZero(*value, decimals);
+    const bool plus = value && std::isfinite(*value) && asShown(*value, decimals) > 0;
     return (plus ? QStringLiteral("+") : QString()) + figure(value, decimals, unit);
 }
 

@@ -128,6 +128,20 @@ private Q_SLOTS:
         QCOMPARE(wordsPaintedBy(panel).contains(QStringLiteral("\u00B0C")), drive);
     }
 
+    void theEndsOfTheTravelStandApart()
+    {
+        AxisPanel panel(QStringLiteral("Guidewire"), icons::Icon::Guidewire);
+        panel.setReading(reading());
+        const auto wordsAt = [&](int width) {
+            panel.resize(width, 120);
+            return wordsPaintedBy(panel);
+        };
+        QVERIFY(wordsAt(686).contains(QStringLiteral("\u22125\u00A0mm")));
+        const QString narrow = wordsAt(500);
+        QVERIFY2(!narrow.contains(QStringLiteral("\u22125\u00A0mm")) && narrow.contains(QStringLiteral("\u22125")), qPrintable(narrow));
+        QVERIFY2(narrow.contains(QStringLiteral("635\u00A0mm")), qPrintable(narrow));
+    }
+
     void whatIsNotKnownHasNoDirection()
     {
         auto r = reading(3.9, 12);

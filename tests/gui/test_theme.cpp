@@ -161,6 +161,7 @@ private Q_SLOTS:
         QCOMPARE(figure(-2.55, 1, mm), QStringLiteral("\u22122.5\u00A0mm"));
         QCOMPARE(figure(-0.04, 1, mm), QStringLiteral("0.0\u00A0mm"));
         QCOMPARE(figure(-0.04, 2, mm), QStringLiteral("\u22120.04\u00A0mm"));
+        QVERIFY(figure(-0.5, 0, mm) != QStringLiteral("\u22120\u00A0mm"));
         QCOMPARE(signedFigure(-2.0, 1, mm), QStringLiteral("\u22122.0\u00A0mm"));
         QCOMPARE(signedFigure(2.0, 1, mm), QStringLiteral("+2.0\u00A0mm"));
         QCOMPARE(signedFigure(0.04, 1, mm), QStringLiteral("0.0\u00A0mm"));
