@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::chrono::milliseconds onItsWay{200}; ///< to the output, and in it
 constexpr std::chrono::milliseconds lookAgain{50};
+constexpr std::chrono::milliseconds behind{100}; ///< five times what PulseAudio begins without
+
+QByteArray silenceFor(std::chrono::milliseconds time)
+{
+    return QByteArray(qsizetype(sizeof(std::int16_t)) * sampleRate * time.count() / 1000, '\0');
+}
 
 } // namespace
 
@@ -94,10 +100,12 @@ void BurstPlayer::play()
     m_sink->stop();
     m_samples.close();
     m_end.stop();
-    // As Qt chooses: 6.4 else asks for what the start before was given, which is less each time, until after some bursts nothing is heard.
-    m_sink->setBufferSize(0);
     if (m_wish) {
-        m_samples.setData(burstSamples(*m_wish));
+        // The sound server has room for all of it, and begins when it has all but what is silent, so that what holds up this program holds
+        // up no sound. With a small buffer a server that had run dry waited for a whole one again, and the rest of a burst is less.
+        const auto sound = burstSamples(*m_wish);
+        m_samples.setData(sound + silenceFor(behind));
+        m_sink->setBufferSize(2 * sound.size()); // of which PulseAudio gives half, and what it begins without
         m_samples.open(QIODevice::ReadOnly);
         m_sink->start(&m_samples);
         m_end.start(burstLength(*m_wish) + onItsWay);
