@@ -49,7 +49,7 @@ double meanBurst(const std::vector<Decision>& made)
 class WireTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void decidesTheSameWithTheSameSeed();
     void losesAsManyAsItIsTold();
     void losesInBurstsOfTheMeanLength();

@@ -8,7 +8,7 @@ using namespace liena::simulation;
 class MutantsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void isFound_data();
     void isFound();
 };

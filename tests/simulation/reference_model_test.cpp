@@ -107,7 +107,7 @@ private:
 class ReferenceModelTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void acceptsACleanSession();
     void acceptsAConfirmedReopening();
     void finds_data();

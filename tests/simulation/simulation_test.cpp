@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 class SimulationTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void opensOverChunkedBytesAndHealsAfterACut();
     void seedsHold_data();
     void seedsHold();

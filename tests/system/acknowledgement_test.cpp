@@ -106,7 +106,7 @@ private:
 class AcknowledgementTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void aWholeImageIsAcknowledgedAtOnce_data()
     {
         QTest::addColumn<int>("size");

@@ -167,7 +167,7 @@ private:
 class AllocationTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void messagesPassWithoutAskingForMemory_data()
     {
         QTest::addColumn<QString>("message");

@@ -164,7 +164,7 @@ private:
 class LocalLaneTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void aSegmentIsAsLongAsItsReaderGains_data()
     {
         QTest::addColumn<bool>("bulk");

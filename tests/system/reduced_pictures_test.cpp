@@ -226,7 +226,7 @@ Encoding encodingOf(const Said& picture)
 class ReducedPicturesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void everyPictureIsWhatItSays()
     {
         const PictureLadder declared(Encoding::Raw, 0, Reduction::Lossy);

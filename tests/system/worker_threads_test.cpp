@@ -175,7 +175,7 @@ private:
 class WorkerThreadsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void threadsComeAndGo();
     void goesOnWithoutThreadsThatCannotBeHad();
     void nobodyWaitsForAThreadThatLeaves();

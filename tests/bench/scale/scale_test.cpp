@@ -22,7 +22,7 @@ private:
         return options;
     }
 
-private slots:
+private Q_SLOTS:
     void initTestCase() { std::signal(SIGPIPE, SIG_IGN); } // one of the meshes loses a device
 
     void everyPairHasASessionAndEveryQuestionAnAnswer_data()

@@ -18,7 +18,7 @@ std::filesystem::path qtCore() { return std::filesystem::path(QLibraryInfo::path
 class LayersTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void everyRoomKnowsOnlyWhatItMay();
     void findsQtCoresHeaders();
     void findsPlantedInclude_data();

@@ -39,7 +39,7 @@ QByteArray contentOf(const QString& file)
 class PkiCommandTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void init();
     void issuesForEveryDeviceOfATopology();
     void issuesForOneDevice();

@@ -53,7 +53,7 @@ Entry entry(const std::string& event, const std::string& text = "a text")
 class AuditFileTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void init();
     void anEmptyFileIsWhole();
     void writesOneJsonObjectPerLine();

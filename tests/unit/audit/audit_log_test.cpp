@@ -49,7 +49,7 @@ private:
 class AuditLogTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void init();
     void writesInOrderAndPrintsItsHeadAtTheEnd();
     void takesEntriesOfManyThreads();

@@ -47,7 +47,7 @@ private:
 class AuditRecoveryTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void init();
     void aFullDiskLeavesTheFileAsItWas();
     void goesOnAfterAnInterruptedRecovery_data();

@@ -12,7 +12,7 @@ using namespace liena;
 class IdentifiersTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void takesReferenceIdsApart_data();
     void takesReferenceIdsApart();
     void cutsHigherBitsWhenComposing();

@@ -114,7 +114,7 @@ private:
 class LineWriterTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void writesInOrder();
     void linesOfSeveralThreadsStayWhole();
     void nobodyWaitsForAPipeThatIsNotRead();

@@ -50,7 +50,7 @@ bool isHarmless(const std::string& line)
 class LogTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void writesTextAsBefore();
     void writesJsonWithItsFields();
     void leavesEmptyFieldsOut();

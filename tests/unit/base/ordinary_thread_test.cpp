@@ -12,7 +12,7 @@ using namespace liena::test;
 class OrdinaryThreadTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void leavesTheProcessorsOfWhoeverMadeIt();
     void changesNothingOfOneThatIsOrdinary();
 };

@@ -21,7 +21,7 @@ void burst(Ring<int>& ring, int count)
 class RingTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void memoryOfAShortBurstIsThereForTheNext()
     {
         Ring<int> ring;

@@ -32,7 +32,7 @@ Result<void> check(bool good)
 class TextsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void hashesKnownTexts_data();
     void hashesKnownTexts();
     void readsOnlyWholeLowerCaseHashes();

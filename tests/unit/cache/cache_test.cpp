@@ -32,7 +32,7 @@ constexpr DeviceId xray(0x20010208U);
 class CacheTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void initTestCase();
     void notifiesOncePerBurst();
     void mayBeDrainedByTheNotification();

@@ -22,7 +22,7 @@ FieldBytes bufferOf(std::size_t bytes)
 class ReturnedBuffersTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void givesBackTheSameMemoryFromAnotherThread();
     void keepsABoundedNumberOfBytes_data();
     void keepsABoundedNumberOfBytes();

@@ -47,7 +47,7 @@ struct Rig {
 class ArmMachineTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void reachesItsTargetsWithinItsSpeed()
     {
         Rig rig;

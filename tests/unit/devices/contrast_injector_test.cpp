@@ -18,7 +18,7 @@ const SteadyTime start{1h};
 class ContrastInjectorTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void deliversTheVolumeAtItsRate()
     {
         ContrastInjector injector(50);

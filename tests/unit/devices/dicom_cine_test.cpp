@@ -90,7 +90,7 @@ class DicomCineTest : public QObject {
 
     std::string path(const char* name) const { return m_folder.filePath(name).toStdString(); }
 
-private slots:
+private Q_SLOTS:
     void initTestCase()
     {
         OFLog::configure(OFLogger::OFF_LOG_LEVEL);

@@ -15,7 +15,7 @@ using namespace liena::devices;
 class DicomFilesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void agreesWithTheExpectedHashes_data()
     {
         QTest::addColumn<QString>("folder");

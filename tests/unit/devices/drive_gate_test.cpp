@@ -51,7 +51,7 @@ struct Rig {
 class DriveGateTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void movesOnlyWhenEnabledAndDriven()
     {
         Rig rig;

@@ -66,7 +66,7 @@ double noiseVariance(const Picture& a, const Picture& b)
 class FluoroscopyGeneratorTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void describesItsPictures()
     {
         auto source = generator();

@@ -33,7 +33,7 @@ unsigned at(std::span<const std::byte> bytes, std::size_t index) { return std::t
 class FrameEncoderTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void rawIsLowByteFirst()
     {
         FrameEncoder encoder(Encoding::Raw, 7);

@@ -81,7 +81,7 @@ using Lines = std::vector<std::string>;
 class LineReaderTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void hearsWhatIsTypedAfterItCameToTheForeground()
     {
         Terminal terminal(false);

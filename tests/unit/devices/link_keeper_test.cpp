@@ -61,7 +61,7 @@ using Kind = SessionEvent::Kind;
 class LinkKeeperTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void opensEverySecondUntilItIsOpen()
     {
         Rig rig;

@@ -49,7 +49,7 @@ const std::map<QByteArray, Happening> bars{
 class PedalAfterStopTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void pressThatWasBeginningTurnsNothingOn_data()
     {
         QTest::addColumn<QByteArray>("bar");

@@ -10,7 +10,7 @@ Q_DECLARE_METATYPE(liena::devices::PersonAction)
 class PersonCommandsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void readsWhatIsTyped_data()
     {
         QTest::addColumn<QByteArray>("line");

@@ -20,7 +20,7 @@ void write(const QTemporaryDir& folder, const char* name, const std::string& byt
 class PictureFolderTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void playsInTheOrderOfTheNamesAndBeginsAgain()
     {
         QTemporaryDir folder;

@@ -135,7 +135,7 @@ Q_DECLARE_METATYPE(Told)
 class PictureLadderPathsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void staysAtFullQualityOnPathThatCarriesIt_data()
     {
         QTest::addColumn<Told>("told");

@@ -95,7 +95,7 @@ private:
 class PictureLadderRateTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void fullQualityIsBackWithinFiveSecondsOfHealing_data()
     {
         QTest::addColumn<double>("megabits");

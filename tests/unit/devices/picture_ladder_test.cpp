@@ -40,7 +40,7 @@ std::vector<std::string> declared(const PictureLadder& ladder)
 class PictureLadderTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void declaresRateBeforeEncoding()
     {
         const std::vector<std::string> expected{"30 of 30 /s, raw",      "15 of 30 /s, raw",      "30 of 30 /s, lossless",

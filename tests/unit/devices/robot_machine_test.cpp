@@ -26,7 +26,7 @@ RobotState by(const char* name)
 class RobotMachineTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void answersEveryEventInEveryState_data()
     {
         QTest::addColumn<RobotState>("state");

@@ -80,7 +80,7 @@ StatusFields someStatus()
 class RobotMessagesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void everyFieldOfTheRegistersSetIsBound();
     void motionCommandIsReadByItsNames();
     void statusIsWrittenByItsNames();

@@ -34,7 +34,7 @@ double largestForce(RobotSimulation& robot, double velocity, int steps)
 class RobotSimulationTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void movesByWhatTheDrivesMoved()
     {
         auto robot = body(300);

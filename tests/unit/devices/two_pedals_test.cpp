@@ -67,7 +67,7 @@ const std::map<QByteArray, Happening> ends{
 class TwoPedalsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void refusedPressBeginsByNothingButTheOthersRelease_data()
     {
         QTest::addColumn<QByteArray>("end");

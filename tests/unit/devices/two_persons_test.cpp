@@ -12,7 +12,7 @@ using Robot = DrivenRobot;
 class TwoPersonsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void isNotReadyBeforeTheSecondPersonSaysSo()
     {
         Robot robot;

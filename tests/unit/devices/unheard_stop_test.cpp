@@ -16,7 +16,7 @@ const DeviceId other(0x00008209);
 class UnheardStopTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void goesOnUntilEachRobotHasNamedIt()
     {
         UnheardStop stop;

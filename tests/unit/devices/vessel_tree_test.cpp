@@ -11,7 +11,7 @@ using namespace liena::devices;
 class VesselTreeTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void resourceIsWhatTheGeneratorWrites()
     {
         QFile file(QStringLiteral(LIENA_SOURCE_DIR "/resources/vessels/cerebral.swc"));

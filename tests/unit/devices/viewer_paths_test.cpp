@@ -28,7 +28,7 @@ LinkStatus link(DeviceId peer, std::uint64_t superseded, SessionState state = Se
 class ViewerPathsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void countsWhatWasReplacedSinceTheLastLook()
     {
         ViewerPaths paths({cockpit}, frames);

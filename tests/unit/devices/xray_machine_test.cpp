@@ -47,7 +47,7 @@ struct Rig {
 class XrayMachineTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void beamLastsWhileThePedalIsRepeated()
     {
         Rig rig;

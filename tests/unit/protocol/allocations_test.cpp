@@ -123,7 +123,7 @@ void appendWire(Message& message, std::vector<std::byte>& wire)
 class AllocationsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void countsRequests();
     void controlMessageNeedsNone();
     void statusOfTwelveFieldsNeedsNone();

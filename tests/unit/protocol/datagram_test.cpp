@@ -89,7 +89,7 @@ std::vector<std::byte> streamOf(const std::vector<EncodedMessage>& messages, std
 class DatagramTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void writesTheHeaderAsThePageSays();
     void writesTheMoreSegmentsBit();
     void readsBackAnyTwentyBytes();

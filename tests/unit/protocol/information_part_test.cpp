@@ -73,7 +73,7 @@ Q_DECLARE_METATYPE(liena::FieldDefinition)
 class InformationPartTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void takesWhatTheDefinitionAllows_data();
     void takesWhatTheDefinitionAllows();
     void refusesWhatItDoesNot_data();

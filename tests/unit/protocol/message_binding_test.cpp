@@ -146,7 +146,7 @@ Q_DECLARE_METATYPE(Answer)
 class MessageBindingTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void saysWhatDoesNotFit_data();
     void saysWhatDoesNotFit();
     void writesAsTheMessageIsSet();

@@ -17,7 +17,7 @@ using namespace liena::test;
 class MessageTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void initTestCase();
     void beginsWithItsDefaults();
     void standsOnTheWireAsItsDefinitionSays();

@@ -9,7 +9,7 @@ using namespace liena::protocol;
 class PartialBudgetTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void takesUpToItsLimit();
     void laneThatFillsUpLeavesAsMuchForOthers();
     void recycledBufferServesTheNextMessage();

@@ -9,7 +9,7 @@ using namespace liena::test;
 class PrintableFieldsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     /// The field holds twelve bytes.
     void takesWhateverWords_data()
     {

@@ -57,7 +57,7 @@ std::string textOf(const Reassembler::Outcome& outcome)
 class ReassemblerTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void takesSingleSegmentAsItIs();
     void takesEmptyMessage();
     void putsSegmentsTogether();

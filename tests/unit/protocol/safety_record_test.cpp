@@ -41,7 +41,7 @@ Q_DECLARE_METATYPE(std::vector<std::byte>)
 class SafetyRecordTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void givesPublishedValues_data();
     void givesPublishedValues();
     void agreesWithTheBitwiseDefinition();

@@ -76,7 +76,7 @@ Q_DECLARE_METATYPE(std::vector<std::byte>)
 class SessionMessagesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void hasTheNumbersAndNamesOfThePage();
     void takesNoBodyThatIsTooShortOrTooLong();
     void knowsTheLongestBodies();

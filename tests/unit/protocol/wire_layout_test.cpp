@@ -143,7 +143,7 @@ constexpr int choices = 7;
 class WireLayoutTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void judgesEveryNumberAsTheDefinitionDoes();
     void writesEveryNumberAsTheDefinitionDoes();
     void readsEveryNumberAsTheDefinitionDoes();

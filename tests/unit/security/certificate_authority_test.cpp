@@ -46,7 +46,7 @@ std::vector<std::string> filesIn(const std::filesystem::path& folder)
 class CertificateAuthorityTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void writesAuthorityThatSignsAndNothingElse();
     void writesDeviceThatIsClientAndServer();
     void keepsKeysToTheirOwner();

@@ -36,7 +36,7 @@ Result<void> check(const IdentityFiles& files, DeviceId device = robot)
 class IdentityFilesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void refusesMissingFile_data();
     void refusesMissingFile();
     void refusesKeyThatOthersMayUse_data();

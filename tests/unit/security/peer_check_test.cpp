@@ -30,7 +30,7 @@ Q_DECLARE_METATYPE(Row)
 class PeerCheckTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void initTestCase();
     void serverLetsInOnlyTheRightClient_data() { addRows(); }
     void serverLetsInOnlyTheRightClient();

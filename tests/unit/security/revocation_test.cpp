@@ -70,7 +70,7 @@ std::string futureList(const std::filesystem::path& folder)
 class RevocationTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void init();
     void opensWhenNobodyIsRevoked();
     void refusesARevokedPeerAtBothEnds();

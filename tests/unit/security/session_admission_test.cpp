@@ -28,7 +28,7 @@ std::string wordsOf(const Result<void>& result) { return result ? "" : result.er
 class SessionAdmissionTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void initTestCase();
     void judgesItsOwnCertificateToTheSecond_data() { addMoments(); }
     void judgesItsOwnCertificateToTheSecond();

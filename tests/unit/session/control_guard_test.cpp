@@ -58,7 +58,7 @@ struct Link {
 class ControlGuardTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void sendsNothingBeforeAHeartbeat();
     void deliversWhatIsStamped();
     void countsSequencesPerMessageNumber();

@@ -45,7 +45,7 @@ struct Sum {
 class IncidentNewsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void inventedReopeningsAreBounded();
     void anotherNeighbourBringsWhatWasNotHandedOn();
     void oneKindTakesNoRoomOfAnother();

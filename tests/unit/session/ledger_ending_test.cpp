@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 class LedgerEndingTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void endedIncidentIsAnsweredNotTakenUp_data();
     void endedIncidentIsAnsweredNotTakenUp();
     void answerNamesTheIncidentThatWasAskedAbout();

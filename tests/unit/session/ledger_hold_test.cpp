@@ -12,7 +12,7 @@ using Kind = SessionEvent::Kind;
 class LedgerHoldTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void holdIsToldForEveryIncident();
     void newestHoldCountsAlsoAfterTheClockWasSetBack();
     void holdIsToldForLaterIncidentsToo();

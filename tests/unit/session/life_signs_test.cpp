@@ -41,7 +41,7 @@ constexpr std::uint64_t base = 1'700'000'000'000'000'000ULL;
 class LifeSignsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void becomesSuspectAndLostAtTheLimits();
     void anyDatagramIsLife();
     void laneZeroMustSpeakItself();

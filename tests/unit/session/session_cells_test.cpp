@@ -196,7 +196,7 @@ std::map<QString, Cell> cells(std::size_t& lines)
 class SessionCellsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void reachesEveryState();
     void namesEveryInputAndMessage();
     void leavesNoCellOut();

@@ -10,7 +10,7 @@ using namespace liena::session;
 class SessionEndingTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void healthySessionProvesItselfAgainstAHandshake();
     void handshakeOfARestartedPeerEndsInStandBy();
     void restartIsNamedWhenTheSessionIsInterrupted();

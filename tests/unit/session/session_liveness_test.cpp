@@ -16,7 +16,7 @@ bool raisedTo(const Side& side, std::uint32_t epoch) { return side.machine.guard
 class SessionLivenessTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void beatsFromTheHandshakeOn();
     void keepsItsBeat();
     void echoesTheNewestHeartbeat();

@@ -53,7 +53,7 @@ private:
 class SessionMeasureTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void measuresTheClockFromEchoes();
     void echoOfNothingThatWasSentIsNoSample();
     void steppedClockLooksLikeNeitherDelayNorJitter_data();

@@ -10,7 +10,7 @@ using namespace liena::session;
 class SessionOpeningTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void initiatorOpensWithTheCommit();
     void responderOpensWithChannelOpened();
     void initiatorAsksForAnUnknownSetFirst();

@@ -10,7 +10,7 @@ using namespace liena::session;
 class SessionPairTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void opensAndStaysOpen_data();
     void opensAndStaysOpen();
     void bothOpenAtOnce_data();

@@ -10,7 +10,7 @@ using namespace liena::session;
 class SessionRestartTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void handshakeReadFirstAfterAStallWaitsForItsProof_data();
     void handshakeReadFirstAfterAStallWaitsForItsProof();
     void newerOneTakesItsPlace();

@@ -11,7 +11,7 @@ using Kind = SessionEvent::Kind;
 class StandByLedgerTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void ownLossIsToldToAll();
     void ownLossThatIsKnownAlreadyOnlyNamesThePair();
     void causesOfBothEndsAreKeptAndHandedOnOnce();

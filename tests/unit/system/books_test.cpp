@@ -32,7 +32,7 @@ std::vector<std::uint16_t> missed(DeadlineWatch& watch, DeadlineWatch::Instant n
 class BooksTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void firstDropOfACauseIsToldAtOnce();
     void causesAndNumbersAreToldApart();
     void distinctCausesDoNotFillTheBooks();

@@ -53,7 +53,7 @@ struct Accepting {
 class CardSearchTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void nothingIsAskedByDefault() { QVERIFY(prepareRealTime({})); }
 
     void saysWhatIsMissingAndWhatToDo_data()

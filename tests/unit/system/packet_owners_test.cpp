@@ -45,7 +45,7 @@ int asked(const Owners& owners)
 class PacketOwnersTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void asksAllOnceAndThenOnlyTheOwner()
     {
         const auto owners = ownersOf({11, 22, 33, 44});

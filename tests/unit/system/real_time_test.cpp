@@ -86,7 +86,7 @@ long lockedKiB()
 class RealTimeTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void asksForNothingByDefault()
     {
         QVERIFY(prepareRealTime({}));

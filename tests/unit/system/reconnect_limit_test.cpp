@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 class ReconnectLimitTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void isLongEnoughForTheWay_data();
     void isLongEnoughForTheWay();
     void isShortWhereTheWayIsNotKnown();

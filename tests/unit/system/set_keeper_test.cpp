@@ -17,7 +17,7 @@ using namespace liena::system;
 class SetKeeperTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void answersWhereNoThreadCanBeHad();
     void checksAwayFromTheProcessorsOfTheNetworkThread();
 };

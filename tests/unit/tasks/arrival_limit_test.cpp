@@ -105,7 +105,7 @@ private:
 class ArrivalLimitTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void aRelayThatCannotFollowIsNotFilled_data()
     {
         QTest::addColumn<double>("capacity");

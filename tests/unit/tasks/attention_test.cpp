@@ -41,7 +41,7 @@ struct Thread {
 class AttentionTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void aDialogueKeepsItAwakeAndAPauseLetsItSleep()
     {
         Thread thread;

@@ -153,7 +153,7 @@ double fairnessOf(Bottleneck& bottleneck) { return fairness(partsOf(bottleneck))
 class FairShareTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void lanesBeforeOneQueueComeToEvenRates_data()
     {
         QTest::addColumn<int>("lanes");

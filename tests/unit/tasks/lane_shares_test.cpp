@@ -32,7 +32,7 @@ std::optional<KnownRate> together(const std::vector<LaneRate>& lanes) { return t
 class LaneSharesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void lanesShareAsTheyWouldSend() { QCOMPARE(shares(4e6, {30e6, 10e6}), (Shares{3e6, 1e6})); }
 
     /// It would tell its streams that they can count on nothing, and then leave unpaced.

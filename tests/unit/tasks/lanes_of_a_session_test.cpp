@@ -47,7 +47,7 @@ class LanesOfASessionTest : public QObject {
         QTest::newRow("400 Mbit/s, 0.2 ms") << 0.4 * gigabit << 200 << 2000;
     }
 
-private slots:
+private Q_SLOTS:
     void whatLeftBesideOthersCountsAsOften()
     {
         SharedBytes bytes;

@@ -57,7 +57,7 @@ struct Device {
 class LoadBalancerTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void idleDeviceHasNoWorker();
     void littleBulkStaysOnTheNetworkThread();
     void growsAtOnceAndOneByOne();

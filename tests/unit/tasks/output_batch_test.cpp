@@ -61,7 +61,7 @@ bool lies(std::span<const std::byte> inner, std::span<const std::byte> outer)
 class OutputBatchTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void longMessageLeavesFromItsOwnBuffer();
     void shortMessagesAreOnePart();
     void copiesAllWhereItMayNotRefer();

@@ -10,7 +10,7 @@ using namespace liena::test;
 class OutputBoundsTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void fullQueueRefuses_data();
     void fullQueueRefuses();
     void fullClassRefusesNoOther_data();

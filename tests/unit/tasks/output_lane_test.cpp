@@ -33,7 +33,7 @@ void takeAll(OutputLane& lane)
 class OutputLaneTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     /// What left once has left: the peer's reports are compared with it.
     void countOfWhatLeftDoesNotFallWhenItIsClosed()
     {

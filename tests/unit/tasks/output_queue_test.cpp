@@ -12,7 +12,7 @@ using Fate = OutputQueue::Fate;
 class OutputQueueTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void ranksAsPrioritiesSay();
     void higherClassLeavesFirst();
     void streamKeepsItsOrder();

@@ -57,7 +57,7 @@ QByteArray millisecondsOf(Nanoseconds time, const char* what)
 class PathRateLongWayTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void takesNoUnrestOfALongPathForAQueue_data()
     {
         QTest::addColumn<double>("capacity");

@@ -29,7 +29,7 @@ QByteArray millisecondsOf(Nanoseconds time, const char* what)
 class PathRateTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void findsWhatThePathCarriesAndKeepsItsQueueShort_data()
     {
         QTest::addColumn<double>("capacity");

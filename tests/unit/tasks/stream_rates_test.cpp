@@ -25,7 +25,7 @@ Told told(const Streams& streams, const Lanes& lanes)
 class StreamRatesTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void streamHasItsLaneOnly() { QCOMPARE(told({{0x0202, 0}, {0x0203, 1}}, {4e6, 6e6}), (Told{{0x0202, 4e6}, {0x0203, 6e6}})); }
 
     void streamsOnOneLaneTakeTurns()

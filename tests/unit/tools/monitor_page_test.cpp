@@ -55,7 +55,7 @@ bool contains(const std::string& text, const char* part) { return text.find(part
 class MonitorPageTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void lanesAndWorkersAreInTheLineAndOnThePage()
     {
         const auto links = tools::JsonValue::parse(lineOf(loaded())).value()["links"].items();

@@ -32,7 +32,7 @@ OwnInterface interface(const char* name, bool running, std::optional<asio::ip::a
 class ConnectionFailureTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void errorsOfConnectAreFindings_data()
     {
         QTest::addColumn<int>("code");

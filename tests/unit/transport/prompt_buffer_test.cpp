@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 class PromptBufferTest : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void fitsThePath_data()
     {
         QTest::addColumn<int>("present");

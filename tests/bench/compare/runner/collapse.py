@@ -39,10 +39,19 @@ def figures(timeline, narrowed, healed):
     for name, (begin, end) in spans.items():
         late = [1000 * ms for due, ms in commands if begin <= due < end]
         found |= {f"{name}_count": len(late), f"{name}_p99": quantile(late, 0.99), f"{name}_max": max(late, default=math.nan)}
+    found["during_second_p99"] = worst_second([c for c in commands if narrowed <= c[0] < healed], narrowed)
     frames = list(zip(timeline["frame_due_ms"], timeline["frame_late_ms"]))
     found["frames_during"] = sum(narrowed <= due < healed for due, _ in frames)
     found["frames_back_s"] = frames_back(frames, narrowed, healed)
     return found
+
+
+def worst_second(commands, begin):
+    """The largest p99 of any second since then, in µs."""
+    seconds = {}
+    for due, ms in commands:
+        seconds.setdefault(int((due - begin) // SECOND), []).append(1000 * ms)
+    return max((quantile(late, 0.99) for late in seconds.values()), default=math.nan)
 
 
 def frames_back(frames, narrowed, healed):

@@ -155,7 +155,7 @@ class ReportTest(unittest.TestCase):
     @staticmethod
     def fallen(*rounds):
         return report.Medians({"collapse/100m": {"liena": [
-            {"before_p99": 900, "during_p99": during, "after_p99": 900, "frames_during": 48, "frames_back_s": back,
+            {"before_p99": 900, "during_p99": during, "during_second_p99": 5200, "after_p99": 900, "frames_during": 48, "frames_back_s": back,
              **{f"{span}_max": 9000 for span in ("before", "during", "after")}} if during else {} for during, back in rounds]}})
 
     def test_a_falling_link_is_judged_by_its_limit_and_by_when_frames_are_back(self):
@@ -169,6 +169,7 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(answers((None, None)), ["0", "0"])
         self.assertEqual(targets.judged_collapse(report.Medians({})), [])
         table = "\n".join(collapse_table.sections(self.fallen((4700, 5.1)), transports.TRANSPORTS))
+        self.assertIn("| 900 | 4 700 | 5 200 | 900 |", table)
         self.assertIn("| 3 683 | **no** | 48 | 5.1 | **no** |", table)
 
     def test_a_failure_is_counted_as_not_met(self):
@@ -230,6 +231,11 @@ class ReportTest(unittest.TestCase):
         found = collapse.figures(timeline, 50, 100)
         self.assertEqual([found[f"{span}_p99"] for span in ("before", "during", "after")], [1000, 7000, 2000])
         self.assertEqual(found["frames_during"], 1)
+
+    def test_the_worst_second_is_not_hidden_by_the_others(self):
+        spent = [(due, 30 if 7000 <= due < 7020 else 1) for due in range(5000, 15000, 2)]  # ten of 5000 commands
+        self.assertEqual(collapse.quantile([ms for _, ms in spent], 0.99), 1)
+        self.assertEqual(collapse.worst_second(spent, 5000), 30000)
 
 
 if __name__ == "__main__":
