@@ -279,8 +279,10 @@ void Theatre::testAlarms()
 
 void Theatre::readAccount()
 {
-    auto* read = button(QStringLiteral("I have read this"));
-    if (read != nullptr && QTest::qWaitFor([read] { return read->isEnabled(); }))
+    if (models().interruption.settled())
+        return;
+    QAbstractButton* read = nullptr; // comes when stand-by has ended, which is told after the last incident's end
+    if (QTest::qWaitFor([&] { return (read = button(QStringLiteral("I have read this"))) != nullptr && read->isEnabled(); }))
         QTest::mouseClick(read, Qt::LeftButton);
 }
 
