@@ -110,6 +110,8 @@ void BurstPlayer::play()
         m_sink->start(&m_samples);
         m_end.start(burstLength(*m_wish) + onItsWay);
     } else { // open, and at rest: so it hears that the sound server is gone, which the list of outputs does not tell
+        // As Qt chooses: 6.4 else asks for what the start before was given, which is less each time.
+        m_sink->setBufferSize(0);
         m_sink->start();
         m_sink->suspend();
     }

@@ -43,5 +43,5 @@ def sections(medians, transports):
                 f"Commands at 500 Hz beside 15 frames/s of {path.link.frame_bytes // 1024} KiB, which the narrow link cannot carry: "
                 f"{before} s, {narrow} s narrow, {after} s healed. µs. Limit: p99 before the fall, the time of a "
                 f"{SEGMENT_BYTES[0] / 1024:.1f} KiB segment on the narrow link and {STALL_US} µs. "
-                f"*Again*: since then no second had more frames left out, or late by a factor of two, than the worst one before the fall.", "",
+                f"*Worst second*: the largest p99 of any second of it. *Again*: since then no second had more frames left out, or late by a factor of two, than the worst one before the fall.", "",
                 HEAD, *lines])
