@@ -137,8 +137,7 @@ bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const Pat
     if (!isPermitted(m_step))
         leave(now);
     hear(now, viewers);
-    const bool tooHeavy = m_rate && *m_rate < load(m_step) && now >= m_trialEnds;
-    if (tooHeavy || m_withheld >= 2)
+    if (isTooHeavy(now) || m_withheld >= 2)
         stepDown(now);
     else if (isSteady(now) && mayClimb(now))
         climbTo(above(), now);
@@ -176,6 +175,7 @@ void PictureLadder::hear(SteadyTime now, std::span<const PathReading> viewers)
     m_updated = now;
     if (paused) {
         m_withheld = 0;
+        m_heavySince.reset();
         m_climbed = m_climbed ? std::optional(now) : std::nullopt;
         beginWatch(now);
         return;
@@ -202,6 +202,15 @@ void PictureLadder::noteWithheld(SteadyTime now, std::uint64_t count)
     m_lastWithheld = now;
     m_steadySince.reset();
     beginWatch(now);
+}
+
+bool PictureLadder::isTooHeavy(SteadyTime now)
+{
+    if (!m_rate || *m_rate >= load(m_step))
+        m_heavySince.reset();
+    else if (!m_heavySince)
+        m_heavySince = now;
+    return m_heavySince && now - *m_heavySince >= patience && now >= m_trialEnds;
 }
 
 std::size_t PictureLadder::lighter() const
@@ -246,6 +255,7 @@ std::size_t PictureLadder::better() const
 void PictureLadder::stepDown(SteadyTime now)
 {
     m_step = lighter();
+    m_heavySince.reset();
     m_trialEnds = now;
     m_settled = now + settling;
     m_withheld = 0;

@@ -1,4 +1,4 @@
-// Which rate and encoding the way to the viewers carries: a declared ladder, stepped down at once and up with patience.
+// Which rate and encoding the way to the viewers carries: a declared ladder.
 #pragma once
 
 #include "frame_encoder.hpp"
@@ -48,8 +48,9 @@ struct PathReading {
 /// count as frozen. Behind the last rung the library withholds. Where lossy pictures are not permitted, lossless is the last encoding.
 /// Pictures asked for as JPEG-LS or JPEG begin there. Every acquisition mode has the same ladder.
 ///
-/// Down at once: to the best lighter rung that the known rate carries, as soon as it does not carry the present one; by one when two
-/// pictures were withheld within `withheldWindow`. Up after `patience` without a withheld picture: to the best rung that the known rate
+/// Down to the best lighter rung that the known rate carries, once it did not carry the present one for `patience`: a computer or a network
+/// that stands still for some milliseconds lowers it for a moment only. By one as soon as two pictures were withheld within
+/// `withheldWindow`. Up after `patience` without a withheld picture: to the best rung that the known rate
 /// carried all the time with `headroom`; by one where the rate was unknown for some of the time, so that the whole way up takes 4.4 s at 15
 /// or 30 pulses a second. With `leastHeadroom` it takes `longPatience`, and goes by one. A step up that fails within `proven` makes the
 /// next wait: `firstWait`, then twice as long each time, at most `longestWait`; unless the rate is far above the one that was relied on.
@@ -122,6 +123,7 @@ private:
     std::size_t above() const;
     std::size_t better() const;
     bool isSteady(SteadyTime now);
+    bool isTooHeavy(SteadyTime now);
     void stepDown(SteadyTime now);
     void endWatch(SteadyTime now);
     void climbTo(std::size_t step, SteadyTime now);
@@ -139,7 +141,8 @@ private:
     std::optional<double> m_rate; ///< known now, of the worst viewer
     std::uint64_t m_withheld = 0; ///< within the window
     SteadyTime m_lastWithheld;
-    SteadyTime m_settled; ///< the pictures of a heavier rung have left by then
+    std::optional<SteadyTime> m_heavySince; ///< the known rate does not carry the present rung
+    SteadyTime m_settled;                   ///< the pictures of a heavier rung have left by then
 
     SteadyTime m_watchBegan;                 ///< nothing was withheld since
     std::optional<double> m_carriedRate;     ///< the least of the rates that were known since

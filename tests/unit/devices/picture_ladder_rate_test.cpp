@@ -4,6 +4,8 @@
 
 #include <QTest>
 
+#include <random>
+
 using namespace liena::devices;
 using namespace liena::test;
 using namespace std::chrono_literals;
@@ -28,11 +30,14 @@ public:
             if (m_now >= m_nextPulse)
                 pulse();
             send();
+            if (stallsPerSecond > 0 && m_random() % (1s / step) < stallsPerSecond)
+                standStill();
         }
     }
 
     PictureLadder ladder{Encoding::Raw, 0, Reduction::Lossy};
     VirtualPath path;
+    std::uint64_t stallsPerSecond = 0; ///< of the computer it runs on, each of 2 to 9 ms
     int changes = 0;
     std::optional<Nanoseconds> fullSince;
 
@@ -81,8 +86,16 @@ private:
             m_leaving.reset();
     }
 
+    void standStill()
+    {
+        const auto time = 2ms + (m_random() % 29) * step;
+        path.standStill(time);
+        m_now += time;
+    }
+
     double m_asked;
     double m_rawBytes;
+    std::mt19937_64 m_random{1};
     Nanoseconds m_now{};
     Nanoseconds m_nextPulse{};
     std::optional<Picture> m_leaving;
@@ -137,6 +150,37 @@ private Q_SLOTS:
         source.changes = 0;
         source.run(20s);
         QCOMPARE(source.changes, 0);
+    }
+
+    /// A computer that stands still for moments looks like a way that carries less, and pictures are as asked for all the same.
+    void aRestlessComputerCostsNoQuality_data()
+    {
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<int>("stallsPerSecond");
+        for (const int roundTrip : {500, 1000})
+            for (const int stalls : {1, 3, 6})
+                QTest::addRow("%d us, %d stalls /s", roundTrip, stalls) << roundTrip << stalls;
+    }
+
+    void aRestlessComputerCostsNoQuality()
+    {
+        QFETCH(int, roundTripUs);
+        QFETCH(int, stallsPerSecond);
+        Source source(12'500'000, std::chrono::microseconds(roundTripUs), 15, 0.63);
+        source.run(6s);
+        source.stallsPerSecond = static_cast<std::uint64_t>(stallsPerSecond);
+        source.changes = 0;
+        source.run(30s);
+        QCOMPARE(source.changes, 0);
+        QCOMPARE(source.ladder.step(), std::size_t(0));
+
+        source.path.capacity /= 10;
+        source.run(6s);
+        QVERIFY(source.ladder.step() > 0);
+        source.path.capacity *= 10;
+        const auto healed = source.now();
+        source.run(5s);
+        QVERIFY2(source.fullSince && *source.fullSince > healed, qPrintable(QString::number(source.ladder.step())));
     }
 
     /// The moment of the healing is anywhere between two tries to pass what the narrow path carried, and a burst's first acknowledgements
