@@ -160,6 +160,7 @@ void WireTest::readsOrders_data()
     QTest::newRow("rate") << "port 2 rate=1000000 queue=65536" << 1;
     QTest::newRow("carrier") << "carrier 1 off" << 2;
     QTest::newRow("counts") << "counts" << 3;
+    QTest::newRow("late") << "late" << 4;
 }
 
 void WireTest::readsOrders()

@@ -1,9 +1,9 @@
 // Runs each fault some times on a system that is kept as long as the cast allows.
 #pragma once
 
-#include "runner/canary.hpp"
 #include "runner/faults.hpp"
 #include "runner/table.hpp"
+#include "support/canary.hpp"
 
 #include <memory>
 #include <random>
@@ -32,7 +32,7 @@ private:
 
     CampaignOptions m_options;
     std::mt19937_64 m_random;
-    Canary m_canary;
+    test::Canary m_canary;
     Cast m_cast = Cast::Pair;
     std::unique_ptr<Rig> m_rig;
     std::unique_ptr<Judge> m_judge;

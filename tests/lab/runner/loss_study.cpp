@@ -1,9 +1,9 @@
 // How often a session that lives is taken for lost when single frames are lost.
 #include "runner/studies.hpp"
 
-#include "runner/canary.hpp"
 #include "runner/judge.hpp"
 #include "runner/many.hpp"
+#include "support/canary.hpp"
 
 #include <cstdio>
 #include <map>
@@ -57,7 +57,7 @@ std::string rate(int events, double hours)
 bool studyOne(Rig& rig, Judge& judge, const std::string& title, const std::string& order, const StudyOptions& options)
 {
     std::vector<std::string> broken;
-    Canary canary;
+    test::Canary canary;
     openEveryLink(rig);
     rig.settle(Milliseconds(500));
     auto tally = judge.judge(broken);

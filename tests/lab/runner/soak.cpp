@@ -1,11 +1,11 @@
 // The soak: a random fault every half minute for hours, and nothing may grow.
 #include "runner/studies.hpp"
 
-#include "runner/canary.hpp"
 #include "runner/faults.hpp"
 #include "runner/judge.hpp"
 #include "runner/process_facts.hpp"
 #include "runner/trend.hpp"
+#include "support/canary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +72,7 @@ private:
     std::vector<Fault> m_faults;
     Rig m_rig;
     Judge m_judge;
-    Canary m_canary;
+    test::Canary m_canary;
     std::map<std::string, std::vector<Series>> m_series; ///< of each device, one a life
     std::vector<std::string> m_broken;
     Tally m_tally;

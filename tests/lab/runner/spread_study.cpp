@@ -1,10 +1,10 @@
 // How long it takes until every live device of eight knows of a stand-by.
 #include "runner/studies.hpp"
 
-#include "runner/canary.hpp"
 #include "runner/judge.hpp"
 #include "runner/many.hpp"
 #include "runner/statistics.hpp"
+#include "support/canary.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -48,7 +48,7 @@ bool studyOne(const std::string& title, SystemPlan plan, const std::string& orde
 {
     Rig rig(std::move(plan), {options.seed, options.ordinary, options.keep});
     Judge judge(rig);
-    Canary canary;
+    test::Canary canary;
     Spread spread;
     Tally tally;
     std::vector<std::string> broken;

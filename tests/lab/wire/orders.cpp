@@ -144,6 +144,8 @@ WireOrder parseWireOrder(std::string_view line, std::size_t ports)
         return parseCarrier(words, ports);
     if (verb == "counts")
         return CountsOrder{};
+    if (verb == "late")
+        return LateOrder{};
     return BadOrder{"unknown order '" + verb + "'"};
 }
 

@@ -34,11 +34,15 @@ struct CarrierOrder {
 /// `counts`: answers with the frames that passed and that were lost since the last asking.
 struct CountsOrder {};
 
+/// `late`: answers with the spans, in ms of the monotonic clock, in which frames waited for this program and not for the line, since the
+/// last asking: `ok 1200.25-1200.75 1310.0-1311.5`.
+struct LateOrder {};
+
 struct BadOrder {
     std::string why;
 };
 
-using WireOrder = std::variant<LinkOrder, PortOrder, CarrierOrder, CountsOrder, BadOrder>;
+using WireOrder = std::variant<LinkOrder, PortOrder, CarrierOrder, CountsOrder, LateOrder, BadOrder>;
 
 /// Ports are written from 1.
 WireOrder parseWireOrder(std::string_view line, std::size_t ports);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <queue>
 #include <string>
@@ -38,6 +39,10 @@ private:
         std::uint64_t passed = 0;
         std::uint64_t lost = 0;
     };
+    struct Span {
+        SteadyTime begin;
+        SteadyTime end;
+    };
     using Frame = std::shared_ptr<std::vector<std::byte>>;
     struct Waiting {
         SteadyTime due;
@@ -53,9 +58,11 @@ private:
     std::string obey(const WireOrder& order);
     std::string obeyLink(const LinkOrder& order);
     std::string counts();
+    std::string late();
     void readFrames(std::size_t port);
     void forward(std::size_t from, std::size_t to, const Frame& frame, Protocol protocol, SteadyTime now);
     void enqueue(std::size_t to, const Frame& frame, SteadyTime now);
+    void noteLate(SteadyTime due, SteadyTime now);
     void deliverDue(SteadyTime now);
     Pair& pair(std::size_t from, std::size_t to) { return m_pairs[from * m_taps.size() + to]; }
 
@@ -64,6 +71,7 @@ private:
     std::vector<Pair> m_pairs;
     std::priority_queue<Waiting> m_waiting;
     std::uint64_t m_order = 0;
+    std::deque<Span> m_late; ///< one after the other
     std::string m_unread;
     std::vector<std::byte> m_buffer;
 };

@@ -49,7 +49,7 @@ def parse(description, build_dir, given=None):
     parser.add_argument("--rounds", type=above_zero(int), default=5)
     parser.add_argument("--seconds", type=above_zero(float), default=5, help="measured of each transport in each condition and round")
     parser.add_argument("--quick", action="store_true", help="one round of two seconds, and two links")
-    parser.add_argument("--real-time", action="store_true", help="both ends under SCHED_FIFO: less noise on a busy machine")
+    parser.add_argument("--real-time", action="store_true", help="both ends under SCHED_FIFO: less noise on a busy machine, and commands on whose way it stood still are told apart")
     parser.add_argument("--output", type=pathlib.Path, help="the Markdown file; standard output")
     parser.add_argument("--json", type=pathlib.Path, help="write every single result there as well, a line each")
     parser.add_argument("--tables", type=pathlib.Path, nargs="+", help="measure nothing: the table of results that --json kept")

@@ -16,9 +16,9 @@ def verdict(met):
     return "–" if met is None else ("yes" if met else "**no**")
 
 
-def limits_of(medians, link, idle_key, transport_key):
+def limits_of(medians, link, idle_key, transport_key, figure="command_p99"):
     """Of p99 and p99.9 beside frames, in µs; both are reckoned from the idle link's p99. There are none where packets are lost."""
-    idle = medians.of(idle_key, transport_key, "command_p99")
+    idle = medians.of(idle_key, transport_key, figure)
     return (None, None) if idle is None or link.loss else tuple(idle + link.segment_us() + stall for stall in (STALL_US, LONG_STALL_US))
 
 

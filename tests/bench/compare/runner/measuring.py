@@ -22,6 +22,15 @@ class Peer:
         text = self.process.stdout.readline() if ready else ""
         return json.loads(text) if text else None
 
+    def said(self):
+        """What it says once its input ends: the JSON object, or None, and its error output."""
+        try:
+            output, complaints = self.process.communicate(timeout=5)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            output, complaints = self.process.communicate()
+        return (json.loads(output) if output.strip() else None), complaints
+
     def end(self):
         """What it said on its error output."""
         try:
@@ -61,6 +70,7 @@ class Launch:
     network: object
     files: tuple  # of each pair of ends
     urgency: list
+    canary: tuple = ()  # the command of the program that watches the processors; none: nobody does
 
 
 def told_once(complaints):

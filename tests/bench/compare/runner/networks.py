@@ -17,6 +17,10 @@ class Loopback:
     def command(self, end, words):
         return words
 
+    def late(self):
+        """Spans in ms of the monotonic clock, since the last asking, in which what passes waited for a program that is the line."""
+        return []
+
     def close(self):
         pass
 
@@ -32,6 +36,9 @@ class Namespaces:
 
     def command(self, end, words):
         return ["ip", "netns", "exec", self.names[end], *words]
+
+    def late(self):
+        return []
 
     def inside(self, end, *words):
         sh(*self.command(end, words))
@@ -91,6 +98,10 @@ class WiredPair(Namespaces):
         answer = self.wire.stdout.readline()
         if " ok" not in answer:
             raise RuntimeError(f"the wire refused `{order}`: {answer}")
+        return answer
+
+    def late(self):
+        return [tuple(map(float, span.split("-"))) for span in self.say("late").split()[2:]]
 
     def close(self):
         self.wire.stdin.close()

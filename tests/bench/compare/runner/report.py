@@ -3,7 +3,7 @@ import os
 import platform
 import statistics
 
-from . import collapse_table, load_table, loopback_table, streams_table, targets
+from . import calm_table, collapse_table, load_table, loopback_table, streams_table, targets
 
 
 class Medians:
@@ -46,6 +46,7 @@ def markdown(comparison, measurements):
     sections = ["<!-- Written by tests/bench/compare/run. -->", machine(comparison), *targets.sections(medians)]
     sections += loopback_table.sections(medians, measurements, comparison.transports)
     sections += load_table.sections(medians, comparison.transports, comparison.chosen.seconds)
+    sections += calm_table.sections(medians)
     sections += streams_table.sections(medians, comparison.transports, comparison.chosen.seconds)
     sections += collapse_table.sections(medians, comparison.transports)
     return "\n\n".join(sections) + "\n"

@@ -2,7 +2,7 @@
 import types
 import unittest
 
-from . import collapse, collapse_table, conditions, load_table, loopback_table, report, streams_table, targets, transports
+from . import calm, collapse, collapse_table, conditions, load_table, loopback_table, report, streams_table, targets, transports
 
 
 def comparison(results, rounds=3):
@@ -50,6 +50,29 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(answers(self.beside_frames(command_p99=960))[:2], [True, False])
         self.assertEqual(answers(self.beside_frames(frame_p50=21))[2], False)
         self.assertEqual(answers(self.beside_frames(frame_count=70))[3], False)
+
+    def test_commands_are_calm_when_nothing_stood_still_on_their_way_or_shortly_before(self):
+        commands = [(10, 1), (20, 1), (30, 1), (40, 1)]  # due and late, ms
+        self.assertEqual(calm.calm_latencies(commands, []), [1000] * 4)
+        self.assertEqual(len(calm.calm_latencies(commands, [(20.2, 20.6)])), 4)  # too short
+        self.assertEqual(len(calm.calm_latencies(commands, [(18, 18.6)])), 3)  # before the second, and it may still be held up
+        self.assertEqual(len(calm.calm_latencies(commands, [(15, 16.9)])), 4)  # long enough before
+        self.assertEqual(len(calm.calm_latencies(commands, [(20.9, 29), (28, 30.1)])), 2)
+        self.assertEqual(len(calm.calm_latencies([(10, 25), (20, 1)], [(30, 31)])), 1)  # the first was under way for so long
+
+    def test_of_few_calm_commands_nothing_is_said(self):
+        self.assertEqual(calm.figures([(i, 1) for i in range(999)], []), {"calm_count": 999})
+        found = calm.figures([(10 * i, 1 + i % 1000) for i in range(2000)], [(0, 2)])
+        self.assertEqual(found["calm_count"], 1999)
+        self.assertEqual(found["calm_max"], 1000_000)
+
+    def test_calm_commands_are_judged_by_themselves(self):
+        own = {"command_count": 2500, "calm_count": 2000, "calm_p99": 900, "calm_p999": 1500, "calm_max": 1600}
+        found = {"load/1g/0": {"liena": [own | {"calm_p99": 400}]}, "load/1g/15": {"liena": [own], "zeromq": [{"calm_p99": 950}]}}
+        self.assertEqual([one.met for one in targets.judged_calm(report.Medians(found))], [True, True])
+        found["load/1g/15"]["liena"] = [own | {"calm_p999": 2100, "calm_p99": 960}]
+        self.assertEqual([one.met for one in targets.judged_calm(report.Medians(found))], [False, False])
+        self.assertEqual(targets.judged_calm(report.Medians({"load/1g/15": {"liena": [{"calm_count": 10, "command_count": 2500}]}})), [])
 
     def test_of_the_conditions_only_those_count_as_usual_where_the_link_carries_the_frames_and_loses_none(self):
         known = {f"load/{name}/{rate}": {"liena": [{"command_p99": 1}]} for name, link in conditions.LINKS.items() for rate in link.frame_rates}

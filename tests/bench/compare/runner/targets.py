@@ -1,7 +1,7 @@
 """What the figures of LiENa are held against."""
 from dataclasses import dataclass
 
-from . import collapse_table, streams_table
+from . import calm_table, collapse_table, streams_table
 from .conditions import COLLAPSES, LINKS, NEIGHBOUR_LINKS
 from .load_table import FRAME_RATIO, limits_of, verdict, within
 from .streams_table import STREAMS
@@ -144,6 +144,16 @@ def judged_load(medians):
     return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
 
 
+def judged_calm(medians):
+    """The same two answers about commands, of calm ones."""
+    conditions = list(conditions_with_frames(medians, fitting=True))
+    pairs = [(medians.of(key, "liena", "calm_p99"), calm_table.best_of_others(medians, key)) for key, _, _ in conditions]
+    return (counted("Calm commands beside frames: p99 and p99.9 within their limits, conditions",
+                    [calm_table.is_within(medians, *condition) for condition in conditions])
+            + counted("Calm commands beside frames: p99 not above the best other transport's, conditions",
+                      [None if None in pair else pair[0] <= pair[1] for pair in pairs]))
+
+
 def judged_neighbour(medians):
     judged = [judge_load(medians, *condition) for condition in conditions_beside_another(medians)]
     titles = ("Commands beside another session's frames: p99 and p99.9 within their limits, conditions",
@@ -184,7 +194,7 @@ def all_judged(medians):
     values = [(target, target.value(medians)) for target in TARGETS]
     found = [Judged(target.title, f"{target.relation} {target.bound:g}", f"{value:.2f}", target.is_met(value))
              for target, value in values if value is not None]
-    for of_conditions in (judged_load, judged_neighbour, judged_streams, judged_overload, judged_loss, judged_collapse):
+    for of_conditions in (judged_load, judged_calm, judged_neighbour, judged_streams, judged_overload, judged_loss, judged_collapse):
         found += of_conditions(medians)
     return found
 

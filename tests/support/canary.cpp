@@ -1,25 +1,24 @@
 // How long this machine keeps an idle thread from running: implementation.
-#include "runner/canary.hpp"
-
-#include "runner/record.hpp"
+#include "support/canary.hpp"
 
 #include <algorithm>
 #include <ctime>
 
 #include <sched.h>
 
-namespace liena::lab {
+namespace liena::test {
 
 namespace {
 
-constexpr std::int64_t period = 1'000'000;
 constexpr std::int64_t second = 1'000'000'000;
 constexpr std::int64_t worthKeeping = 300'000;
 constexpr std::size_t mostKept = 100'000;
 
+std::int64_t nowNs() { return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
 } // namespace
 
-Canary::Canary()
+Canary::Canary(std::chrono::nanoseconds period) : m_period(period.count())
 {
     for (unsigned processor = 0; processor < std::max(1U, std::thread::hardware_concurrency()); ++processor)
         m_threads.emplace_back([this, processor] { run(processor); });
@@ -40,12 +39,12 @@ void Canary::run(unsigned processor)
     (void)::sched_setaffinity(0, sizeof only, &only); // where it may not, it watches whatever it runs on
     auto next = nowNs();
     while (!m_stop) {
-        next += period;
+        next += m_period;
         const timespec until{next / second, next % second};
         ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
         const auto now = nowNs();
         note({next, now});
-        next = std::max(next, now - period);
+        next = std::max(next, now - m_period);
     }
 }
 
@@ -63,6 +62,12 @@ void Canary::note(Stall stall)
     m_stalls.push_back(stall);
 }
 
+std::vector<Canary::Stall> Canary::stalls() const
+{
+    const std::lock_guard lock(m_mutex);
+    return {m_stalls.begin(), m_stalls.end()};
+}
+
 double Canary::takeLargest() { return static_cast<double>(m_largest.exchange(0)) / 1e6; }
 
 double Canary::largestBetween(std::int64_t from, std::int64_t to) const
@@ -75,4 +80,4 @@ double Canary::largestBetween(std::int64_t from, std::int64_t to) const
     return static_cast<double>(largest) / 1e6;
 }
 
-} // namespace liena::lab
+} // namespace liena::test

@@ -1,0 +1,59 @@
+"""The part of the table about calm commands: of LiENa, beside the best of the others."""
+from .calm import BEFORE_MS, WORTH_MS
+from .conditions import LINKS
+from .load_table import limits_of, number, verdict, within
+from .transports import OWN
+
+HEAD = ("| | calm, of all | p99 | p99.9 | max | limits of p99, p99.9 | met | least p99 of the others |\n"
+        "|---|---|---|---|---|---|---|---|")
+KINDS = (("load", ""), ("neighbour", " of another session"))
+
+
+def keys_of(kind):
+    """`(key, idle key, link, frames per second)` of each condition."""
+    return [(f"{kind}/{name}/{rate}", f"{kind}/{name}/0", link, rate) for name, link in LINKS.items() for rate in link.frame_rates]
+
+
+def limits(medians, link, idle_key):
+    return limits_of(medians, link, idle_key, "liena", "calm_p99")
+
+
+def is_within(medians, key, idle_key, link):
+    """None when too few commands were calm, or none was looked at."""
+    return within([medians.of(key, "liena", "calm_" + part) for part in ("p99", "p999")], limits(medians, link, idle_key))
+
+
+def best_of_others(medians, key):
+    found = [medians.of(key, other, "calm_p99") for other in medians.results.get(key, {}) if other not in OWN]
+    return min((p99 for p99 in found if p99 is not None), default=None)
+
+
+def row(medians, key, idle_key, link, title, has_frames):
+    def of(figure):
+        return medians.of(key, "liena", figure)
+
+    bounds = limits(medians, link, idle_key)
+    judged = has_frames and None not in bounds
+    return "| " + " | ".join([
+        title, f"{number(100 * of('calm_count') / of('command_count'))} %", *(number(of("calm_" + part)) for part in ("p99", "p999", "max")),
+        ", ".join(map(number, bounds)) if judged else "–", verdict(is_within(medians, key, idle_key, link)) if judged else "–",
+        number(best_of_others(medians, key))]) + " |"
+
+
+def rows(medians):
+    for kind, whose in KINDS:
+        for key, idle_key, link, rate in keys_of(kind):
+            if medians.of(key, "liena", "calm_count") is not None:
+                frames = f"{rate} frames/s{whose}" if rate else "no frames"
+                yield row(medians, key, idle_key, link, f"{link.name}, {frames}", rate > 0)
+
+
+EXPLANATION = (f"LiENa's commands of the tables above on whose way nothing stood still: from {BEFORE_MS:g} ms before they were due until they were there no "
+               f"processor kept an idle thread of high priority from running for {WORTH_MS} ms, and the program that is a line of 20 ms was not late "
+               "by as much. In µs; the limits are reckoned from calm commands without frames. The others' commands are chosen alike; a transport "
+               "whose packets keep the kernel of a processor busy for so long is spared by it.")
+
+
+def sections(medians):
+    lines = list(rows(medians))
+    return ["\n".join(["### Calm commands", "", EXPLANATION, "", HEAD, *lines])] if lines else []
