@@ -1,4 +1,5 @@
 // The wire's decisions and orders: seeded, and as often as they are told to be.
+#include "wire/late_spans.hpp"
 #include "wire/orders.hpp"
 #include "wire/tap.hpp"
 
@@ -61,6 +62,8 @@ private Q_SLOTS:
     void readsOrders();
     void refusesOrders_data();
     void refusesOrders();
+    void joinsWhatWasLateTogether();
+    void keepsTheNewestOfTooManySpans();
     void countsALongFrameAsItsPackets_data();
     void countsALongFrameAsItsPackets();
 };
@@ -187,6 +190,33 @@ void WireTest::refusesOrders()
 {
     QFETCH(QString, line);
     QVERIFY(std::holds_alternative<BadOrder>(parseWireOrder(line.toStdString(), 2)));
+}
+
+void WireTest::joinsWhatWasLateTogether()
+{
+    const auto at = [](int microseconds) { return SteadyTime(std::chrono::microseconds(microseconds)); };
+    LateSpans late;
+    late.note(at(100), at(150)); // hardly
+    late.note(at(1000), at(1400));
+    late.note(at(1100), at(1500));
+    late.note(at(5000), at(5300));
+    const auto spans = late.take();
+    QCOMPARE(spans.size(), std::size_t(2));
+    QVERIFY(spans[0].begin == at(1000) && spans[0].end == at(1500));
+    QVERIFY(spans[1].begin == at(5000) && spans[1].end == at(5300));
+    QVERIFY(late.take().empty());
+}
+
+void WireTest::keepsTheNewestOfTooManySpans()
+{
+    LateSpans late;
+    const auto due = [](std::size_t i) { return SteadyTime(std::chrono::milliseconds(10 * i)); };
+    for (std::size_t i = 0; i <= LateSpans::mostKept; ++i)
+        late.note(due(i), due(i) + LateSpans::worthTelling);
+    const auto spans = late.take();
+    QCOMPARE(spans.size(), LateSpans::mostKept);
+    QVERIFY(spans.front().begin == due(1));
+    QVERIFY(spans.back().begin == due(LateSpans::mostKept));
 }
 
 void WireTest::countsALongFrameAsItsPackets_data()

@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::size_t longestFrame = 66 * 1024;
 constexpr int framesPerTurn = 8; // which take some 0.2 ms, for which others wait
-constexpr std::size_t mostSpans = 10'000;
-constexpr auto worthTelling = std::chrono::microseconds(300);
 constexpr std::size_t ethernetHeader = 14;
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
@@ -149,22 +147,9 @@ std::string Wire::late()
         return std::to_string(std::chrono::duration<double, std::milli>(at.time_since_epoch()).count());
     };
     std::string text = "ok";
-    for (const auto& span : std::exchange(m_late, {}))
+    for (const auto& span : m_late.take())
         text += ' ' + milliseconds(span.begin) + '-' + milliseconds(span.end);
     return text;
-}
-
-void Wire::noteLate(SteadyTime due, SteadyTime now)
-{
-    if (now - due < worthTelling)
-        return;
-    if (!m_late.empty() && due <= m_late.back().end) {
-        m_late.back().end = now;
-        return;
-    }
-    if (m_late.size() == mostSpans)
-        m_late.pop_front();
-    m_late.push_back({due, now});
 }
 
 void Wire::readFrames(std::size_t port)
@@ -234,7 +219,7 @@ void Wire::deliverDue(SteadyTime now)
             enqueue(next.port, next.frame, next.due); // as the line would, however late this program is
             continue;
         }
-        noteLate(next.due, steadyNow());
+        m_late.note(next.due, steadyNow());
         m_ports[next.port].queued -= next.frame->size();
         if (m_ports[next.port].plugged)
             m_taps[next.port].write(*next.frame);

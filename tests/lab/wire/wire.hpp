@@ -2,12 +2,12 @@
 #pragma once
 
 #include "wire/impairment.hpp"
+#include "wire/late_spans.hpp"
 #include "wire/orders.hpp"
 #include "wire/tap.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <queue>
 #include <string>
@@ -39,10 +39,6 @@ private:
         std::uint64_t passed = 0;
         std::uint64_t lost = 0;
     };
-    struct Span {
-        SteadyTime begin;
-        SteadyTime end;
-    };
     using Frame = std::shared_ptr<std::vector<std::byte>>;
     struct Waiting {
         SteadyTime due;
@@ -62,7 +58,6 @@ private:
     void readFrames(std::size_t port);
     void forward(std::size_t from, std::size_t to, const Frame& frame, Protocol protocol, SteadyTime now);
     void enqueue(std::size_t to, const Frame& frame, SteadyTime now);
-    void noteLate(SteadyTime due, SteadyTime now);
     void deliverDue(SteadyTime now);
     Pair& pair(std::size_t from, std::size_t to) { return m_pairs[from * m_taps.size() + to]; }
 
@@ -71,7 +66,7 @@ private:
     std::vector<Pair> m_pairs;
     std::priority_queue<Waiting> m_waiting;
     std::uint64_t m_order = 0;
-    std::deque<Span> m_late; ///< one after the other
+    LateSpans m_late;
     std::string m_unread;
     std::vector<std::byte> m_buffer;
 };

@@ -1,11 +1,10 @@
-"""The part of the table about calm commands: of LiENa, beside the best of the others."""
+"""The part of the table about calm commands of LiENa."""
 from .calm import BEFORE_MS, WORTH_MS
 from .conditions import LINKS
 from .load_table import limits_of, number, verdict, within
-from .transports import OWN
 
-HEAD = ("| | calm, of all | p99 | p99.9 | max | limits of p99, p99.9 | met | least p99 of the others |\n"
-        "|---|---|---|---|---|---|---|---|")
+HEAD = ("| | calm, of all | p99 | p99.9 | max | limits of p99, p99.9 | met |\n"
+        "|---|---|---|---|---|---|---|")
 KINDS = (("load", ""), ("neighbour", " of another session"))
 
 
@@ -23,11 +22,6 @@ def is_within(medians, key, idle_key, link):
     return within([medians.of(key, "liena", "calm_" + part) for part in ("p99", "p999")], limits(medians, link, idle_key))
 
 
-def best_of_others(medians, key):
-    found = [medians.of(key, other, "calm_p99") for other in medians.results.get(key, {}) if other not in OWN]
-    return min((p99 for p99 in found if p99 is not None), default=None)
-
-
 def row(medians, key, idle_key, link, title, has_frames):
     def of(figure):
         return medians.of(key, "liena", figure)
@@ -36,8 +30,7 @@ def row(medians, key, idle_key, link, title, has_frames):
     judged = has_frames and None not in bounds
     return "| " + " | ".join([
         title, f"{number(100 * of('calm_count') / of('command_count'))} %", *(number(of("calm_" + part)) for part in ("p99", "p999", "max")),
-        ", ".join(map(number, bounds)) if judged else "–", verdict(is_within(medians, key, idle_key, link)) if judged else "–",
-        number(best_of_others(medians, key))]) + " |"
+        ", ".join(map(number, bounds)) if judged else "–", verdict(is_within(medians, key, idle_key, link)) if judged else "–"]) + " |"
 
 
 def rows(medians):
@@ -50,8 +43,8 @@ def rows(medians):
 
 EXPLANATION = (f"LiENa's commands of the tables above on whose way nothing stood still: from {BEFORE_MS:g} ms before they were due until they were there no "
                f"processor kept an idle thread of high priority from running for {WORTH_MS} ms, and the program that is a line of 20 ms was not late "
-               "by as much. In µs; the limits are reckoned from calm commands without frames. The others' commands are chosen alike; a transport "
-               "whose packets keep the kernel of a processor busy for so long is spared by it.")
+               "by as much. In µs; the limits are reckoned from calm commands without frames. The others are not held against them: whose packets keep "
+               "the kernel of a processor busy for so long would be spared some of its own late commands.")
 
 
 def sections(medians):
