@@ -34,8 +34,8 @@ struct CarrierOrder {
 /// `counts`: answers with the frames that passed and that were lost since the last asking.
 struct CountsOrder {};
 
-/// `late`: answers with the spans, in ms of the monotonic clock, in which frames waited for this program and not for the line, since the
-/// last asking: `ok 1200.25-1200.75 1310.0-1311.5`.
+/// `late`: answers with the spans, in ms of the monotonic clock, in which frames to ports with a rate waited for this program and not for
+/// the line, since the last asking: `ok 1200.25-1200.75 1310.0-1311.5`.
 struct LateOrder {};
 
 struct BadOrder {
