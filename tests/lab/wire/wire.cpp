@@ -15,7 +15,7 @@ namespace liena::lab {
 namespace {
 
 constexpr std::size_t longestFrame = 66 * 1024;
-constexpr int framesPerTurn = 8; // which take some 0.2 ms, for which others wait
+constexpr int framesPerTurn = 8; // what is due waits for them
 constexpr std::size_t ethernetHeader = 14;
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }

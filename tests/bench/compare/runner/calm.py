@@ -1,9 +1,10 @@
 """Commands on whose way nothing stood still: no processor, and not the program that is the line. What a restless machine adds to the latency
 of all transports is left out of them, and of all alike."""
 import dataclasses
-import math
+import json
 
 from . import measuring
+from .quantile import quantile
 
 WORTH_MS = 0.5  # shorter stalls are a part of what is measured
 BEFORE_MS = 3.0  # what waited for a stall's end goes on being late for a moment
@@ -20,9 +21,10 @@ class Watch:
 
     def end(self):
         """The spans in which something stood still, ms of the monotonic clock; None when it cannot be known."""
-        said, complaints = self.canary.said()
-        if not said:
+        text, complaints = self.canary.closed()
+        if not text.strip():
             return None, complaints
+        said = json.loads(text)
         return [*zip(said["begin_ms"], said["end_ms"]), *self.network.late()], complaints
 
 
@@ -47,10 +49,6 @@ def calm_latencies(commands, spans):
         if not rest or rest[0][0] > due + late:
             found.append(1000 * late)
     return found
-
-
-def quantile(values, q):
-    return sorted(values)[max(0, math.ceil(q * len(values)) - 1)]
 
 
 def figures(commands, spans):

@@ -42,8 +42,8 @@ def rows(medians):
 
 
 EXPLANATION = (f"LiENa's commands of the tables above on whose way nothing stood still: from {BEFORE_MS:g} ms before they were due until they were there no "
-               f"processor kept an idle thread of high priority from running for {WORTH_MS} ms, and the program that is a line of 20 ms was not late "
-               "by as much. In µs; the limits are reckoned from calm commands without frames. The others are not held against them: whose packets keep "
+               f"processor kept an idle thread of high priority from running for {WORTH_MS} ms, and the program that is a line of 20 ms was not "
+               "late for as long. In µs; the limits are reckoned from calm commands without frames. The others are not held against them: whose packets keep "
                "the kernel of a processor busy for so long would be spared some of its own late commands.")
 
 

@@ -3,6 +3,7 @@ import math
 import time
 
 from . import measuring
+from .quantile import quantile
 
 WARM_UP = 1.0  # seconds, of the programs
 STARTING = 2.0  # in which they have connected
@@ -25,10 +26,6 @@ def measure(launch, measurement, path):
     finally:
         launch.network.shape(path.link.megabits)
     return (figures(timeline, *changes) if timeline else {}), complaints
-
-
-def quantile(values, q):
-    return sorted(values)[max(0, math.ceil(q * len(values)) - 1)] if values else math.nan
 
 
 def figures(timeline, narrowed, healed):

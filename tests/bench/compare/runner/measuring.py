@@ -22,22 +22,17 @@ class Peer:
         text = self.process.stdout.readline() if ready else ""
         return json.loads(text) if text else None
 
-    def said(self):
-        """What it says once its input ends: the JSON object, or None, and its error output."""
+    def closed(self):
+        """What it had still to say once its input ends, and its error output."""
         try:
-            output, complaints = self.process.communicate(timeout=5)
+            return self.process.communicate(timeout=5)
         except subprocess.TimeoutExpired:
             self.process.kill()
-            output, complaints = self.process.communicate()
-        return (json.loads(output) if output.strip() else None), complaints
+            return self.process.communicate()
 
     def end(self):
         """What it said on its error output."""
-        try:
-            return self.process.communicate(timeout=5)[1]
-        except subprocess.TimeoutExpired:
-            self.process.kill()
-            return self.process.communicate()[1]
+        return self.closed()[1]
 
 
 class Ends:
