@@ -81,7 +81,7 @@ public:
     Nanoseconds unrest()
     {
         if (mostUnrest > Nanoseconds::zero() && m_sinceUnrest++ % lateTogether == 0)
-            m_unrest = Nanoseconds(static_cast<Nanoseconds::rep>(m_random() % static_cast<std::uint64_t>(mostUnrest.count())));
+            m_unrest = Nanoseconds(static_cast<Nanoseconds::rep>(random() % static_cast<std::uint64_t>(mostUnrest.count())));
         return m_unrest;
     }
 
@@ -119,6 +119,7 @@ public:
     bool receiverLimits = false;
     Nanoseconds mostUnrest{};  ///< so much later may acknowledgements come, whatever is sent
     unsigned lateTogether = 1; ///< so many of them by the same
+    std::mt19937_64 random{1}; ///< of the unrest
     Nanoseconds tooLong = 2ms;
     Nanoseconds muchTooLong = 10ms;
     Nanoseconds longestWait{};
@@ -172,7 +173,6 @@ private:
     Nanoseconds m_closed{};
     Nanoseconds m_unrest{};
     unsigned m_sinceUnrest = 0;
-    std::mt19937_64 m_random{1};
 };
 
 } // namespace liena::test

@@ -9,7 +9,8 @@ namespace liena::tasks {
 
 /// Pure. Round trips of a long path vary without any queue, and nothing tells how much while bulk leaves as fast as the path carries it. So
 /// after a queue was met bulk leaves clearly slower for a few verdicts, and how late acknowledgements come then is the path's own. Where
-/// that is little the path is calm: a queue is told from it early, and what the path was seen to carry is believed.
+/// that is little the path is calm: a queue is told from it early, and what the path was seen to carry is believed. The latest of these
+/// verdicts is left out, since a computer that stands still for a moment tells nothing of the path.
 class PathCalm {
 public:
     using Instant = std::chrono::steady_clock::time_point;
@@ -25,7 +26,7 @@ public:
     {
         m_left = verdicts;
         m_overheard = 0;
-        m_latest = {};
+        m_latest = m_latestButOne = {};
     }
     void stop() { m_left = 0; }
     bool listens() const { return m_left > 0; }
@@ -40,12 +41,13 @@ public:
     /// So late acknowledgements came this time.
     Heard hear(Nanoseconds late, Instant now)
     {
+        m_latestButOne = std::max(m_latestButOne, std::min(m_latest, late));
         m_latest = std::max(m_latest, late);
         if (--m_left > 0)
             return Heard::NotAll;
-        const auto heard = heardOf(m_latest);
+        m_heard = heardOf(m_latestButOne);
         const bool isFirst = m_pause == first;
-        m_unrest = heard <= most ? heard : usual;
+        m_unrest = m_heard <= most ? m_heard : usual;
         m_pause = isCalm() ? longest : std::min(m_pause * 2, longest);
         m_next = now + m_pause;
         if (isCalm())
@@ -64,12 +66,13 @@ public:
             m_unrest = heard;
     }
 
-    /// By so much round trips vary, as far as it was heard.
+    /// By so much round trips vary, as far as it was heard; of a path that is not calm what is usual.
     Nanoseconds unrest() const { return m_unrest; }
+    Nanoseconds heard() const { return m_heard; } ///< last, however much it was
     bool isCalm() const { return m_unrest < usual; }
 
 private:
-    static constexpr int verdicts = 5;
+    static constexpr int verdicts = 6;
     static constexpr Nanoseconds usual = std::chrono::microseconds(500); ///< what is assumed of a path that was not heard
     static constexpr Nanoseconds most = std::chrono::microseconds(350);  ///< of a calm one, a quarter of what was heard included
     static constexpr Nanoseconds least = std::chrono::microseconds(50);
@@ -81,6 +84,8 @@ private:
     int m_left = 0;
     int m_overheard = 0;
     Nanoseconds m_latest{};
+    Nanoseconds m_latestButOne{};
+    Nanoseconds m_heard{};
     Nanoseconds m_unrest = usual;
     Nanoseconds m_pause = first; ///< until it is due again
     Instant m_next{};

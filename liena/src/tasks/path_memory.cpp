@@ -8,8 +8,8 @@ namespace liena::tasks {
 
 namespace {
 
-constexpr std::chrono::seconds lately{3}; // in which a queue of ours has drained at least once
 constexpr int roundTripsKept = 4;
+constexpr std::chrono::seconds lately{3}; // in which a queue of ours has drained at least once
 
 } // namespace
 
@@ -69,7 +69,34 @@ std::optional<RoundTripOfLate::Nanoseconds> RoundTripOfLate::note(Nanoseconds ro
         m_before = std::exchange(m_shortest, roundTrip);
     }
     m_shortest = std::min(m_shortest, roundTrip);
+    if (m_proven && now < m_provenUntil)
+        return m_proven = std::min(*m_proven, roundTrip);
+    m_proven.reset();
     return m_before ? std::optional(std::min(*m_before, m_shortest)) : std::nullopt;
+}
+
+void RoundTripOfLate::prove(Nanoseconds roundTrip, Instant now)
+{
+    m_proven = roundTrip;
+    m_provenUntil = now + 2 * lately;
+}
+
+bool StandingWait::isOfThePath(const Seen& seen, Nanoseconds roundTrip)
+{
+    constexpr std::uint64_t enough = 32768; // bytes, to smooth a round trip anew
+    constexpr std::uint64_t nearlyAll = 85; // of a hundred that were sent
+    if (!m_since)
+        return false;
+    if (std::chrono::abs(seen.waiting - m_since->waiting) > m_since->waiting / 8) {
+        m_since.reset();
+        return false;
+    }
+    const auto came = seen.bytesAcknowledged - m_since->bytesAcknowledged;
+    const auto sent = seen.bytesSent - m_since->bytesSent;
+    if (seen.at - m_since->at < m_since->waiting * 3 / 2 + roundTrip || came < enough || came * 100 < sent * nearlyAll)
+        return false;
+    m_since.reset();
+    return true;
 }
 
 void UsualWait::note(Nanoseconds waiting, Instant now)

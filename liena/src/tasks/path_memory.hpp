@@ -96,13 +96,48 @@ public:
     using Instant = std::chrono::steady_clock::time_point;
     using Nanoseconds = std::chrono::nanoseconds;
 
-    /// Of those noted within the last three to six seconds; nothing until so long was looked at.
+    /// Of those noted within the last three to six seconds, in which a queue of ours has drained at least once; nothing until so long was
+    /// looked at, but for what was proven.
     std::optional<Nanoseconds> note(Nanoseconds roundTrip, Instant now);
+
+    /// A queue of ours would have drained: until that long is over this is the path's.
+    void prove(Nanoseconds roundTrip, Instant now);
+    bool isProven() const { return m_proven.has_value(); }
 
 private:
     Instant m_begun{};
     Nanoseconds m_shortest = Nanoseconds::max();
     std::optional<Nanoseconds> m_before; ///< of the span before
+    std::optional<Nanoseconds> m_proven;
+    Instant m_provenUntil{};
+};
+
+/// Pure. Whether that acknowledgements are late is a queue of ours: it becomes shorter once less is sent.
+class StandingWait {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    struct Seen {
+        Instant at;
+        Nanoseconds waiting{};
+        std::uint64_t bytesSent = 0;
+        std::uint64_t bytesAcknowledged = 0;
+    };
+
+    /// From now on so little is sent that it drains.
+    void yielded(const Seen& seen)
+    {
+        if (!m_since)
+            m_since = seen;
+    }
+
+    /// It would have drained, all came that was sent, and it is as late as before.
+    bool isOfThePath(const Seen& seen, Nanoseconds roundTrip);
+    void forget() { m_since.reset(); }
+
+private:
+    std::optional<Seen> m_since;
 };
 
 /// Pure. How late acknowledgements come while no queue of ours stands: on a narrow line by what a piece takes to pass it, behind a token

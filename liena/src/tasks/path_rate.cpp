@@ -40,9 +40,11 @@ constexpr double triedStep = 1.12;      // a step once the end of a burst was se
 constexpr double gentle = 1.01;         // a step near the ceiling
 constexpr double nearCeiling = 0.9;     // gently from here
 constexpr double untried = 0.97;        // of the ceiling: below it hardly ever a queue of ours stands
+constexpr double highestLeft = 0.99;    // of the highest ceiling of late, a second later
 constexpr double leastBoldest = 1.08;   // of the steps on a slow path, which must not be as bold as on others
 constexpr double bolder = 1.5;          // each step beyond the ceiling, as long as no queue shows
 constexpr double inOnePiece = 2896;     // bytes: two packets, which the kernel sends and acknowledges together
+constexpr int piecesInDoubt = 4;        // what is late by no more waits for pieces of its own
 constexpr double noticing = 12;         // such pieces, until the smoothed round trip shows a queue
 constexpr double usual = 0.0002;        // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
@@ -61,8 +63,11 @@ void PathRate::restart()
     m_departures = {};
     m_calm = {}; // it may go another way
     m_ofLate = {};
+    m_isLonger = false;
+    m_standing.forget();
     m_usualWait.forget();
     m_draining = false;
+    m_passed = 0;
     m_effective = m_forgotten = 0;
     m_bytes = {};
     m_sent = 0;
@@ -81,14 +86,31 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now, bool goes
 transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
 {
     const auto ofLate = m_ofLate.note(facts.roundTrip, now);
-    if (ofLate && *ofLate - facts.leastRoundTrip > tolerated(facts))
+    const bool isLonger = ofLate && *ofLate - facts.leastRoundTrip > tolerated(facts);
+    if (isLonger)
         facts.leastRoundTrip = *ofLate;
+    if (!std::exchange(m_isLonger, isLonger) && isLonger)
+        forgetQueues();
     return facts;
+}
+
+/// They were none, the path has become longer: back to what it carried before. On a slow path, where a step too far is long in coming
+/// through, only where that is proven.
+void PathRate::forgetQueues()
+{
+    m_confirmed.reset();
+    if (isSlow() && !m_ofLate.isProven())
+        return;
+    m_ceiling = m_highest > m_rate ? std::optional(m_highest) : std::nullopt;
+    m_doubted = m_draining = false;
+    m_effective = m_forgotten = 0;
 }
 
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
 {
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
+    if (m_standing.isOfThePath({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, facts.roundTrip))
+        m_ofLate.prove(facts.roundTrip, now);
     m_isLong = facts.leastRoundTrip >= longWay;
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
@@ -96,6 +118,7 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     }
     if (now - m_provenFaded > 1s) {
         m_proven *= provenLeft;
+        m_highest *= highestLeft;
         m_provenFaded = now;
     }
     m_departures.note({now, facts.bytesSent}, facts.leastRoundTrip);
@@ -148,14 +171,14 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     const bool proves = bytes > m_rate * leastProof;
     if (proves)
         m_judged = now;
-    const double carried = bytes / (seconds + secondsOf(m_waiting));
+    const double carried = bytes / (seconds + secondsOf(std::max(m_waiting - m_unrest, Nanoseconds::zero()))); // that is not its queue
     const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
     if (hasWaited(facts) && facts.bytesAcknowledged >= m_forgotten)
         meetQueue(facts, tells ? carried : m_rate, mayBeUnrest(facts), now);
     else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves) {
         if (!isCalm(facts))
             m_confirmed.reset(); // with pauses a step too far is over soon
-        grow(facts, carried, m_burst->tries ? triedStep : quickest, now);
+        grow(facts, tells ? carried : m_rate, m_burst->tries ? triedStep : quickest, now);
     }
     m_draining = false; // it had the pause for that
 }
@@ -186,8 +209,8 @@ double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) c
     return before ? std::max(carried, static_cast<double>(facts.bytesSent) - static_cast<double>(*before)) : carried;
 }
 
-/// A path's own unrest, and two of our segments; where these take milliseconds, what the kernel sends in one piece and one of them, or as
-/// little as that is seen to wait: behind a token bucket a step too far costs commands next to nothing.
+/// A path's own unrest, as it is assumed or was heard, and two of our segments; where these take milliseconds, what the kernel sends in one
+/// piece and one of them, or as little as that is seen to wait: behind a token bucket a step too far costs commands next to nothing.
 PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
 {
     const double segments = 2 * static_cast<double>(segment()) / part();
@@ -195,7 +218,7 @@ PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) con
     const auto usual = usualWait();
     const std::chrono::duration<double> own(std::min(segments, (usual ? std::min(piece, secondsOf(*usual)) : piece) + 0.0003));
     return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
-           std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()) + m_unrest;
+           std::max(std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()), m_unrest);
 }
 
 /// Elsewhere a piece takes next to no time.
@@ -246,12 +269,14 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
     m_shown = now;
+    if (mayBeUnrest(facts) && std::exchange(m_passed, 0) >= m_rate)
+        return; // seen once, at a rate that passed: a computer that stood still for a moment looks like that
     m_usualWait.forget();
     if (allCame)
         delivered = std::max(delivered, m_rate * doubtful);
     m_carried = std::clamp(delivered, least, most);
-    if (allCame && !isCalm(facts))
-        delivered = m_rate;
+    if (allCame && !isCalm(facts) && m_unrest == Nanoseconds::zero())
+        delivered = m_rate; // nothing is known of the path's own unrest
     const bool wasProven = m_proven > m_rate * used;
     if (isUnrest(facts, delivered, now))
         return;
@@ -269,13 +294,14 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (again && m_confirmed)
         delivered = (delivered + *m_ceiling) / 2; // what a token bucket had left came through, too
     m_ceiling = std::clamp(delivered, least, most);
-    if (mayBeUnrest(facts) && m_unrest == Nanoseconds::zero() && m_calm.isDue(now))
+    m_highest = std::max(m_highest, *m_ceiling);
+    if (mayBeUnrest(facts) && m_calm.isDue(now))
         m_calm.begin();
     else
         m_calm.stop();
     m_rate =
         std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
-    yield(facts);
+    yield(facts, now);
     m_step = gentle;
     m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
@@ -288,8 +314,10 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
 
 /// The rate is lower now: first what stands drains, and what was sent before says nothing of it. A rate that fell deep at once may still be
 /// far above what the path carries. On a long way it is known late that a queue is gone, and the round trip goes on telling of a long one.
-void PathRate::yield(const transport::PathFacts& facts)
+void PathRate::yield(const transport::PathFacts& facts, Instant now)
 {
+    if (m_waiting > piecesInDoubt * timeOf(inOnePiece))
+        m_standing.yielded({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged});
     m_draining = true;
     m_drain = facts.leastRoundTrip < longWay && (m_doubted || isSlow()) ? drainWhenSlow : drain;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
@@ -303,6 +331,7 @@ void PathRate::shift(double bytesPerSecond)
 {
     m_rate = std::clamp(m_rate + bytesPerSecond, least, most);
     m_carried = std::clamp(m_carried + bytesPerSecond, least, most);
+    m_highest = std::max(m_highest + bytesPerSecond, 0.0);
     for (auto* ceiling : {&m_ceiling, &m_ceilingBefore})
         if (*ceiling)
             *ceiling = std::clamp(**ceiling + bytesPerSecond, least, most);
@@ -311,6 +340,7 @@ void PathRate::shift(double bytesPerSecond)
 void PathRate::grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now)
 {
     m_shown = now;
+    m_passed = m_rate;
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
     if (m_calm.listens() && !listen(facts, delivered, now))
         return;
@@ -326,7 +356,10 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
         return;
     if (m_rate > *m_ceiling * refuted)
         m_confirmed.reset();
-    m_rate = std::min(m_rate * (m_confirmed ? gentle : m_step), most);
+    const bool isBelowHighest = m_isLong && m_rate < m_highest * refuted;
+    if (isBelowHighest && m_rate >= m_highest * untried)
+        m_step = gentle;
+    m_rate = std::min(m_rate * (m_confirmed ? gentle : m_step), isBelowHighest ? std::max(m_highest * untried, m_rate * gentle) : most);
     const auto pause = pauseBetweenSteps();
     const double shorter = gentlePause / std::chrono::duration<double>(pause);
     const double boldest = std::max(1 + (quickest - 1) * shorter * shorter, leastBoldest);
@@ -347,14 +380,17 @@ bool PathRate::listen(const transport::PathFacts& facts, double delivered, Insta
         return false;
     case PathCalm::Heard::Calm:
         m_ceiling = m_carried;
+        m_unrest = Nanoseconds::zero();
         return true;
     case PathCalm::Heard::Doubtful:
         m_carried = std::clamp(delivered, least, most);
-        m_rate = std::clamp(std::min(m_rate, delivered) * PathCalm::slower, least, most);
-        yield(facts);
+        m_rate = std::clamp(m_rate * PathCalm::slower, least, most);
+        yield(facts, now);
         m_calm.begin();
         return false;
     case PathCalm::Heard::Unquiet:
+        m_unrest = std::min<Nanoseconds>(m_calm.heard(), mostUnrest);
+        m_unrestSeen = now;
         return true;
     }
     return true;

@@ -27,9 +27,13 @@ struct KnownRate {
 /// near it, and bolder with each step beyond it, so that a path that heals is used within moments. On a slow path, where a step too far is
 /// a long queue before it shows, a rate at which a queue was met twice is tried again after a while only, and gently. Round trips of a long
 /// path vary without any queue: what is late by a part of a round trip only, while all that was sent arrives, costs the rate little, and
-/// what goes on far below a rate that passed is held for the path's own. Where a long path turns out to be calm (PathCalm), commands are to
-/// wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only there, too. A computer or a
-/// network that stands still for a moment looks like a path that carries a tenth: a rate that fell so deep is raised again soon.
+/// what goes on while less is sent, or far below a rate that passed, is held for the path's own. Where a long path turns out to be calm
+/// (PathCalm), commands are to wait as little as on a short one: a rate at which a queue was met twice is tried again after a while only
+/// there, too. What does not become shorter while bulk yields is no queue but another, longer way.
+///
+/// A computer or a network that stands still for a moment looks like a queue, or like a path that carries a tenth. So on a long way a queue
+/// at a rate that passed just before is believed when it is seen twice, a rate that fell deep at once is raised again soon, and steps
+/// beyond a ceiling are bold up to the highest of late only, which a moment's standstill does not change.
 ///
 /// The lanes of one session share its path, and the rate is that of all of them together: each sends at an even part of it, by how many are
 /// in a burst at the moment, and judges what it delivers as many times over. A burst that ends gives its part back at once, and one that
@@ -139,6 +143,7 @@ private:
     transport::PathFacts asOfSession(const transport::PathFacts& facts, Instant now);
     transport::PathFacts asOfLate(transport::PathFacts facts, Instant now);
     void enter(bool goesOn, Instant now);
+    void forgetQueues();
     void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool isCalm(const transport::PathFacts& facts) const;
@@ -160,7 +165,7 @@ private:
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
-    void yield(const transport::PathFacts& facts);
+    void yield(const transport::PathFacts& facts, Instant now);
     void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
     void growInDoubt(const transport::PathFacts& facts, Instant now);
@@ -180,6 +185,7 @@ private:
     std::optional<double> m_limit;
     std::optional<double> m_ceiling;       ///< delivered when a queue was met last
     std::optional<double> m_ceilingBefore; ///< the fall that is doubted, or was last
+    double m_highest = 0;                  ///< of the ceilings of late; beyond another one steps are bold up to there only, on a long way
     bool m_doubted = false;                ///< the rate fell so deep at once that the ceiling is to be met again, soon
     double m_delivered = 0;                ///< bytes per second, of late
     Instant m_shown{};
@@ -196,12 +202,15 @@ private:
     PathCourse m_course; ///< in the last windows: on a slow path one of them is a packet or two
     PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
-    UsualWait m_usualWait;  ///< below the ceiling
-    Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
+    StandingWait m_standing; ///< since bulk yielded
+    bool m_isLonger = false; ///< the path, than the kernel remembers it
+    UsualWait m_usualWait;   ///< below the ceiling
+    Nanoseconds m_unrest{};  ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
     PathCalm m_calm;
     double m_carried = 0; ///< bytes per second, by what was late when a queue was met last
     double m_proven = 0;  ///< bytes per second that passed without a queue, of late
+    double m_passed = 0;  ///< the rate at the last verdict, when that met no queue
     Instant m_provenFaded{};
     std::optional<Burst> m_burst; ///< nothing was decided since it began
 };

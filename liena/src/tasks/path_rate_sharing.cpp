@@ -85,9 +85,11 @@ void PathRate::learnFrom(const PathRate& other)
     m_rate = other.m_rate;
     m_ceiling = other.m_ceiling;
     m_ceilingBefore = other.m_ceilingBefore;
+    m_highest = other.m_highest;
     m_doubted = other.m_doubted;
     m_carried = other.m_carried;
     m_proven = other.m_proven;
+    m_passed = other.m_passed;
     m_step = other.m_step;
     m_nextStep = other.m_nextStep;
     m_confirmed = other.m_confirmed;

@@ -6,6 +6,11 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <random>
+#include <tuple>
 #include <utility>
 
 using namespace liena::tasks;
@@ -34,22 +39,88 @@ public:
                 m_path.stalled = false;
                 taken += std::exchange(stillFor, 0ns);
             }
+            taken += standStillIfDue();
             m_path.rate.endsBurst(end - m_path.sent() < m_path.rate.steady() * inTheKernel);
+            const auto counted = std::pair(m_path.late, m_path.veryLate);
             m_path.run(250us);
+            m_running += 250us;
+            if (m_running < m_countedFrom)
+                std::tie(m_path.late, m_path.veryLate) = counted;
         }
         m_path.run(std::max(m_period - taken, Nanoseconds::zero()), false);
         return taken;
     }
 
+    /// Eight times a second of sending, for 0.5 to 5 ms: the sender's computer or the network, by turns of chance.
+    void standsStillAtTimes(unsigned seed)
+    {
+        m_random.seed(seed);
+        m_nextStandstill = m_running + untilNext();
+    }
+
 private:
+    Nanoseconds untilNext() { return Nanoseconds(static_cast<Nanoseconds::rep>(std::exponential_distribution(8.0)(m_random) * 1e9)); }
+
+    Nanoseconds standStillIfDue()
+    {
+        if (!m_nextStandstill || m_running < *m_nextStandstill)
+            return {};
+        const auto time =
+            std::chrono::microseconds(static_cast<int>(500 * std::pow(10, std::uniform_real_distribution(0.0, 1.0)(m_random))));
+        const bool ofTheNetwork = std::bernoulli_distribution(0.5)(m_random);
+        const auto counted = std::pair(m_path.late, m_path.veryLate);
+        m_path.stalled = ofTheNetwork;
+        ofTheNetwork ? m_path.run(time) : m_path.standStill(time);
+        m_path.stalled = false;
+        std::tie(m_path.late, m_path.veryLate) = counted;
+        if (ofTheNetwork)
+            m_countedFrom = m_running + 3 * time + 5ms; // then what gathered meanwhile is gone
+        m_nextStandstill = m_running + untilNext();
+        return time;
+    }
+
     Path& m_path;
     double m_bytes;
     Nanoseconds m_period;
+    Nanoseconds m_running{}; ///< so long sent
+    std::optional<Nanoseconds> m_nextStandstill;
+    Nanoseconds m_countedFrom{}; ///< what waits
+    std::mt19937_64 m_random;
 };
+
+void calmLongPaths(std::initializer_list<int> unrestUs)
+{
+    QTest::addColumn<double>("capacity");
+    QTest::addColumn<int>("framesPerSecond");
+    QTest::addColumn<int>("unrestUs");
+    for (const double megabits : {100.0, 400.0, 1000.0})
+        for (const int frames : {15, 30})
+            for (const int unrest : unrestUs)
+                QTest::addRow("%.0f Mbit/s, %d frames/s, %d us", megabits, frames, unrest) << megabits * 125'000 << frames << unrest;
+}
 
 QByteArray millisecondsOf(Nanoseconds time, const char* what)
 {
     return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
+}
+
+/// Of what it is before anything is known.
+double lowestRate(double bytesOfAFrame, Nanoseconds unrest, unsigned seed)
+{
+    Path path(gigabit, 40ms);
+    path.random.seed(seed);
+    path.mostUnrest = unrest;
+    path.lateTogether = 20;
+    double lowest = 1;
+    for (int i = 0; i < 300; ++i) {
+        path.forget();
+        auto taken = 0us;
+        for (; path.sent() < bytesOfAFrame && taken < 30ms; taken += 250us)
+            path.run(250us);
+        path.run(33'250us - taken, false);
+        lowest = std::min(lowest, path.rate.steady() / PathRate::first);
+    }
+    return lowest;
 }
 
 } // namespace
@@ -64,56 +135,43 @@ private Q_SLOTS:
         QTest::addColumn<int>("framesPerSecond");
         QTest::addColumn<int>("unrestMs");
         QTest::addColumn<unsigned>("together");
-        for (const auto& [megabits, unrest] : {std::pair(100.0, 2), std::pair(100.0, 4), std::pair(1000.0, 2)})
+        for (const auto& [megabits, unrest] : {std::pair(100.0, 2), std::pair(100.0, 4), std::pair(400.0, 2), std::pair(400.0, 4),
+                                               std::pair(1000.0, 2), std::pair(1000.0, 4)})
             for (const int frames : {15, 30})
                 for (const unsigned together : {1U, 20U})
                     QTest::addRow("%.0f Mbit/s, %d frames/s, %d ms, %u together", megabits, frames, unrest, together)
                         << megabits * 125'000 << frames << unrest << together;
     }
 
-    /// Frames of a quarter and of half of what the path carries, over 40 ms there and back.
+    /// Frames of a quarter and of half of what the path carries, over 40 ms there and back; on eight such paths, whose moments are others.
     void takesNoUnrestOfALongPathForAQueue()
     {
         QFETCH(double, capacity);
         QFETCH(int, framesPerSecond);
         QFETCH(int, unrestMs);
         QFETCH(unsigned, together);
-        Path path(capacity, 40ms);
-        path.mostUnrest = std::chrono::milliseconds(unrestMs);
-        path.lateTogether = together;
-        const std::chrono::microseconds period(1'000'000 / framesPerSecond);
-        const double bytes = capacity * 0.0168;
-        const auto frame = [&] {
-            path.forget();
-            auto taken = 0us;
-            for (; path.sent() < bytes && taken < 1s; taken += 1000us)
-                path.run(1ms);
-            path.run(std::max(period - taken, 0us), false);
-            return taken;
-        };
-        for (int i = 0; i < 5 * framesPerSecond; ++i)
-            frame();
-        auto all = 0us;
+        constexpr unsigned paths = 8;
+        Nanoseconds all{};
         Nanoseconds longestWait{};
-        for (int i = 0; i < 10 * framesPerSecond; ++i) {
-            all += frame();
+        for (unsigned i = 1; i <= paths; ++i) {
+            Path path(capacity, 40ms);
+            path.random.seed(i);
+            path.mostUnrest = std::chrono::milliseconds(unrestMs);
+            path.lateTogether = together;
+            Frames frames(path, framesPerSecond);
+            for (int frame = 0; frame < 5 * framesPerSecond; ++frame)
+                frames.send();
+            path.forget();
+            for (int frame = 0; frame < 10 * framesPerSecond; ++frame)
+                all += frames.send();
             longestWait = std::max(longestWait, path.longestWait);
         }
-        const auto mean = all / (10 * framesPerSecond);
-        QVERIFY2(mean <= 25ms, millisecondsOf(mean, "ms, of at least 17").constData());
+        const auto mean = all / (10 * framesPerSecond * static_cast<int>(paths));
+        QVERIFY2(mean <= 27ms, millisecondsOf(mean, "ms, of at least 17").constData());
         QVERIFY2(longestWait < 12ms, millisecondsOf(longestWait, "ms").constData());
     }
 
-    void commandsHardlyWaitOnACalmLongPath_data()
-    {
-        QTest::addColumn<double>("capacity");
-        QTest::addColumn<int>("framesPerSecond");
-        QTest::addColumn<int>("unrestUs");
-        for (const double megabits : {100.0, 400.0, 1000.0})
-            for (const int frames : {15, 30})
-                for (const int unrest : {0, 150})
-                    QTest::addRow("%.0f Mbit/s, %d frames/s, %d us", megabits, frames, unrest) << megabits * 125'000 << frames << unrest;
-    }
+    void commandsHardlyWaitOnACalmLongPath_data() { calmLongPaths({0, 150}); }
 
     /// From the second second on: in 99 of 100 moments for no longer than a segment and half a millisecond, in 999 of 1000 for a whole one
     /// more.
@@ -156,30 +214,111 @@ private Q_SLOTS:
     }
 
     /// For 3 to 60 ms, at the beginning, in the middle or at the end of a frame: that is no path that carries less. Frames leave in 17 ms
-    /// at least, and on an unquiet path those after some moments in twice that.
+    /// at least. On an unquiet path, whose moments are others each time, it is their mean over all of it.
     void isBackSoonAfterAStandstill()
     {
         QFETCH(double, capacity);
         QFETCH(int, framesPerSecond);
         QFETCH(int, unrestUs);
         QFETCH(bool, ofTheNetwork);
+        Nanoseconds all{};
+        unsigned times = 0;
         for (const auto still : {3ms, 8ms, 15ms, 30ms, 60ms})
             for (const auto moment : {2ms, 8ms, 14ms}) {
                 Path path(capacity, 40ms);
+                path.random.seed(++times);
                 path.mostUnrest = std::chrono::microseconds(unrestUs);
                 path.lateTogether = 20;
                 Frames frames(path, framesPerSecond);
                 for (int i = 0; i < 6 * framesPerSecond; ++i)
                     frames.send();
                 frames.send(still, moment, ofTheNetwork);
-                Nanoseconds all{};
+                Nanoseconds after{};
                 for (int i = 0; i < 5 * framesPerSecond; ++i)
-                    all += frames.send();
-                const auto mean = all / (5 * framesPerSecond);
+                    after += frames.send();
+                all += after;
+                const auto mean = after / (5 * framesPerSecond);
                 const auto figures = millisecondsOf(mean, "ms in the five seconds after ") + millisecondsOf(still, "ms, begun after ") +
                                      millisecondsOf(moment, "ms");
-                QVERIFY2(mean < (unrestUs < 1000 ? 24ms : 36ms), figures.constData());
+                QVERIFY2(unrestUs >= 1000 || mean < 24ms, figures.constData());
             }
+        const auto mean = all / (5 * framesPerSecond * static_cast<int>(times));
+        QVERIFY2(mean < 25ms, millisecondsOf(mean, "ms in the five seconds after").constData());
+    }
+
+    void aRestlessComputerMakesHardlyAnyCommandWait_data() { calmLongPaths({0, 150}); }
+
+    /// Eight times a second of sending the sender's computer or the network stands still for 0.5 to 5 ms. What waits because of that itself
+    /// is not counted, but whether the rate is a good one all the same: over eight times ten seconds, from the third second on.
+    void aRestlessComputerMakesHardlyAnyCommandWait()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, unrestUs);
+        constexpr unsigned times = 8;
+        Nanoseconds late{};
+        Nanoseconds veryLate{};
+        Nanoseconds all{};
+        for (unsigned i = 1; i <= times; ++i) {
+            Path path(capacity, 40ms);
+            path.random.seed(i);
+            path.mostUnrest = std::chrono::microseconds(unrestUs);
+            path.lateTogether = 20;
+            Frames frames(path, framesPerSecond);
+            frames.standsStillAtTimes(i);
+            for (int frame = 0; frame < 2 * framesPerSecond; ++frame)
+                frames.send();
+            path.forget();
+            const auto segment = path.carrying(static_cast<double>(path.rate.segment()));
+            path.tooLong = segment + 500us;
+            path.muchTooLong = segment + 1500us;
+            for (int frame = 0; frame < 10 * framesPerSecond; ++frame)
+                all += frames.send();
+            late += path.late;
+            veryLate += path.veryLate;
+        }
+        const auto figures = millisecondsOf(late, "ms of 80 s, ") + millisecondsOf(veryLate, "ms very late");
+        QVERIFY2(late < 800ms && veryLate < 240ms, figures.constData());
+        const auto mean = all / (10 * framesPerSecond * static_cast<int>(times));
+        QVERIFY2(mean < 25ms, millisecondsOf(mean, "ms, of at least 17").constData());
+    }
+
+    void usesAWayThatHasBecomeMuchLonger_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("framesPerSecond");
+        QTest::addColumn<int>("beforeMs");
+        QTest::addColumn<int>("afterMs");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int frames : {15, 30})
+                for (const auto& [before, after] : {std::pair{10, 30}, {40, 60}, {20, 80}})
+                    QTest::addRow("%g Mbit/s, %d frames/s, %d to %d ms", megabits, frames, before, after)
+                        << megabits << frames << before << after;
+    }
+
+    /// As when a line fails and a network takes another one: what is late by so much looks like a long queue. No frame takes half a second,
+    /// and two seconds later all leave as fast as before.
+    void usesAWayThatHasBecomeMuchLonger()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, framesPerSecond);
+        QFETCH(int, beforeMs);
+        QFETCH(int, afterMs);
+        Path path(megabits * 125'000, std::chrono::milliseconds(beforeMs));
+        Frames frames(path, framesPerSecond);
+        for (int i = 0; i < 8 * framesPerSecond; ++i)
+            frames.send();
+        path.reroute(std::chrono::milliseconds(afterMs));
+        Nanoseconds slowest{};
+        for (int i = 0; i < 2 * framesPerSecond; ++i)
+            slowest = std::max(slowest, frames.send());
+        QVERIFY2(slowest < 500ms, millisecondsOf(slowest, "ms").constData());
+        path.forget();
+        Nanoseconds slowestThen{};
+        for (int i = 0; i < 3 * framesPerSecond; ++i)
+            slowestThen = std::max(slowestThen, frames.send());
+        QVERIFY2(slowestThen < 22ms, millisecondsOf(slowestThen, "ms, of at least 17").constData());
+        QVERIFY2(path.longestWait < 5ms, millisecondsOf(path.longestWait, "ms").constData());
     }
 
     void commandsHardlyWaitWhileALongAndFastPathIsLearnt_data()
@@ -294,24 +433,17 @@ private Q_SLOTS:
                 QTest::addRow("%.0f bytes, %d ms", bytes, unrest) << bytes << unrest;
     }
 
-    /// They are over within less time than they may be late: how long they took says nothing of the path.
+    /// They are over within less time than they may be late: how long they took says nothing of the path. The lowest rate of ten seconds,
+    /// in the mean of sixteen such paths.
     void smallFramesOnAnUnquietLongPathDoNotCostItsRate()
     {
         QFETCH(double, bytes);
         QFETCH(int, unrestMs);
-        Path path(gigabit, 40ms);
-        path.mostUnrest = std::chrono::milliseconds(unrestMs);
-        path.lateTogether = 20;
-        double least = 1;
-        for (int i = 0; i < 300; ++i) {
-            path.forget();
-            auto taken = 0us;
-            for (; path.sent() < bytes && taken < 30ms; taken += 250us)
-                path.run(250us);
-            path.run(33'250us - taken, false);
-            least = std::min(least, path.rate.steady() / PathRate::first);
-        }
-        QVERIFY2(least > 0.3, qPrintable(QString::number(least)));
+        constexpr unsigned paths = 16;
+        double lowest = 0;
+        for (unsigned path = 1; path <= paths; ++path)
+            lowest += lowestRate(bytes, std::chrono::milliseconds(unrestMs), path) / paths;
+        QVERIFY2(lowest > 0.33, qPrintable(QString::number(lowest)));
     }
 
     /// What was learnt of the unrest does not hide a path that became narrow.
