@@ -178,7 +178,7 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves) {
         if (!isCalm(facts))
             m_confirmed.reset(); // with pauses a step too far is over soon
-        grow(facts, tells ? carried : m_rate, m_burst->tries ? triedStep : quickest, now);
+        grow(facts, carried, m_burst->tries ? triedStep : quickest, now);
     }
     m_draining = false; // it had the pause for that
 }
@@ -254,15 +254,17 @@ bool PathRate::carriesWhatIsSent(const transport::PathFacts& facts, Instant now)
 }
 
 /// A path that carried more a moment ago, and carries what is sent now, has no queue of ours: its round trips vary by themselves, as those
-/// of long and of wireless ways do.
+/// of long and of wireless ways do. On a calm path something stood still.
 bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Instant now)
 {
     if (!mayBeUnrest(facts) || delivered < m_rate * used)
         m_proven = 0;
     if (m_rate > m_proven * clearlyBelow)
         return false;
-    m_unrest = std::max(m_unrest, m_waiting);
-    m_unrestSeen = now;
+    if (!isCalm(facts)) {
+        m_unrest = std::max(m_unrest, m_waiting);
+        m_unrestSeen = now;
+    }
     return true;
 }
 
@@ -294,7 +296,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (again && m_confirmed)
         delivered = (delivered + *m_ceiling) / 2; // what a token bucket had left came through, too
     m_ceiling = std::clamp(delivered, least, most);
-    m_highest = std::max(m_highest, *m_ceiling);
+    m_highest = std::max(m_highest, std::min(*m_ceiling, m_carried));
     if (mayBeUnrest(facts) && m_calm.isDue(now))
         m_calm.begin();
     else

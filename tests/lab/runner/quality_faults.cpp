@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <utility>
 
 namespace liena::lab {
 
@@ -156,6 +157,37 @@ void ladder(Scene& scene)
     scene.engage();
 }
 
+/// The network takes a way that is longer: no queue stands, however late all is, and the pictures go on.
+void longerWay(Scene& scene)
+{
+    constexpr double longestAllowed = 500; // ms; one picture or two come later than the way is longer
+    auto& rig = scene.rig();
+    auto& cockpit = scene.cockpit();
+    scene.engage();
+    (void)rig.wire("link *>* delay=5");
+    (void)rig.wire("port 1 rate=100000000 queue=512000");
+    rig.say("xray", "pictures 300000 66");
+    rig.settle(Milliseconds(5000)); // until it knows what the way carries
+    const auto changed = rig.wire("link *>* delay=15");
+    scene.begin(changed);
+    rig.settle(Milliseconds(5000));
+    double longest = 0;
+    auto last = changed;
+    for (const auto& record : cockpit.records)
+        if (record.kind() == "picture" && record.at > changed)
+            longest = std::max(longest, static_cast<double>(record.at - std::exchange(last, record.at)) / 1e6);
+    longest = std::max(longest, static_cast<double>(nowNs() - last) / 1e6);
+    scene.note("largest gap of pictures " + milliseconds(longest));
+    if (longest > longestAllowed)
+        scene.fails("pictures stood still for " + milliseconds(longest) + " when the way became longer");
+    rig.say("xray", "pictures 0 66");
+    rig.settle(Milliseconds(200));
+    (void)rig.wire("port 1 rate=0");
+    scene.heal();
+    scene.recover();
+    scene.must({"unnoticed", "suspect"});
+}
+
 void growingDelay(Scene& scene)
 {
     scene.engage();
@@ -182,6 +214,8 @@ std::vector<Fault> qualityFaults()
         {"disorder", "F14", "10 % reordered by 3 ms, 10 % doubled, 2 % with a turned bit, 8 s", Cast::Pair,
          quality("reorder=0.1 reorder-by=3 duplicate=0.1 corrupt=0.02"), 2},
         {"growing-delay", "F16", "the delay each way grows by 200 ms a second to 500 ms", Cast::Pair, growingDelay},
+        {"longer-way", "-", "the way becomes longer by 10 ms each way while pictures of 300 kB flow at 15/s on 100 Mbit/s",
+         Cast::WithPictures, longerWay, 2},
         {"narrow-2000k", "F15", "the cockpit's way in falls to 2 Mbit/s while pictures of 30 kB flow at 15/s", Cast::WithPictures,
          collapse(2'000'000, 64'000, 30'000), 2},
         {"narrow-256k", "F15", "… to 256 kbit/s", Cast::WithPictures, collapse(256'000, 64'000, 30'000), 2},
