@@ -81,22 +81,30 @@ void RoundTripOfLate::prove(Nanoseconds roundTrip, Instant now)
     m_provenUntil = now + 2 * lately;
 }
 
-bool StandingWait::isOfThePath(const Seen& seen, Nanoseconds roundTrip)
+StandingWait::Says StandingWait::look(const Seen& seen, Nanoseconds roundTrip)
 {
     constexpr std::uint64_t enough = 32768; // bytes, to smooth a round trip anew
     constexpr std::uint64_t nearlyAll = 85; // of a hundred that were sent
+    constexpr double much = 0.5;            // of what came
+    constexpr double few = 8192;            // bytes, under way to the kernel
     if (!m_since)
-        return false;
+        return Says::Nothing;
     if (std::chrono::abs(seen.waiting - m_since->waiting) > m_since->waiting / 8) {
         m_since.reset();
-        return false;
+        return Says::Nothing;
     }
     const auto came = seen.bytesAcknowledged - m_since->bytesAcknowledged;
     const auto sent = seen.bytesSent - m_since->bytesSent;
-    if (seen.at - m_since->at < m_since->waiting * 3 / 2 + roundTrip || came < enough || came * 100 < sent * nearlyAll)
-        return false;
+    if (came * 100 < sent * nearlyAll)
+        return Says::Nothing;
+    const auto elapsed = seen.at - m_since->at;
+    if (elapsed < m_since->waiting * 3 / 2 + roundTrip || came < enough) {
+        // Else TCP may send as fast as the path carries, behind a full queue.
+        const bool isLess = static_cast<double>(sent) < m_carried * much * std::chrono::duration<double>(elapsed).count() + few;
+        return isLess ? Says::NotYet : Says::Nothing;
+    }
     m_since.reset();
-    return true;
+    return Says::OfThePath;
 }
 
 void UsualWait::note(Nanoseconds waiting, Instant now)

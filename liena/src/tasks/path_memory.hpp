@@ -125,19 +125,26 @@ public:
         std::uint64_t bytesAcknowledged = 0;
     };
 
-    /// From now on so little is sent that it drains.
-    void yielded(const Seen& seen)
+    /// From now on so little is sent that it drains; what came until then, in bytes per second.
+    void yielded(const Seen& seen, double carried)
     {
-        if (!m_since)
-            m_since = seen;
+        if (m_since)
+            return;
+        m_since = seen;
+        m_carried = carried;
     }
 
-    /// It would have drained, all came that was sent, and it is as late as before.
-    bool isOfThePath(const Seen& seen, Nanoseconds roundTrip);
+    enum class Says : std::uint8_t {
+        Nothing,
+        NotYet,    ///< it is as late as before, while much less leaves and all of it comes: whether it drains is still to be seen
+        OfThePath, ///< it would have drained
+    };
+    Says look(const Seen& seen, Nanoseconds roundTrip);
     void forget() { m_since.reset(); }
 
 private:
     std::optional<Seen> m_since;
+    double m_carried = 0;
 };
 
 /// Pure. How late acknowledgements come while no queue of ours stands: on a narrow line by what a piece takes to pass it, behind a token

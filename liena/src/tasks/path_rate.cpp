@@ -63,7 +63,7 @@ void PathRate::restart()
     m_departures = {};
     m_calm = {}; // it may go another way
     m_ofLate = {};
-    m_isLonger = false;
+    m_least = Nanoseconds::zero();
     m_standing.forget();
     m_usualWait.forget();
     m_draining = false;
@@ -86,10 +86,10 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now, bool goes
 transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
 {
     const auto ofLate = m_ofLate.note(facts.roundTrip, now);
-    const bool isLonger = ofLate && *ofLate - facts.leastRoundTrip > tolerated(facts);
-    if (isLonger)
+    if (ofLate && *ofLate - facts.leastRoundTrip > tolerated(facts))
         facts.leastRoundTrip = *ofLate;
-    if (!std::exchange(m_isLonger, isLonger) && isLonger)
+    const auto before = std::exchange(m_least, facts.leastRoundTrip);
+    if (before > Nanoseconds::zero() && m_least - before > tolerated(facts))
         forgetQueues();
     return facts;
 }
@@ -109,8 +109,10 @@ void PathRate::forgetQueues()
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
 {
     m_waiting = facts.roundTrip - facts.leastRoundTrip;
-    if (m_standing.isOfThePath({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, facts.roundTrip))
+    const auto standing = m_standing.look({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, facts.roundTrip);
+    if (standing == StandingWait::Says::OfThePath)
         m_ofLate.prove(facts.roundTrip, now);
+    const bool mayBeOfThePath = standing != StandingWait::Says::Nothing;
     m_isLong = facts.leastRoundTrip >= longWay;
     if (m_unrest > Nanoseconds::zero() && now - m_unrestSeen > unrestHalves) {
         m_unrest /= 2;
@@ -123,7 +125,7 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     }
     m_departures.note({now, facts.bytesSent}, facts.leastRoundTrip);
     if (!m_window) {
-        if (m_burst)
+        if (m_burst && !mayBeOfThePath)
             judgeBurst(facts, now);
         m_burst = Burst{now, std::nullopt, facts.bytesSent, facts.bytesAcknowledged >= facts.bytesSent};
         m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, true};
@@ -148,6 +150,8 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     if (m_delivered > sending * used) // also at a limit, below what it would grow from
         m_shown = now;
     if (hasQueue(facts, now)) {
+        if (mayBeOfThePath)
+            return;                                                     // less would tell no more
         const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
         if (isEffective(facts) || (heard && m_delivered * margin < sending * used))
@@ -282,6 +286,8 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     const bool wasProven = m_proven > m_rate * used;
     if (isUnrest(facts, delivered, now))
         return;
+    if (m_waiting > piecesInDoubt * timeOf(inOnePiece))
+        m_standing.yielded({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, m_carried);
     if (allCame)
         m_proven = std::max(m_proven, std::min(m_rate, m_carried));
     const bool less = delivered < m_rate * allThatIsSent;
@@ -303,7 +309,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
         m_calm.stop();
     m_rate =
         std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
-    yield(facts, now);
+    yield(facts);
     m_step = gentle;
     m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
@@ -316,10 +322,8 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
 
 /// The rate is lower now: first what stands drains, and what was sent before says nothing of it. A rate that fell deep at once may still be
 /// far above what the path carries. On a long way it is known late that a queue is gone, and the round trip goes on telling of a long one.
-void PathRate::yield(const transport::PathFacts& facts, Instant now)
+void PathRate::yield(const transport::PathFacts& facts)
 {
-    if (m_waiting > piecesInDoubt * timeOf(inOnePiece))
-        m_standing.yielded({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged});
     m_draining = true;
     m_drain = facts.leastRoundTrip < longWay && (m_doubted || isSlow()) ? drainWhenSlow : drain;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
@@ -387,7 +391,7 @@ bool PathRate::listen(const transport::PathFacts& facts, double delivered, Insta
     case PathCalm::Heard::Doubtful:
         m_carried = std::clamp(delivered, least, most);
         m_rate = std::clamp(m_rate * PathCalm::slower, least, most);
-        yield(facts, now);
+        yield(facts);
         m_calm.begin();
         return false;
     case PathCalm::Heard::Unquiet:

@@ -165,7 +165,7 @@ private:
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
-    void yield(const transport::PathFacts& facts, Instant now);
+    void yield(const transport::PathFacts& facts);
     void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
     void growInDoubt(const transport::PathFacts& facts, Instant now);
@@ -203,7 +203,7 @@ private:
     PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
     StandingWait m_standing; ///< since bulk yielded
-    bool m_isLonger = false; ///< the path, than the kernel remembers it
+    Nanoseconds m_least{};   ///< that a round trip takes, as last known
     UsualWait m_usualWait;   ///< below the ceiling
     Nanoseconds m_unrest{};  ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
