@@ -34,9 +34,7 @@ public:
         Nanoseconds taken{};
         for (const double end = m_path.sent() + m_bytes; m_path.sent() < end && taken < 1s; taken += 250us) {
             if (stillFor > 0ns && taken >= moment) {
-                m_path.stalled = ofTheNetwork;
-                ofTheNetwork ? m_path.run(stillFor) : m_path.standStill(stillFor);
-                m_path.stalled = false;
+                standStill(stillFor, ofTheNetwork);
                 taken += std::exchange(stillFor, 0ns);
             }
             taken += standStillIfDue();
@@ -61,6 +59,13 @@ public:
 private:
     Nanoseconds untilNext() { return Nanoseconds(static_cast<Nanoseconds::rep>(std::exponential_distribution(8.0)(m_random) * 1e9)); }
 
+    void standStill(Nanoseconds time, bool ofTheNetwork)
+    {
+        m_path.stalled = ofTheNetwork;
+        ofTheNetwork ? m_path.run(time) : m_path.standStill(time);
+        m_path.stalled = false;
+    }
+
     Nanoseconds standStillIfDue()
     {
         if (!m_nextStandstill || m_running < *m_nextStandstill)
@@ -69,9 +74,7 @@ private:
             std::chrono::microseconds(static_cast<int>(500 * std::pow(10, std::uniform_real_distribution(0.0, 1.0)(m_random))));
         const bool ofTheNetwork = std::bernoulli_distribution(0.5)(m_random);
         const auto counted = std::pair(m_path.late, m_path.veryLate);
-        m_path.stalled = ofTheNetwork;
-        ofTheNetwork ? m_path.run(time) : m_path.standStill(time);
-        m_path.stalled = false;
+        standStill(time, ofTheNetwork);
         std::tie(m_path.late, m_path.veryLate) = counted;
         if (ofTheNetwork)
             m_countedFrom = m_running + 3 * time + 5ms; // then what gathered meanwhile is gone
