@@ -150,8 +150,9 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     if (m_delivered > sending * used) // also at a limit, below what it would grow from
         m_shown = now;
     if (hasQueue(facts, now)) {
+        // If it may be the way's, to yield further would tell no more.
         if (mayBeOfThePath)
-            return;                                                     // less would tell no more
+            return;
         const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
         if (isEffective(facts) || (heard && m_delivered * margin < sending * used))
