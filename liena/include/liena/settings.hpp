@@ -23,9 +23,11 @@ struct PacketMarks {
 /// What the network thread asks of the operating system; all but `attention` off by default, and create() fails with what is missing when
 /// it is not permitted. docs/OPERATING.md says what each is good for.
 struct RealTimeOptions {
-    int priority = 0;                    ///< SCHED_FIFO, 1 to 99; 0: an ordinary thread
+    /// SCHED_FIFO, 1 to 99; 0: an ordinary thread. With a priority it looks for work without sleeping for nine tenths of the time at the
+    /// most, so that the kernel does not stop it for the rest of a second (sched_rt_runtime_us).
+    int priority = 0;
     std::vector<int> processors;         ///< that it may run on; empty: all
-    bool lockMemory = false;             ///< of the whole process: no page of it is ever fetched from disk
+    bool lockMemory = false;             ///< of the whole process, also what it has later: no page of it is ever fetched from disk
     std::chrono::microseconds search{0}; ///< that it looks for work before it sleeps; costs a processor
     /// That the kernel asks the network card itself before the thread sleeps (SO_BUSY_POLL): for this device's sockets, and of no use for
     /// peers on the same computer.
@@ -72,7 +74,7 @@ struct Settings {
     bool measureOnRequest = false;
 
     /// At most so many threads seal and open the bytes of images beside the network thread, while those take much of its time: 0 to 4.
-    /// Nothing: as many as the computer has processors beyond two, and none beside `realTime.search` or `realTime.processors`.
+    /// Nothing: as many as the process may use processors beyond two, and none beside `realTime.search` or `realTime.processors`.
     std::optional<unsigned> bulkWorkers;
 
     /// Where the log lines go; stderrLog() writes them as text or as JSON.

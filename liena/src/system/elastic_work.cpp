@@ -2,9 +2,9 @@
 #include "system/elastic_work.hpp"
 
 #include "base/ordinary_thread.hpp"
+#include "system/real_time.hpp"
 
 #include <algorithm>
-#include <thread>
 #include <utility>
 
 namespace liena::system {
@@ -25,12 +25,12 @@ double share(std::chrono::nanoseconds busy, std::chrono::nanoseconds time)
 /// himself.
 std::size_t mostWorkers(const Settings& settings)
 {
-    constexpr unsigned taken = 2;
+    constexpr std::size_t taken = 2;
     if (settings.bulkWorkers)
         return *settings.bulkWorkers;
     if (settings.realTime.search > 0us || !settings.realTime.processors.empty())
         return 0;
-    return std::max(std::thread::hardware_concurrency(), taken) - taken;
+    return std::max(usableProcessors(), taken) - taken;
 }
 
 } // namespace

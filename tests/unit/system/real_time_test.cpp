@@ -55,15 +55,14 @@ QByteArray saidByAnother(const std::function<std::string()>& say)
 }
 
 /// What a user is told who has neither rights nor limits: tried in a process that gives both up.
-QByteArray toldWithoutRights(const RealTimeOptions& options)
+QByteArray toldWithoutRights(const RealTimeOptions& options, rlim_t memory = 0)
 {
-    return saidByAnother([&options]() -> std::string {
+    return saidByAnother([&options, memory]() -> std::string {
         constexpr uid_t nobody = 65534;
         const rlimit none{0, 0};
-        const bool stripped = ::setrlimit(RLIMIT_RTPRIO, &none) == 0 && ::setrlimit(RLIMIT_MEMLOCK, &none) == 0 &&
+        const rlimit some{memory, memory};
+        const bool stripped = ::setrlimit(RLIMIT_RTPRIO, &none) == 0 && ::setrlimit(RLIMIT_MEMLOCK, &some) == 0 &&
                               (::geteuid() != 0 || ::setuid(nobody) == 0);
-        if (options.lockMemory && ::mlockall(MCL_CURRENT) == 0)
-            return grantedToAll;
         const auto done = prepareRealTime(options);
         return !stripped ? "it kept its rights" : done ? "permitted" : done.error().what;
     });
@@ -135,10 +134,24 @@ private Q_SLOTS:
                  priority.constData());
         QCOMPARE(toldWithoutRights({}), QByteArray("permitted"));
         const auto memory = toldWithoutRights({0, {}, true, 0us});
-        if (memory == grantedToAll)
-            QSKIP("memory: a sanitizer answers mlockall() in the kernel's place");
         QVERIFY2(memory.contains("memory cannot be locked") && memory.contains("memlock") && memory.contains("LimitMEMLOCK="),
                  memory.constData());
+        const auto some = toldWithoutRights({0, {}, true, 0us}, rlim_t{64} * 1024);
+        QVERIFY2(some.contains("no more than 64 KiB of it") && some.contains("LimitMEMLOCK="), some.constData());
+    }
+
+    void refusesToLookForWorkOnTheOnlyProcessor()
+    {
+        const auto told = saidByAnother([]() -> std::string {
+            cpu_set_t one;
+            CPU_ZERO(&one);
+            CPU_SET(::sched_getcpu(), &one);
+            if (::sched_setaffinity(0, sizeof one, &one) != 0)
+                return "it is not bound to one";
+            const auto done = prepareRealTime({0, {}, false, 50us});
+            return done ? "permitted" : done.error().what;
+        });
+        QVERIFY2(told.contains("may use one only") && told.contains("search of 50 us") && told.contains("taskset"), told.constData());
     }
 
     void saysThatNoThreadCanBeHad()
@@ -245,6 +258,38 @@ private Q_SLOTS:
         });
         thread.join();
         QCOMPARE(done.load(), 3);
+    }
+
+    /// Else the kernel would stop it. It looks for longer than this takes.
+    void threadOfRealTimePriorityThatLooksForWorkSleepsNowAndThen()
+    {
+        RealTimeOptions options;
+        options.priority = 7;
+        options.search = 1s;
+        if (const auto permitted = prepareRealTime(options); !permitted)
+            QSKIP(permitted.error().what.c_str());
+        std::ifstream limit("/proc/sys/kernel/sched_rt_runtime_us");
+        if (long runtime = 0; limit >> runtime && runtime < 0)
+            QSKIP("this kernel is told not to limit threads of real-time priority");
+        boost::asio::io_context context;
+        boost::asio::steady_timer timer(context);
+        long sleeps = 0;
+        timer.expires_after(100ms);
+        timer.async_wait([&](const boost::system::error_code&) {
+            rusage usage{};
+            ::getrusage(RUSAGE_THREAD, &usage);
+            sleeps = usage.ru_nvcsw;
+            context.stop();
+        });
+        long sleepsBefore = 0;
+        std::thread([&] {
+            tasks::Attention attention;
+            rusage usage{};
+            ::getrusage(RUSAGE_THREAD, &usage);
+            sleepsBefore = usage.ru_nvcsw;
+            runNetworkThread(context, options, attention);
+        }).join();
+        QVERIFY2(sleeps > sleepsBefore, qPrintable(QString::number(sleeps)));
     }
 
     void attentiveThreadWorksSleepsAgainAndEnds_data()
