@@ -61,6 +61,7 @@ int main(int argc, char** argv)
     one->add_option("--index", device.index)->required();
     one->add_option("--of", device.devices)->required();
     one->add_option("--rate", device.rate)->required();
+    one->add_flag("--plain", device.plain, "sockets instead of LiENa");
     CLI11_PARSE(app, argc, argv);
     options.heartbeat = std::chrono::milliseconds(heartbeat);
     options.program = std::filesystem::read_symlink("/proc/self/exe");

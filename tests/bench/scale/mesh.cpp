@@ -147,6 +147,8 @@ Mesh::Mesh(const MeshPlan& plan) : m_plan(plan), m_files(devicesOf(plan.devices)
                            std::to_string(plan.devices),
                            "--rate",
                            fmt::format("{}", plan.rate / static_cast<double>(plan.devices))};
+        if (plan.plain)
+            process.command.emplace_back("--plain");
         m_devices.push_back({std::make_unique<lab::Process>(process), {}});
     }
     for (auto& device : m_devices)
@@ -180,17 +182,18 @@ std::vector<std::string> Mesh::everyone(const std::string& word)
     return answers;
 }
 
-void Mesh::open() { everyone("open"); }
+MeshCounts Mesh::open() { return sumOf("open"); }
 
 void Mesh::ask(bool on) { everyone(on ? "begin" : "end"); }
 
-MeshCounts Mesh::counts()
+MeshCounts Mesh::counts() { return sumOf("counts"); }
+
+MeshCounts Mesh::sumOf(const std::string& word)
 {
     MeshCounts sum;
-    for (const auto& answer : everyone("counts")) {
+    for (const auto& answer : everyone(word)) {
         MeshCounts one;
-        std::istringstream(answer) >> one.at >> one.sessionEnds >> one.heartbeats >> one.missed >> one.troubles >> one.retries >>
-            one.asked >> one.heard >> one.answered;
+        std::istringstream(answer) >> one;
         sum.at += one.at / static_cast<double>(m_plan.devices);
         sum.sessionEnds += one.sessionEnds;
         sum.heartbeats += one.heartbeats;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "runner/process.hpp"
+#include "scale/mesh_counts.hpp"
 #include "support/test_system.hpp"
 
 #include <csignal>
@@ -18,21 +19,9 @@ struct MeshPlan {
     std::string timing; ///< the attributes of the topology's <timing>
     double rate = 1000; ///< round trips per second, of all devices together
     std::filesystem::path program;
+    bool plain = false; ///< sockets instead of LiENa
 
     std::size_t sessionEnds() const { return devices * (devices - 1); }
-};
-
-/// Of all devices together, since their start.
-struct MeshCounts {
-    double at = 0;                 ///< seconds, monotonic clock; the mean of the devices' answers
-    std::uint64_t sessionEnds = 0; ///< Open, and a heartbeat was heard
-    std::uint64_t heartbeats = 0;  ///< heard
-    std::uint64_t missed = 0;
-    std::uint64_t troubles = 0; ///< sessions suspect, interrupted or lost, and messages that did not arrive
-    std::uint64_t retries = 0;  ///< openings that had to be repeated
-    std::uint64_t asked = 0;
-    std::uint64_t heard = 0;
-    std::uint64_t answered = 0;
 };
 
 /// All of this computer's loopback interface, since its start; bytes with 14 of a link header for each packet.
@@ -59,7 +48,7 @@ class Mesh {
 public:
     explicit Mesh(const MeshPlan& plan);
 
-    void open();
+    MeshCounts open();
     void ask(bool on);
     MeshCounts counts();
     MeshMemory memory() const;
@@ -77,6 +66,7 @@ private:
 
     static std::string nextLine(Device& device);
     std::vector<std::string> everyone(const std::string& word);
+    MeshCounts sumOf(const std::string& word);
 
     MeshPlan m_plan;
     test::TestSystem m_files;

@@ -38,63 +38,123 @@ void require(ScaleRow& row, bool holds, std::string fault)
         row.faults.push_back(fmt::format("{} devices: {}", row.devices, std::move(fault)));
 }
 
-void openAll(ScaleRow& row, Mesh& mesh)
+void requireAllOpen(ScaleRow& row, const MeshCounts& counts)
 {
-    const auto start = Clock::now();
-    mesh.open();
-    row.openSeconds = secondsSince(start);
-    const auto counts = mesh.counts();
-    row.retries = counts.retries;
     require(row, counts.sessionEnds == row.sessionEnds,
             fmt::format("{} of {} ends of sessions are open", counts.sessionEnds, row.sessionEnds));
 }
 
-void measureIdle(ScaleRow& row, Mesh& mesh, const ScaleOptions& options)
+void measureClosed(MeshLoads& loads, const Mesh& mesh, const ScaleOptions& options)
+{
+    settle(0.5);
+    loads.closed = loadOver(mesh, options.seconds);
+}
+
+void measureIdle(ScaleRow& row, MeshLoads& loads, Mesh& mesh, const ScaleOptions& options)
 {
     const auto before = mesh.counts();
-    const auto trafficBefore = loopbackTraffic();
-    row.idleLoads.push_back(loadOver(mesh, options.seconds));
-    const auto traffic = loopbackTraffic();
+    loads.idle.push_back(loadOver(mesh, options.seconds));
     const auto after = mesh.counts();
-    const auto share = [&](std::uint64_t from, std::uint64_t to, double seconds) {
-        return static_cast<double>(to - from) / seconds / options.rounds;
-    };
-    row.heartbeatsPerSecond += share(before.heartbeats, after.heartbeats, after.at - before.at);
-    row.bytesPerSecond += share(trafficBefore.bytes, traffic.bytes, options.seconds);
-    row.packetsPerSecond += share(trafficBefore.packets, traffic.packets, options.seconds);
+    loads.heartbeatsPerSecond += static_cast<double>(after.heartbeats - before.heartbeats) / (after.at - before.at) / options.rounds;
     require(row, after.heartbeats > before.heartbeats, "no heartbeat was heard");
 }
 
-void measureAsking(ScaleRow& row, Mesh& mesh, const ScaleOptions& options, lab::Sample& trips)
+std::vector<std::int64_t> measureAsking(ScaleRow& row, MeshLoads& loads, Mesh& mesh, const ScaleOptions& options)
 {
     const auto before = mesh.counts();
     mesh.ask(true);
-    row.askingLoads.push_back(loadOver(mesh, options.seconds));
+    loads.asking.push_back(loadOver(mesh, options.seconds));
     const auto during = mesh.counts();
-    row.messagesPerSecond += 2 * static_cast<double>(during.answered - before.answered) / (during.at - before.at) / options.rounds;
+    loads.messagesPerSecond += 2 * static_cast<double>(during.answered - before.answered) / (during.at - before.at) / options.rounds;
     mesh.ask(false);
     settle(0.2); // the last answers
     const auto after = mesh.counts();
     require(row, after.asked > before.asked, "nothing was asked");
     require(row, after.heard == after.asked && after.answered == after.asked,
             fmt::format("{} commands were sent, {} heard and {} answered", after.asked, after.heard, after.answered));
-    const auto latencies = mesh.latencies();
+    auto latencies = mesh.latencies();
     require(row, latencies.size() == after.answered - before.answered,
             fmt::format("{} round trips were timed of {}", latencies.size(), after.answered - before.answered));
-    for (const auto latency : latencies)
-        trips.add(static_cast<double>(latency) / 1e3);
+    return latencies;
+}
+
+void requireNoTrouble(ScaleRow& row, const MeshCounts& atTheEnd)
+{
+    require(row, atTheEnd.troubles == 0, fmt::format("{} troubles of sessions", atTheEnd.troubles));
+    requireAllOpen(row, atTheEnd);
+}
+
+void measureMemory(ScaleRow& row, const Mesh& mesh)
+{
+    const auto memory = mesh.memory();
+    row.allocatedKiB = static_cast<double>(memory.allocatedKiB) / static_cast<double>(row.devices);
+    row.descriptors = static_cast<double>(memory.descriptors) / static_cast<double>(row.devices);
+}
+
+void measureSessions(ScaleRow& row, const MeshPlan& plan, const ScaleOptions& options)
+{
+    Mesh mesh(plan);
+    measureClosed(row.loads, mesh, options);
+    row.bareKiB = static_cast<double>(mesh.memory().allocatedKiB) / static_cast<double>(row.devices);
+    const auto start = Clock::now();
+    const auto opened = mesh.open();
+    row.openSeconds = secondsSince(start);
+    row.retries = opened.retries;
+    requireAllOpen(row, opened);
+    settle(2 * std::chrono::duration<double>(options.heartbeat).count());
+    lab::Sample trips;
+    for (int round = 0; round < options.rounds && row.faults.empty(); ++round) {
+        const auto before = loopbackTraffic();
+        const auto begun = Clock::now();
+        measureIdle(row, row.loads, mesh, options);
+        const auto after = loopbackTraffic();
+        row.bytesPerSecond += static_cast<double>(after.bytes - before.bytes) / secondsSince(begun) / options.rounds;
+        row.packetsPerSecond += static_cast<double>(after.packets - before.packets) / secondsSince(begun) / options.rounds;
+        if (round == 0)
+            measureMemory(row, mesh);
+        for (const auto latency : measureAsking(row, row.loads, mesh, options))
+            trips.add(static_cast<double>(latency) / 1e3);
+    }
+    const auto counts = mesh.counts();
+    row.missed = counts.missed;
+    requireNoTrouble(row, counts);
+    if (!trips.empty()) {
+        row.roundTripP50Us = trips.at(0.5);
+        row.roundTripP99Us = trips.at(0.99);
+    }
+}
+
+void measurePlain(ScaleRow& row, MeshPlan plan, const ScaleOptions& options)
+{
+    plan.plain = true;
+    Mesh mesh(plan);
+    measureClosed(row.plain, mesh, options);
+    requireAllOpen(row, mesh.open());
+    for (int round = 0; round < options.rounds && row.faults.empty(); ++round) {
+        measureIdle(row, row.plain, mesh, options);
+        (void)measureAsking(row, row.plain, mesh, options);
+    }
+    requireNoTrouble(row, mesh.counts());
 }
 
 } // namespace
 
-double ScaleRow::idleLoad() const { return meanOf(idleLoads); }
-double ScaleRow::askingLoad() const { return meanOf(askingLoads); }
+double MeshLoads::meanIdle() const { return meanOf(idle); }
 
-double ScaleRow::idleSpread() const
+double MeshLoads::idleSpread() const
 {
-    const auto [least, most] = std::minmax_element(idleLoads.begin(), idleLoads.end());
-    return (*most - *least) / idleLoad();
+    const auto [least, most] = std::minmax_element(idle.begin(), idle.end());
+    return (*most - *least) / meanIdle();
 }
+
+std::optional<double> MeshLoads::costOf(double difference, double perSecond) const
+{
+    const double varies = meanIdle() * idleSpread() / 2;
+    return difference > varies ? std::optional(1e6 * difference / perSecond) : std::nullopt;
+}
+
+std::optional<double> MeshLoads::perHeartbeat() const { return costOf(meanIdle() - closed, heartbeatsPerSecond); }
+std::optional<double> MeshLoads::perMessage() const { return costOf(meanOf(asking) - meanIdle(), messagesPerSecond); }
 
 std::string timingFor(std::chrono::milliseconds heartbeat)
 {
@@ -102,39 +162,22 @@ std::string timingFor(std::chrono::milliseconds heartbeat)
     return fmt::format(R"(heartbeat="{}ms" suspect="{}ms" lost="{}ms" reconnect="{}ms")", heartbeat.count(), 20 * ms, 30 * ms, 60 * ms);
 }
 
+std::optional<double> ScaleRow::perSessionEnd() const
+{
+    const auto each = loads.perHeartbeat();
+    return each ? std::optional(*each * loads.heartbeatsPerSecond / static_cast<double>(sessionEnds)) : std::nullopt;
+}
+
 ScaleRow measureScale(std::size_t devices, const ScaleOptions& options)
 {
-    MeshPlan plan{devices, timingFor(options.heartbeat), options.rate, options.program};
+    const MeshPlan plan{devices, timingFor(options.heartbeat), options.rate, options.program};
     ScaleRow row;
     row.devices = devices;
     row.sessionEnds = plan.sessionEnds();
     row.machine = measureRawPair(std::chrono::milliseconds(static_cast<std::int64_t>(500 * options.seconds)));
-    Mesh mesh(plan);
-    const auto each = static_cast<double>(devices);
-    settle(0.5);
-    row.bareLoad = loadOver(mesh, options.seconds);
-    row.bareKiB = static_cast<double>(mesh.memory().allocatedKiB) / each;
-    openAll(row, mesh);
-    settle(2 * std::chrono::duration<double>(options.heartbeat).count());
-    lab::Sample trips;
-    for (int round = 0; round < options.rounds && row.faults.empty(); ++round) {
-        measureIdle(row, mesh, options);
-        if (round == 0) {
-            const auto memory = mesh.memory();
-            row.allocatedKiB = static_cast<double>(memory.allocatedKiB) / each;
-            row.descriptors = static_cast<double>(memory.descriptors) / each;
-        }
-        measureAsking(row, mesh, options, trips);
-    }
-    const auto counts = mesh.counts();
-    row.missed = counts.missed;
-    require(row, counts.troubles == 0, fmt::format("{} troubles of sessions", counts.troubles));
-    require(row, counts.sessionEnds == row.sessionEnds,
-            fmt::format("{} of {} ends of sessions are open at the end", counts.sessionEnds, row.sessionEnds));
-    if (!trips.empty()) {
-        row.roundTripP50Us = trips.at(0.5);
-        row.roundTripP99Us = trips.at(0.99);
-    }
+    measureSessions(row, plan, options);
+    if (row.faults.empty())
+        measurePlain(row, plan, options);
     return row;
 }
 

@@ -5,6 +5,7 @@
 #include "scale/raw_pair.hpp"
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,20 +21,37 @@ struct ScaleOptions {
     std::filesystem::path program;
 };
 
+/// Processor seconds per second of a mesh's devices together, and what they did in them.
+struct MeshLoads {
+    double closed = 0;              ///< no session open
+    std::vector<double> idle;       ///< with all of them, a round each
+    std::vector<double> asking;     ///< the same with commands
+    double heartbeatsPerSecond = 0; ///< heard, idle
+    double messagesPerSecond = 0;   ///< commands and their answers
+
+    double meanIdle() const;
+    double idleSpread() const; ///< largest less smallest load, over their mean
+
+    /// Of processor time in µs, with all else that a session does. Nothing where it is no more than what the same load varies by; so with
+    /// the others.
+    std::optional<double> perHeartbeat() const;
+    std::optional<double> perMessage() const;
+
+private:
+    std::optional<double> costOf(double difference, double perSecond) const;
+};
+
 struct ScaleRow {
     std::size_t devices = 0;
     std::size_t sessionEnds = 0;
     RawPair machine; ///< just before
     double openSeconds = 0;
     std::uint64_t retries = 0;
-    double bareLoad = 0;             ///< processor seconds per second, no session open
-    std::vector<double> idleLoads;   ///< the same with all of them, a round each
-    std::vector<double> askingLoads; ///< … and with commands
-    double heartbeatsPerSecond = 0;  ///< heard, idle
-    double bytesPerSecond = 0;       ///< over loopback, idle
-    double packetsPerSecond = 0;     ///< the same
-    double messagesPerSecond = 0;    ///< commands and their answers
-    std::uint64_t missed = 0;        ///< heartbeats
+    MeshLoads loads;
+    MeshLoads plain;             ///< the same packets over sockets without sessions, just after
+    double bytesPerSecond = 0;   ///< over loopback, idle
+    double packetsPerSecond = 0; ///< the same
+    std::uint64_t missed = 0;    ///< heartbeats
     double roundTripP50Us = 0;
     double roundTripP99Us = 0;
     double allocatedKiB = 0;         ///< of a device, mean
@@ -41,15 +59,7 @@ struct ScaleRow {
     double descriptors = 0;          ///< of a device, mean
     std::vector<std::string> faults; ///< counts that are not what they must be; empty: the row counts
 
-    double idleLoad() const;
-    double askingLoad() const;
-    double idleSpread() const; ///< largest less smallest load, over their mean
-
-    // Processor time in microseconds
-    double perSessionEnd() const { return 1e6 * (idleLoad() - bareLoad) / static_cast<double>(sessionEnds); } ///< and second
-    double perHeartbeat() const { return 1e6 * (idleLoad() - bareLoad) / heartbeatsPerSecond; } ///< with all else that a session does
-    double perMessage() const { return 1e6 * (askingLoad() - idleLoad()) / messagesPerSecond; }
-
+    std::optional<double> perSessionEnd() const; ///< µs of processor time and second
     double perSessionKiB() const { return (allocatedKiB - bareKiB) / static_cast<double>(devices - 1); }
 };
 

@@ -27,22 +27,34 @@ std::string machineLine(const std::vector<ScaleRow>& rows, const ScaleOptions& o
         options.keepAwake ? ", processors kept awake" : "", options.rounds, options.seconds, options.seconds, options.rate, stall);
 }
 
-/// Each is a difference of two loads, and not known where that is no more than what the same load varies by.
-std::string costOf(double microseconds, double difference, const ScaleRow& row, int digits)
+/// LiENa's, that of plain sockets, and how many times as much; what is not known is no figure.
+std::string costsOf(const std::optional<double>& ours, const std::optional<double>& plain)
 {
-    const double varies = row.idleLoad() * row.idleSpread() / 2;
-    return difference > varies ? fmt::format("{:.{}f}", microseconds, digits) : "–";
+    const auto text = [](const std::optional<double>& cost) { return cost ? fmt::format("{:.1f}", *cost) : "–"; };
+    return fmt::format("{} / {}{}", text(ours), text(plain), ours && plain ? fmt::format(" = {:.2f}", *ours / *plain) : "");
 }
 
 std::string lineOf(const ScaleRow& row)
 {
-    const double ofSessions = row.idleLoad() - row.bareLoad;
-    const double ofMessages = row.askingLoad() - row.idleLoad();
-    return fmt::format("| {} | {} | {:.1f} | {:.0f} | {:.1f} ± {:.0f} % | {} | {} | {} | {:.0f} / {:.0f} | {:.0f} / {:.0f} | {:.0f} |",
-                       row.devices, row.sessionEnds / 2, row.openSeconds, row.heartbeatsPerSecond, 100 * row.idleLoad(),
-                       50 * row.idleSpread(), costOf(row.perSessionEnd(), ofSessions, row, 0),
-                       costOf(row.perHeartbeat(), ofSessions, row, 1), costOf(row.perMessage(), ofMessages, row, 1), row.roundTripP50Us,
-                       row.roundTripP99Us, row.machine.p50Us, row.machine.p99Us, row.perSessionKiB());
+    const auto& loads = row.loads;
+    return fmt::format("| {} | {} | {:.1f} | {:.0f} | {:.1f} ± {:.0f} % | {} | {} | {:.0f} / {:.0f} | {:.0f} / {:.0f} | {:.0f} |",
+                       row.devices, row.sessionEnds / 2, row.openSeconds, loads.heartbeatsPerSecond, 100 * loads.meanIdle(),
+                       50 * loads.idleSpread(), costsOf(loads.perHeartbeat(), row.plain.perHeartbeat()),
+                       costsOf(loads.perMessage(), row.plain.perMessage()), row.roundTripP50Us, row.roundTripP99Us, row.machine.p50Us,
+                       row.machine.p99Us, row.perSessionKiB());
+}
+
+nlohmann::ordered_json figure(const std::optional<double>& cost) { return cost ? nlohmann::ordered_json(*cost) : nlohmann::ordered_json(); }
+
+nlohmann::ordered_json figuresOf(const MeshLoads& loads)
+{
+    return {{"closed_load", loads.closed},
+            {"idle_loads", loads.idle},
+            {"asking_loads", loads.asking},
+            {"heartbeats_per_s", loads.heartbeatsPerSecond},
+            {"messages_per_s", loads.messagesPerSecond},
+            {"us_per_heartbeat", figure(loads.perHeartbeat())},
+            {"us_per_message", figure(loads.perMessage())}};
 }
 
 } // namespace
@@ -51,9 +63,9 @@ std::string scaleTable(const std::vector<ScaleRow>& rows, const ScaleOptions& op
 {
     auto text =
         machineLine(rows, options) +
-        "\n\n| devices | sessions | all open, s | heartbeats heard per s | load of all, idle, % of a processor | µs per idle end of a "
-        "session and s | µs per heartbeat | µs per message | round trip p50 / p99, µs | plain TCP's before, µs | KiB per end |\n"
-        "|---|---|---|---|---|---|---|---|---|---|---|\n";
+        "\n\n| devices | sessions | all open, s | heartbeats heard per s | load of all, idle, % of a processor | µs per heartbeat: "
+        "LiENa / plain sockets | µs per message: LiENa / plain sockets | round trip p50 / p99, µs | plain TCP's before, µs | KiB per "
+        "end |\n|---|---|---|---|---|---|---|---|---|---|\n";
     for (const auto& row : rows)
         text += lineOf(row) + "\n";
     for (const auto& row : rows)
@@ -72,17 +84,12 @@ std::string scaleJson(const std::vector<ScaleRow>& rows, const ScaleOptions& opt
                                {"session_ends", row.sessionEnds},
                                {"open_s", row.openSeconds},
                                {"retries", row.retries},
-                               {"bare_load", row.bareLoad},
-                               {"idle_loads", row.idleLoads},
-                               {"asking_loads", row.askingLoads},
-                               {"heartbeats_per_s", row.heartbeatsPerSecond},
+                               {"liena", figuresOf(row.loads)},
+                               {"plain", figuresOf(row.plain)},
                                {"heartbeats_missed", row.missed},
                                {"loopback_bytes_per_s", row.bytesPerSecond},
                                {"loopback_packets_per_s", row.packetsPerSecond},
-                               {"messages_per_s", row.messagesPerSecond},
-                               {"us_per_end_second", row.perSessionEnd()},
-                               {"us_per_heartbeat", row.perHeartbeat()},
-                               {"us_per_message", row.perMessage()},
+                               {"us_per_end_second", figure(row.perSessionEnd())},
                                {"round_trip_p50_us", row.roundTripP50Us},
                                {"round_trip_p99_us", row.roundTripP99Us},
                                {"raw_p50_us", row.machine.p50Us},

@@ -38,8 +38,10 @@ private Q_SLOTS:
         const auto row = measureScale(static_cast<std::size_t>(devices), shortRun());
         QCOMPARE(QString::fromStdString(row.faults.empty() ? std::string() : row.faults.front()), QString());
         QCOMPARE(row.sessionEnds, static_cast<std::size_t>(devices * (devices - 1)));
-        QVERIFY(row.heartbeatsPerSecond > 0);
-        QVERIFY(row.messagesPerSecond > 0);
+        for (const auto* loads : {&row.loads, &row.plain}) {
+            QVERIFY(loads->heartbeatsPerSecond > 0);
+            QVERIFY(loads->messagesPerSecond > 0);
+        }
         QVERIFY(row.descriptors >= 2 * (devices - 1));
         QVERIFY(scaleTable({row}, shortRun()).find(QString("| %1 | %2 |").arg(devices).arg(devices * (devices - 1) / 2).toStdString()) !=
                 std::string::npos);
@@ -49,12 +51,15 @@ private Q_SLOTS:
     {
         ScaleRow row;
         row.devices = row.sessionEnds = 2;
-        row.bareLoad = 0.05;
-        row.idleLoads = {0.09, 0.11};
-        row.askingLoads = {0.105, 0.105}; // half of what the idle load varies by
-        row.heartbeatsPerSecond = row.messagesPerSecond = 100;
+        row.loads.closed = 0.05;
+        row.loads.idle = {0.09, 0.11};
+        row.loads.asking = {0.105, 0.105}; // half of what the idle load varies by
+        row.loads.heartbeatsPerSecond = row.loads.messagesPerSecond = 100;
+        row.plain = row.loads;
+        row.plain.closed = 0.08;
+        row.plain.asking = {0.12};
         const auto table = QString::fromStdString(scaleTable({row}, shortRun()));
-        QVERIFY2(table.contains(QStringLiteral("| 25000 | 500.0 | – |")), qPrintable(table));
+        QVERIFY2(table.contains(QStringLiteral("| 500.0 / 200.0 = 2.50 | – / 200.0 |")), qPrintable(table));
     }
 
     void aSessionThatIsMissingIsAFault()
