@@ -3,7 +3,7 @@ import os
 import platform
 import statistics
 
-from . import calm_table, collapse_table, load_table, loopback_table, streams_table, targets
+from . import calm_table, collapse_table, load_table, loopback_table, measured_state, streams_table, targets
 
 
 class Medians:
@@ -32,7 +32,8 @@ def machine(comparison):
     stalled = (f"median {statistics.median(stalls):.1f} ms, worst {max(stalls):.1f} ms" if stalls else "not known")
     return (f"{os.cpu_count()} processors, {platform.system()} {platform.release()}, load {os.getloadavg()[1]:.1f} (5 minutes, these "
             f"programs included); {chosen.rounds} round{'s' if chosen.rounds > 1 else ''} of {chosen.seconds:g} s"
-            f"{', both ends under SCHED_FIFO' if chosen.real_time else ''}. Largest stall of a 1 ms timer before a round: {stalled}.")
+            f"{', both ends under SCHED_FIFO' if chosen.real_time else ''}. Largest stall of a 1 ms timer before a round: {stalled}. "
+            f"Sources: {'; '.join(dict.fromkeys(comparison.states)) or measured_state.UNKNOWN}.")
 
 
 def missed(comparison):

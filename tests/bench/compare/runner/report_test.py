@@ -7,7 +7,7 @@ from . import calm, calm_table, collapse, collapse_table, conditions, load_table
 
 def comparison(results, rounds=3):
     chosen = types.SimpleNamespace(rounds=rounds, seconds=5, real_time=False)
-    return types.SimpleNamespace(results=results, transports=transports.TRANSPORTS, stalls=[0.5], chosen=chosen)
+    return types.SimpleNamespace(results=results, transports=transports.TRANSPORTS, stalls=[0.5], states=["a1, today", "a1, today", "b2, today"], chosen=chosen)
 
 
 def round_trips(*values):
@@ -195,6 +195,14 @@ class ReportTest(unittest.TestCase):
         table = "\n".join(collapse_table.sections(self.fallen((4700, 5.1)), transports.TRANSPORTS))
         self.assertIn("| 900 | 4 700 | 5 200 | 900 |", table)
         self.assertIn("| 3 683 | **no** | 48 | 5.1 | **no** |", table)
+
+    def test_the_limit_during_a_fall_begins_at_the_idle_link_where_that_was_measured(self):
+        medians = self.fallen((3000, 0.8))
+        medians.results["load/100m/0"] = {"liena": [{"command_p99": 200}]}
+        self.assertEqual([one.measured for one in targets.judged_collapse(medians)], ["0", "1"])  # 200 + 2283 + 500
+
+    def test_the_report_names_each_state_that_was_measured(self):
+        self.assertIn("Sources: a1, today; b2, today.", report.machine(comparison({})))
 
     def test_a_failure_is_counted_as_not_met(self):
         medians = self.beside_frames()
