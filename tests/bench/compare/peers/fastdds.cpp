@@ -26,11 +26,13 @@ namespace dds = eprosima::fastdds::dds;
 
 dds::DomainParticipant* makeParticipant(dds::DomainId_t domain)
 {
-    constexpr std::uint32_t socketBuffer = 4U << 20U;
+    constexpr std::uint32_t sendBuffer = 256U << 10U; // more would be lost in the 512 KiB before a token bucket, and no frame come whole
+    constexpr std::uint32_t receiveBuffer = 4U << 20U;
     dds::DomainParticipantQos qos;
     qos.transport().use_builtin_transports = false; // no shared memory: the link is what is compared
     auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-    udp->sendBufferSize = udp->receiveBufferSize = socketBuffer;
+    udp->sendBufferSize = sendBuffer;
+    udp->receiveBufferSize = receiveBuffer;
     qos.transport().user_transports.push_back(udp);
     auto* participant = dds::DomainParticipantFactory::get_instance()->create_participant(domain, qos);
     if (participant == nullptr)
