@@ -134,7 +134,7 @@ Result<void> tryOnAThread(const RealTimeOptions& options)
 /// Of this thread, if it has real-time priority and the kernel limits that.
 std::optional<ProcessorShare> ownShare()
 {
-    if (const int policy = ::sched_getscheduler(0); policy != SCHED_FIFO && policy != SCHED_RR)
+    if (const int policy = ::sched_getscheduler(0) & ~SCHED_RESET_ON_FORK; policy != SCHED_FIFO && policy != SCHED_RR)
         return std::nullopt;
     constexpr double notToTheLast = 0.95; // the kernel counts those of others with ours
     double runtime = 950'000;
