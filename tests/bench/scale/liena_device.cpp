@@ -4,7 +4,6 @@
 #include "liena/distributed_system.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <condition_variable>
 #include <future>
 #include <iostream>
@@ -74,18 +73,13 @@ public:
 
     MeshCounts counts() override
     {
-        MeshCounts all;
+        auto all = tally();
         for (const auto& link : m_system->links()) {
             all.heartbeats += link.heartbeatsReceived;
             all.missed += link.heartbeatsMissed;
         }
-        all.at = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
         all.sessionEnds = usable();
-        all.troubles = m_troubles;
         all.retries = m_retries;
-        all.asked = m_asked;
-        all.heard = m_heard;
-        all.answered = m_answered;
         return all;
     }
 
@@ -175,10 +169,6 @@ private:
     std::condition_variable m_changed;
     std::size_t m_failed = 0;
     std::uint64_t m_retries = 0;
-    std::atomic<std::uint64_t> m_troubles = 0;
-    std::atomic<std::uint64_t> m_asked = 0;
-    std::atomic<std::uint64_t> m_heard = 0;
-    std::atomic<std::uint64_t> m_answered = 0;
 
     // The network thread's
     std::size_t m_next = 0;

@@ -65,6 +65,17 @@ MeshDevice::MeshDevice(const MeshDeviceOptions& options)
             m_toOpen.push_back(m_peers[k - 1]);
 }
 
+MeshCounts MeshDevice::tally() const
+{
+    MeshCounts counts;
+    counts.at = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    counts.troubles = m_troubles;
+    counts.asked = m_asked;
+    counts.heard = m_heard;
+    counts.answered = m_answered;
+    return counts;
+}
+
 int runMeshDevice(const MeshDeviceOptions& options)
 {
     const auto device = options.plain ? plainDevice(options) : lienaDevice(options);

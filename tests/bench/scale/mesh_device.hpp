@@ -3,6 +3,7 @@
 
 #include "scale/mesh_counts.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +25,7 @@ struct MeshDeviceOptions {
 
 std::string meshDeviceName(std::size_t index);
 
-/// Whatever carries its messages.
+/// Whatever carries its messages. Ready to be opened once it is made.
 class MeshDevice {
 public:
     static constexpr std::chrono::seconds openingLimit{120};
@@ -38,7 +39,6 @@ public:
     virtual void ask() = 0;                            ///< the next peer; on that thread
 
 protected:
-    /// Ready to be opened when this returns.
     explicit MeshDevice(const MeshDeviceOptions& options);
 
     static std::int64_t nowNs()
@@ -46,6 +46,12 @@ protected:
         return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
     }
 
+    MeshCounts tally() const; ///< the time and what is counted here
+
+    std::atomic<std::uint64_t> m_troubles = 0;
+    std::atomic<std::uint64_t> m_asked = 0;
+    std::atomic<std::uint64_t> m_heard = 0;
+    std::atomic<std::uint64_t> m_answered = 0;
     std::vector<std::size_t> m_peers;  ///< nearest on the right first
     std::vector<std::size_t> m_toOpen; ///< of each pair one end opens
 };

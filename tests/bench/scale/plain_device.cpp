@@ -88,14 +88,9 @@ public:
 
     MeshCounts counts() override
     {
-        MeshCounts all;
-        all.at = std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+        auto all = tally();
         all.sessionEnds = m_usable;
         all.heartbeats = m_signs;
-        all.troubles = m_troubles;
-        all.asked = m_asked;
-        all.heard = m_heard;
-        all.answered = m_answered;
         return all;
     }
 
@@ -243,10 +238,6 @@ private:
 
     std::atomic<std::size_t> m_usable = 0;
     std::atomic<std::uint64_t> m_signs = 0;
-    std::atomic<std::uint64_t> m_troubles = 0;
-    std::atomic<std::uint64_t> m_asked = 0;
-    std::atomic<std::uint64_t> m_heard = 0;
-    std::atomic<std::uint64_t> m_answered = 0;
     std::thread m_thread;
 };
 
