@@ -17,6 +17,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -202,7 +203,9 @@ void runWithSearch(boost::asio::io_context& context, std::chrono::microseconds s
 std::size_t usableProcessors()
 {
     cpu_set_t set;
-    return ::sched_getaffinity(0, sizeof set, &set) == 0 ? static_cast<std::size_t>(CPU_COUNT(&set)) : 1;
+    if (::sched_getaffinity(0, sizeof set, &set) == 0)
+        return static_cast<std::size_t>(CPU_COUNT(&set));
+    return std::max(std::thread::hardware_concurrency(), 1U); // there are more than the set has room for
 }
 
 Result<void> prepareRealTime(const RealTimeOptions& options)
