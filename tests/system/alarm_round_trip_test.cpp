@@ -8,7 +8,6 @@
 #include <QApplication>
 #include <QTest>
 
-#include <algorithm>
 #include <stdexcept>
 #include <string_view>
 
@@ -73,15 +72,13 @@ struct Stage {
         return QTest::qWaitFor([&] { return present(theatre, C::CommandRoundTrip) == nullptr; }, patience);
     }
 
-    /// Or held for what a computer that stands still looks like, with which the line has nothing to do.
+    /// Or held since nothing was heard of the robot, as where the computer stands still: what comes of it does not pass the slow line.
     bool staysArmed() const
     {
         const auto& permit = theatre.models().permit;
-        const auto isSilence = [](const QString& reason) {
-            return reason.startsWith(QStringLiteral("No recent robot report")) || reason.startsWith(QStringLiteral("Picture"));
-        };
-        return theatre.phase() == PermitPhase::Armed ||
-               (permit.state().cause == HoldCause::GuardFailed && std::ranges::all_of(permit.holdReasons(), isSilence));
+        const auto& reasons = permit.holdReasons();
+        return theatre.phase() == PermitPhase::Armed || (permit.state().cause == HoldCause::GuardFailed && reasons.size() == 1 &&
+                                                         reasons.front().startsWith(QStringLiteral("No recent robot report")));
     }
 };
 
