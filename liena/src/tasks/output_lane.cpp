@@ -14,8 +14,10 @@ namespace {
 /// are; sealed they leave in a record each.
 TransmissionTask::Settings onThisComputer(TransmissionTask::Settings settings, bool isSecured)
 {
-    settings.patientBatch = settings.batch;
-    if (settings.traffic == transport::TcpChannel::Traffic::Bulk && !isSecured)
+    using Traffic = transport::TcpChannel::Traffic;
+    if (settings.traffic == Traffic::Prompt)
+        settings.traffic = Traffic::Here;
+    else if (!isSecured)
         settings.segment = protocol::maximumBody;
     return settings;
 }

@@ -86,6 +86,9 @@ public:
     /// A message of that class and number has not left whole.
     bool waits(Rank rank, std::uint16_t number) const;
 
+    /// Something waits that is not to wait for anything that has no haste: session management, safety or control.
+    bool hasUrgent() const { return !m_classes[0].turns.empty() || !m_classes[1].turns.empty(); }
+
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }
     std::size_t bytes() const { return m_bytes; }

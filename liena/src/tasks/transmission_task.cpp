@@ -44,10 +44,13 @@ void TransmissionTask::wake()
 {
     if (m_writing || m_channel->isClosed())
         return;
+    const bool isPatient = mayBePassed() && m_buffers->batch.empty() && !m_queue->hasUrgent();
+    if (isPatient && !m_channel->hasRoom())
+        return;
     const auto now = std::chrono::steady_clock::now();
     fill(now);
     if (m_buffers->batch.empty()) {
-        m_waits = false;
+        m_channel->pause();
         if (m_rate != nullptr)
             m_rate->pause(now, unsent());
         return;
@@ -59,19 +62,32 @@ void TransmissionTask::wake()
     }
     m_writing = true;
     m_bytesSent += m_buffers->batch.size();
-    m_channel->write(m_buffers->batch.parts(), m_buffers);
+    using Urgency = transport::TcpChannel::Urgency;
+    m_channel->write(m_buffers->batch.parts(), m_buffers, isPatient ? Urgency::Patient : Urgency::Urgent);
 }
 
-/// A paced write is no more than a millisecond's: the rate is judged between two of them.
+/// On the way to another computer a command waits for what was written, and may pass what was not. What is short is soon over, and not
+/// worth a request to the kernel.
+bool TransmissionTask::mayBePassed() const
+{
+    constexpr std::size_t onePacket = 1400; // bytes, about
+    return m_settings.traffic == transport::TcpChannel::Traffic::Prompt && m_queue->bytes() > onePacket;
+}
+
+/// A paced write is no more than a millisecond's: the rate is judged between two of them. What is urgent takes nothing along that has to
+/// wait for room.
 void TransmissionTask::fill(std::chrono::steady_clock::time_point now)
 {
     auto segment = m_settings.segment;
-    auto batch = m_waits ? m_settings.patientBatch : m_settings.batch;
+    auto batch = m_settings.batch;
+    const bool isPassed = mayBePassed() && m_queue->hasUrgent();
+    if (mayBePassed())
+        segment = batch = std::min(segment, m_channel->patientWrite());
     if (m_rate != nullptr) {
         segment = std::min(segment, m_rate->segment());
         batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, m_settings.batch);
     }
-    while (m_buffers->batch.size() < batch && m_queue->appendNext(segment, now, m_buffers->batch)) {
+    while (m_buffers->batch.size() < batch && (!isPassed || m_queue->hasUrgent()) && m_queue->appendNext(segment, now, m_buffers->batch)) {
     }
 }
 
@@ -124,10 +140,11 @@ std::uint32_t TransmissionTask::unsent() const
 void TransmissionTask::bytesWritten()
 {
     m_writing = false;
-    m_waits = m_waits || m_channel->hadToWait();
     m_buffers->batch.clear();
     wake();
 }
+
+void TransmissionTask::roomMade() { wake(); }
 
 void TransmissionTask::bytesRead(std::size_t /*count*/)
 {

@@ -21,12 +21,11 @@ class TransmissionTask : public transport::TcpChannel::Listener, public PathRate
 public:
     struct Settings {
         std::size_t segment = 8192; ///< largest body
-        std::size_t batch = 32768;  ///< bytes per write, about
+        std::size_t batch = 32768;  ///< bytes per write, about; at most, where a command on its way to another computer would wait for it
         transport::TcpChannel::Traffic traffic = transport::TcpChannel::Traffic::Prompt;
         std::uint8_t dscp = 0;
         transport::WorkerThreads* workers = nullptr; ///< that may do the work; null: the network thread does
         InterfaceShares* interfaces = nullptr;       ///< of a lane that is paced; outlives it
-        std::size_t patientBatch = 8192;             ///< instead of `batch` while writes have to wait: behind it a command waits, too
     };
     using Lost = std::function<void(const std::string& detail, bool identity)>;
 
@@ -55,9 +54,11 @@ public:
 private:
     void bytesRead(std::size_t count) override;
     void bytesWritten() override;
+    void roomMade() override;
     void channelLost(const std::string& detail, bool identity) override;
     void rateChanged() override;
 
+    bool mayBePassed() const;
     void fill(std::chrono::steady_clock::time_point now);
     void keepPace(std::chrono::steady_clock::time_point now);
     void watchPace(std::chrono::steady_clock::time_point now);
@@ -80,7 +81,6 @@ private:
     bool m_looking = false;
     Lost m_lost;
     bool m_writing = false;
-    bool m_waits = false; ///< a write had to, and something waited ever since
     std::uint64_t m_bytesSent = 0;
 };
 

@@ -279,4 +279,10 @@ void StreamEnd::limitBursts(std::size_t bytes)
     m_wire.burst = m_tls != nullptr && bytes != 0 ? bytes + recordOverhead : bytes;
 }
 
+void StreamEnd::keepApart(bool apart)
+{
+    if (m_burst == 0)
+        m_wire.burst = apart ? std::numeric_limits<std::size_t>::max() : 0;
+}
+
 } // namespace liena::transport

@@ -72,6 +72,10 @@ public:
     /// only between two writes: TLS keeps the buffer of a record for the rest of its write, and a longer one does not go into it.
     void limitBursts(std::size_t bytes);
 
+    /// Without that limit, what is written next is not joined with what the kernel has: it would take more into a packet that waits,
+    /// however full its buffer is.
+    void keepApart(bool apart);
+
     /// TLS keeps its buffers, 17 KiB for each direction in use, while they are empty. Else it asks the heap for them with each record,
     /// which suits a connection that is used now and then.
     void keepBuffers();
@@ -79,9 +83,9 @@ public:
     /// What TLS calls to reach the socket.
     struct Wire {
         int descriptor;
-        std::size_t burst = 0;
-        int error = 0;        ///< of the last call that failed
-        bool drained = false; ///< the last read found no more
+        std::size_t burst = 0; ///< bytes at a time, each kept apart; 0: as they come
+        int error = 0;         ///< of the last call that failed
+        bool drained = false;  ///< the last read found no more
     };
 
 private:

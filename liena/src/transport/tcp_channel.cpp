@@ -4,7 +4,6 @@
 #include "security/tls_identity.hpp"
 #include "transport/close_on_exec.hpp"
 #include "transport/packet_mark.hpp"
-#include "transport/prompt_buffer.hpp"
 #include "transport/worker_threads.hpp"
 
 #include <boost/asio/post.hpp>
@@ -12,6 +11,7 @@
 #include <linux/sockios.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
@@ -90,13 +90,14 @@ void TcpChannel::tune(Traffic traffic, std::uint8_t dscp)
     if (m_closed)
         return;
     mark(dscp);
-    if (traffic == Traffic::Prompt) {
-        retransmitSoon(m_descriptor);
-        m_end.keepBuffers();
-        m_buffer = PromptBuffer::smallest;
-        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, m_buffer);
-        set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, PromptBuffer::unsent);
-    }
+    if (traffic == Traffic::Bulk)
+        return;
+    retransmitSoon(m_descriptor);
+    m_end.keepBuffers();
+    m_buffer = PromptBuffer::smallest;
+    set(m_descriptor, SOL_SOCKET, SO_SNDBUF, m_buffer);
+    m_mostUnsent = traffic == Traffic::Prompt ? PromptBuffer::unsent : PromptBuffer::unsentHere;
+    set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, m_mostUnsent);
 }
 
 void TcpChannel::expectPrompt()
@@ -210,11 +211,12 @@ void TcpChannel::read(Room room, Keeper keeper)
         awaitNeed(m_reading, StreamEnd::Need::Readable);
 }
 
-void TcpChannel::write(Parts parts, Keeper keeper)
+void TcpChannel::write(Parts parts, Keeper keeper, Urgency urgency)
 {
     m_parts = parts;
     m_done = 0;
-    m_waited = false;
+    m_keepsApart = urgency == Urgency::Patient;
+    openBuffer(urgency);
     m_writing.keeper = std::move(keeper);
     m_writing.active = true;
     if (m_stepInFlight)
@@ -238,6 +240,12 @@ void TcpChannel::goOn(Way& way)
         return pursueHandshake();
     if (!way.active)
         return;
+    if (&way == &m_makingRoom) {
+        way.active = false;
+        if (m_listener != nullptr)
+            m_listener->roomMade();
+        return;
+    }
     if (way.outcome)
         return settle(way, *std::exchange(way.outcome, std::nullopt));
     if (m_stepInFlight)
@@ -253,8 +261,10 @@ TcpChannel::Step TcpChannel::step(Way& way, std::size_t most)
 {
     const bool counted = m_workers != nullptr && most == networkStep;
     const auto begin = counted ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point();
-    if (&way == &m_writing)
+    if (&way == &m_writing) {
         m_end.limitBursts(m_burst);
+        m_end.keepApart(m_keepsApart);
+    }
     auto done = &way == &m_reading ? m_end.read(m_room, most) : m_end.write(m_parts, m_done, most);
     if (counted)
         m_workers->noteTime(std::chrono::steady_clock::now() - begin);
@@ -318,21 +328,44 @@ void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
 {
     if (m_expectsPrompt && &way == &m_reading)
         acknowledge();
-    if (&way == &m_writing && need == StreamEnd::Need::Writable) {
-        m_waited = true;
-        fitBuffer();
-    }
+    if (&way == &m_writing && need == StreamEnd::Need::Writable)
+        enlargeBuffer();
     m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
                         Ready{shared_from_this(), &way});
 }
 
-void TcpChannel::fitBuffer()
+/// While a third of the buffer is free, and less is unsent than the kernel was told.
+bool TcpChannel::hasRoom()
 {
-    const auto facts = m_buffer != 0 ? readPathFacts(m_descriptor) : std::nullopt;
-    if (!facts)
-        return;
-    if (const int next = PromptBuffer::next(m_buffer, *facts); std::exchange(m_buffer, next) != next)
-        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, next);
+    if (m_makingRoom.active || m_closed)
+        return false;
+    openBuffer(Urgency::Patient);
+    pollfd asked{m_descriptor, POLLOUT, 0};
+    if (::poll(&asked, 1, 0) != 0)
+        return true; // or an error, which the write meets
+    if (const auto facts = readPathFacts(m_descriptor)) {
+        m_patient.full(*facts);
+        openBuffer(Urgency::Patient);
+    }
+    m_makingRoom.active = true;
+    m_socket.async_wait(tcp::socket::wait_write, Ready{shared_from_this(), &m_makingRoom});
+    return false;
+}
+
+void TcpChannel::openBuffer(Urgency urgency)
+{
+    const int wanted = urgency == Urgency::Patient ? m_patient.bytes() : std::max(m_urgentBuffer, m_patient.bytes());
+    if (m_buffer != 0 && std::exchange(m_buffer, wanted) != wanted)
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, wanted);
+}
+
+/// Of what is urgent: what is patient leaves when there is room.
+void TcpChannel::enlargeBuffer()
+{
+    if (const auto facts = m_buffer != 0 ? readPathFacts(m_descriptor) : std::nullopt) {
+        m_urgentBuffer = PromptBuffer::next(m_urgentBuffer, *facts, m_mostUnsent);
+        openBuffer(Urgency::Urgent);
+    }
 }
 
 void TcpChannel::later(Way& way) { asio::post(m_io, Ready{shared_from_this(), &way}); }

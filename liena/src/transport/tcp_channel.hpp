@@ -6,6 +6,7 @@
 #include "security/datagram_seal.hpp"
 #include "transport/handler_memory.hpp"
 #include "transport/path_facts.hpp"
+#include "transport/prompt_buffer.hpp"
 #include "transport/stream_end.hpp"
 
 #include <boost/asio/io_context.hpp>
@@ -38,6 +39,7 @@ public:
         virtual ~Listener() = default;
         virtual void bytesRead(std::size_t count) = 0;
         virtual void bytesWritten() = 0;
+        virtual void roomMade() {} ///< after hasRoom() said no
         /// The connection failed or was closed by the peer; once. `identity`: TLS ended it over a certificate.
         virtual void channelLost(const std::string& detail, bool identity) = 0;
     };
@@ -66,9 +68,6 @@ public:
 
     void setListener(Listener* listener) { m_listener = listener; }
 
-    /// The last write met a kernel that had no room: the path takes longer than we do.
-    bool hadToWait() const { return m_waited; }
-
     /// From now on worker threads do the steps, whenever there are some; `workers` outlives the connection.
     void shareWork(WorkerThreads& workers) { m_workers = &workers; }
 
@@ -76,12 +75,26 @@ public:
     void read(Room room, Keeper keeper = nullptr);
     void read(std::span<std::byte> buffer, Keeper keeper = nullptr) { read(Room{{}, buffer}, std::move(keeper)); }
 
+    /// Patient: what may be passed, of which the kernel is given no more than keeps the path busy.
+    enum class Urgency : std::uint8_t { Patient, Urgent };
+
     /// One write in flight at a time; all of `parts`, in order. They and their bytes stay until bytesWritten; after close() for as long as
     /// `keeper` does. Under TLS each part is sealed by itself.
-    void write(Parts parts, Keeper keeper = nullptr);
+    void write(Parts parts, Keeper keeper = nullptr, Urgency urgency = Urgency::Urgent);
 
-    /// What we send on this connection: small messages that must not wait, or much.
-    enum class Traffic : std::uint8_t { Prompt, Bulk };
+    /// Whether a patient write would leave now; otherwise roomMade() tells as soon as it would. Only of Traffic::Prompt, with no write in
+    /// flight; an urgent one may come before.
+    bool hasRoom();
+
+    /// Bytes of a patient write that leave in one piece.
+    std::size_t patientWrite() const { return m_patient.write(); }
+
+    /// Nothing waits to be written.
+    void pause() { m_patient.pause(); }
+
+    /// What we send on this connection: small messages that must not wait, the same to a peer on this computer, where no path is shared, or
+    /// much.
+    enum class Traffic : std::uint8_t { Prompt, Here, Bulk };
 
     /// Chooses the kernel's buffers and timers, and marks the packets; a kernel that refuses one of them goes on without.
     void tune(Traffic traffic, std::uint8_t dscp);
@@ -145,7 +158,8 @@ private:
     void stepFinished(Way& way, const Step& done);
     void settle(Way& way, const Step& done);
     void awaitNeed(Way& way, StreamEnd::Need need);
-    void fitBuffer();
+    void openBuffer(Urgency urgency);
+    void enlargeBuffer();
     void later(Way& way);
     void lose(const StreamEnd::Failure& failure);
     void end();
@@ -159,12 +173,16 @@ private:
     HandshakeHandler m_handshake;
     Way m_reading;
     Way m_writing;
+    Way m_makingRoom; ///< active: for patient bytes that are not written yet
     Room m_room;
     Parts m_parts;
-    std::size_t m_done = 0;  ///< bytes of m_parts that have left
-    std::size_t m_burst = 0; ///< for the next write
-    int m_buffer = 0;        ///< that the kernel has been given, where messages must not wait; 0: as it likes
-    bool m_waited = false;   ///< during the last write
+    std::size_t m_done = 0;    ///< bytes of m_parts that have left
+    std::size_t m_burst = 0;   ///< for the next write
+    bool m_keepsApart = false; ///< in the next write
+    int m_buffer = 0;          ///< that the kernel has been given, where messages must not wait; 0: as it likes
+    int m_mostUnsent = 0;      ///< the same
+    int m_urgentBuffer = PromptBuffer::smallest;
+    PatientBuffer m_patient;
     WorkerThreads* m_workers = nullptr;
     std::uint64_t m_mark = 0;
     Listener* m_listener = nullptr;

@@ -32,10 +32,12 @@ Options readOptions(int argc, char** argv, const std::string& transport)
                    "per second, of a second stream of frames, of load; LiENa and raw TCP give it a way of its own")
         ->capture_default_str();
     app.add_option("--frame-bytes", options.frameBytes)->capture_default_str();
+    app.add_flag("--status", options.status, "of load: frames as status messages, on the connection of the commands; LiENa only");
     app.add_flag("--timeline", options.timeline, "of load: tell every single latency");
     app.add_flag("--spin", options.spins, "never sleep while waiting; LiENa and raw TCP only");
     app.add_flag("--asleep", options.asleep, "sleep while waiting, also within a dialogue; LiENa only");
     app.add_flag("--packets", options.packets, "commands and echoes as UDP packets of their own; LiENa only");
+    app.add_option("--workers", options.workers, "threads that may seal and open frames; LiENa only")->check(CLI::Range(0U, 4U));
     app.add_option("--files", options.files, "folder with topology.xml and pki/")->capture_default_str();
     try {
         app.parse(argc, argv);

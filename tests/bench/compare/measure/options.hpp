@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace liena::compare {
@@ -26,10 +27,12 @@ struct Options {
     double secondRate = 0;    ///< per second, of a second stream of frames beside that: load
     bool timeline = false;    ///< of load: every single latency is told
     std::size_t frameBytes = std::size_t{2} << 20U;
-    bool spins = false;          ///< looks for work without ever sleeping, where the transport can
-    bool asleep = false;         ///< sleeps whenever there is nothing to do, also within a dialogue, where the transport has a choice
-    bool packets = false;        ///< commands and echoes as UDP packets of their own, where the transport has a choice
-    std::filesystem::path files; ///< topology.xml and pki/, for the peers that need certificates
+    bool spins = false;   ///< looks for work without ever sleeping, where the transport can
+    bool asleep = false;  ///< sleeps whenever there is nothing to do, also within a dialogue, where the transport has a choice
+    bool status = false;  ///< frames as messages of the class status, which share the connection of the commands, where there are classes
+    bool packets = false; ///< commands and echoes as UDP packets of their own, where the transport has a choice
+    std::optional<unsigned> workers; ///< threads that seal and open frames, where the transport has a choice; nothing: as it chooses
+    std::filesystem::path files;     ///< topology.xml and pki/, for the peers that need certificates
 
     bool sendsFrames() const { return workload == WorkloadKind::Frames || frameRate > 0; }
     std::size_t streams() const { return secondRate > 0 ? 2 : 1; } ///< of frames

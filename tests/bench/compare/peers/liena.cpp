@@ -40,6 +40,7 @@ Settings settingsOf(const Options& options)
     if (options.spins)
         settings.realTime.search = std::chrono::seconds(1); // the longest there is: messages come more often
     settings.realTime.attention = !options.asleep;
+    settings.bulkWorkers = options.workers;
     return settings;
 }
 
@@ -50,7 +51,7 @@ public:
         : m_client(options.role == Role::Client),
           m_command(options.packets ? "Nudge" : "Move"),
           m_echo(options.packets ? "Nudged" : "Moved"),
-          m_frame(options.workload == WorkloadKind::Load ? "Frame" : "Block"),
+          m_frame(frameOf(options)),
           m_pixels(std::make_shared<const std::vector<std::byte>>(options.frameBytes)),
           m_system(valueOf(DistributedSystem::create(settingsOf(options)))),
           m_peer(m_system->topology().find(m_client ? "far" : "near")->id)
@@ -91,10 +92,17 @@ public:
 private:
     static constexpr std::string_view secondFrame = "SecondFrame"; ///< a number of its own, and so a lane
 
-    // Places in the definitions of `Move`, `Nudge`, their echoes, `Frame`, `SecondFrame` and `Block`.
+    // Places in the definitions of `Move`, `Nudge`, their echoes, `Frame`, `SecondFrame`, `State` and `Block`.
     static constexpr std::size_t numberField = 0;
     static constexpr std::size_t sentField = 1;
     static constexpr std::size_t bodyField = 2;
+
+    static std::string_view frameOf(const Options& options)
+    {
+        if (options.workload != WorkloadKind::Load)
+            return "Block";
+        return options.status ? "State" : "Frame";
+    }
 
     static Stamp stampOf(const Message& message) { return {message.get<std::uint64_t>(numberField), message.get<std::int64_t>(sentField)}; }
 
@@ -119,7 +127,7 @@ private:
         };
         for (const auto& name : {m_command, m_echo})
             valueOf(m_system->subscribe(name, command));
-        for (const auto name : {std::string_view("Frame"), secondFrame, std::string_view("Block")})
+        for (const auto name : {std::string_view("Frame"), secondFrame, std::string_view("State"), std::string_view("Block")})
             valueOf(m_system->subscribe(name, frame));
         m_system->subscribe([](const SessionEvent& event) { tell(event); });
     }

@@ -4,7 +4,7 @@ import pathlib
 
 from . import conditions, transports
 
-WORKLOADS = ("load", "neighbour", "two-streams", "roundtrip", "paced", "throughput", "collapse")
+WORKLOADS = ("load", "neighbour", "status", "two-streams", "roundtrip", "paced", "throughput", "collapse")
 
 
 def words_of(known):
@@ -42,10 +42,10 @@ def parse(description, build_dir, given=None):
     parser = argparse.ArgumentParser(description=description)
     keys = [t.key for t in transports.TRANSPORTS]
     parser.add_argument("--workloads", type=words_of(WORKLOADS), default=list(WORKLOADS),
-                        help="of " + ", ".join(WORKLOADS) + "; load, neighbour, two-streams and collapse need root")
+                        help="of " + ", ".join(WORKLOADS) + "; load, neighbour, status, two-streams and collapse need root")
     parser.add_argument("--transports", type=words_of(keys), help="of " + ", ".join(keys) + "; all that are built")
     parser.add_argument("--links", type=words_of(conditions.LINKS), default=list(conditions.LINKS),
-                        help="of load, and of two-streams as far as they carry both and lose nothing: " + ", ".join(conditions.LINKS))
+                        help=f"of load, of status ({', '.join(conditions.STATUS_LINKS)} only), and of two-streams as far as they carry both and lose nothing: " + ", ".join(conditions.LINKS))
     parser.add_argument("--rounds", type=above_zero(int), default=5)
     parser.add_argument("--seconds", type=above_zero(float), default=5, help="measured of each transport in each condition and round")
     parser.add_argument("--quick", action="store_true", help="one round of two seconds, and two links")

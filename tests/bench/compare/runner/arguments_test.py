@@ -49,10 +49,22 @@ class ArgumentsTest(unittest.TestCase):
                     if packets.suits(m)}
         self.assertEqual(measured, {"roundtrip", "paced", *(f"load/100m-20ms-loss/{rate}" for rate in conditions.FRAME_RATES)})
 
+    def test_a_worker_thread_is_measured_where_frames_are_many_bytes(self):
+        worker = next(t for t in transports.TRANSPORTS if t.key == "liena-worker")
+        measured = {m.key for m in conditions.loopback_measurements(arguments.WORKLOADS) + conditions.load_measurements(conditions.LINKS)
+                    + conditions.neighbour_measurements() + conditions.status_measurements(conditions.LINKS) if worker.suits(m)}
+        self.assertEqual(measured, {"frames", *(f"load/1g/{rate}" for rate in conditions.FRAME_RATES)})
+
     def test_frames_of_a_neighbour_are_its_own_and_the_commands_are_not(self):
         for measured in conditions.neighbour_measurements():
             self.assertEqual(measured.arguments[:2], ("--frame-rate", "0"))
             self.assertEqual(measured.beside[:2], ("--frame-rate", measured.key.split("/")[-1]))
+
+    def test_status_messages_are_a_share_of_what_the_link_carries_and_a_quarter_more(self):
+        measured = conditions.status_measurements(["100m", "1g", "1g-20ms"])
+        rates = {link: [int(m.key.split("/")[2]) for m in measured if m.key.startswith(f"status/{link}/")] for link in ("100m", "1g", "1g-20ms")}
+        self.assertEqual(rates, {"100m": [0, 191, 381, 954], "1g": [0, 1907, 3815], "1g-20ms": []})
+        self.assertTrue(all("--status" in m.arguments for m in measured))
 
     def test_two_streams_are_measured_where_the_link_carries_both_and_no_transport_lets_one_wait_for_the_other(self):
         measured = conditions.streams_measurements(conditions.LINKS)

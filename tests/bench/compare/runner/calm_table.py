@@ -1,16 +1,14 @@
 """The part of the table about calm commands of LiENa."""
 from .calm import BEFORE_MS, WORTH_MS
-from .conditions import LINKS
-from .load_table import limits_of, number, verdict, within
+from .load_table import KINDS, limits_of, number, verdict, within
 
 HEAD = ("| | calm, of all | p99 | p99.9 | max | limits of p99, p99.9 | met |\n"
         "|---|---|---|---|---|---|---|")
-KINDS = (("load", ""), ("neighbour", " of another session"))
 
 
 def keys_of(kind):
     """`(key, idle key, link, frames per second)` of each condition."""
-    return [(f"{kind}/{name}/{rate}", f"{kind}/{name}/0", link, rate) for name, link in LINKS.items() for rate in link.frame_rates]
+    return [(f"{kind.key}/{name}/{rate}", f"{kind.key}/{name}/0", link, rate) for name, link in kind.links.items() for rate in link.frame_rates]
 
 
 def limits(medians, link, idle_key):
@@ -34,10 +32,10 @@ def row(medians, key, idle_key, link, title, has_frames):
 
 
 def rows(medians):
-    for kind, whose in KINDS:
+    for kind in KINDS:
         for key, idle_key, link, rate in keys_of(kind):
             if medians.of(key, "liena", "calm_count") is not None:
-                frames = f"{rate} frames/s{whose}" if rate else "no frames"
+                frames = f"{rate} {kind.name}/s{kind.whose}" if rate else f"no {kind.name}"
                 yield row(medians, key, idle_key, link, f"{link.name}, {frames}", rate > 0)
 
 

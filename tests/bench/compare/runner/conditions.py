@@ -1,5 +1,5 @@
 """What is measured: the links, the workloads, and how many bytes a frame has on each link."""
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 MIB = 1 << 20
 SEGMENT_BYTES = (2854, 8562)  # of LiENa, least and most: what a command waits for at worst when it came while a frame leaves
@@ -58,8 +58,21 @@ LINKS = {
 }
 
 
+STATUS_BYTES = 16 * 1024
+STATUS_SHARES = (0.25, 0.5, 1.25)  # of what a link carries
+
+
+def status_link(link, shares=STATUS_SHARES):
+    """The same with status messages in place of the frames."""
+    return replace(link, frame_bytes=STATUS_BYTES, frame_rates=(0, *(round(link.megabits * 1e6 / 8 * share / STATUS_BYTES) for share in shares)))
+
+
+# Where commands are measured beside status messages; more than 1 Gbit/s carries takes the processors
+# that are to be measured.
+STATUS_LINKS = {"1g": status_link(GIGABIT, STATUS_SHARES[:2]), **{name: status_link(LINKS[name]) for name in ("400m", "100m", "100m-20ms")}}
+
 # Where commands of one pair of ends are measured beside the frames of another.
-NEIGHBOUR_LINKS = ("1g", "100m")
+NEIGHBOUR_LINKS = {name: LINKS[name] for name in ("1g", "100m")}
 NEIGHBOUR_COMMAND_RATE = 10  # per second, of those beside the frames
 STREAM_RATES = (15, 14.3)  # of two streams of one device, per second: they drift through all overlaps in 1.4 s
 
@@ -68,10 +81,10 @@ def sending(link, frame_rate, command_rate=COMMAND_RATE):
     return ("--frame-rate", str(frame_rate), "--frame-bytes", str(link.frame_bytes), "--command-rate", str(command_rate))
 
 
-def conditions_of(names):
+def conditions_of(names, links=LINKS, what="frames"):
     """`(name, link, frames per second, title)` of each."""
-    return [(name, LINKS[name], rate, f"{LINKS[name].name}, " + (f"{rate} frames/s" if rate else "no frames"))
-            for name in names for rate in LINKS[name].frame_rates]
+    return [(name, links[name], rate, f"{links[name].name}, " + (f"{rate} {what}/s" if rate else f"no {what}"))
+            for name in names for rate in links[name].frame_rates]
 
 
 def load_measurements(link_names):
@@ -83,6 +96,13 @@ def neighbour_measurements():
     return [Measurement(f"neighbour/{name}/{rate}", title, link, "load", "tls", sending(link, 0),
                         beside=sending(link, rate, NEIGHBOUR_COMMAND_RATE))
             for name, link, rate, title in conditions_of(NEIGHBOUR_LINKS)]
+
+
+def status_measurements(link_names):
+    """On those of the links where it is measured."""
+    names = [name for name in link_names if name in STATUS_LINKS]
+    return [Measurement(f"status/{name}/{rate}", title, link, "load", "tls", (*sending(link, rate), "--status"))
+            for name, link, rate, title in conditions_of(names, STATUS_LINKS, "status messages")]
 
 
 def stream_links(names):

@@ -172,9 +172,25 @@ class ReportTest(unittest.TestCase):
     def test_there_are_no_limits_where_packets_are_lost(self):
         medians = report.Medians({"load/100m-20ms-loss/0": {"raw": [{"command_p99": 100}]}})
         self.assertEqual(load_table.limits_of(medians, conditions.LINKS["100m-20ms-loss"], "load/100m-20ms-loss/0", "raw"), (None, None))
-        self.assertNotIn("Limits:", load_table.explanation(medians, "load", "100m-20ms-loss"))
-        self.assertIn("Limits:", load_table.explanation(medians, "load", "400m-overload"))
-        self.assertIn("(target 1.15)", load_table.explanation(medians, "load", "400m"))
+        frames, status = (next(kind for kind in load_table.KINDS if kind.key == key) for key in ("load", "status"))
+        self.assertNotIn("Limits:", load_table.explanation(medians, frames, "100m-20ms-loss"))
+        self.assertIn("Limits:", load_table.explanation(medians, frames, "400m-overload"))
+        self.assertIn("(target 1.15)", load_table.explanation(medians, frames, "400m"))
+        self.assertIn("Limits:", load_table.explanation(medians, status, "400m"))
+        self.assertNotIn("target 1.15", load_table.explanation(medians, status, "1g"))
+
+    def test_status_messages_are_judged_by_the_commands_alone_also_where_they_are_too_many(self):
+        def met(rate, p99, frames):
+            liena = {"command_p99": p99, "command_p999": 1500, "frame_p50": 900, "frame_count": frames, "frames_sent": 1000}
+            medians = report.Medians({"status/100m/0": {"liena": [{"command_p99": 100}]}, f"status/100m/{rate}": {
+                "liena": [liena], "raw": [{"command_p99": 850, "frame_p50": 9}]}})
+            return [one.met for one in targets.judged_status(medians)]
+
+        few, _, many = conditions.STATUS_LINKS["100m"].frame_rates[1:]
+        self.assertEqual(met(few, 820, 1000), [True, True])
+        self.assertEqual(met(many, 820, 600), [True, True])
+        self.assertEqual(met(few, 829, 1000), [False, True])
+        self.assertEqual(met(few, 860, 1000), [False, False])
 
     @staticmethod
     def fallen(*rounds):
@@ -208,7 +224,7 @@ class ReportTest(unittest.TestCase):
         medians = self.beside_frames()
         medians.results["load/1g/15"]["liena"] = [{}]
         self.assertEqual([one.measured for one in targets.judged_load(medians)], ["0"] * 4)
-        self.assertIn("did not come through", "\n".join(load_table.rows(medians, "load", "1g", transports.TRANSPORTS, 5)))
+        self.assertIn("did not come through", "\n".join(load_table.rows(medians, load_table.KINDS[0], "1g", transports.TRANSPORTS, 5)))
 
     def test_what_is_missed_is_named_and_that_nothing_is_known_too(self):
         at, above = (comparison({"roundtrip": {"liena": round_trips(value), "asio-tls": round_trips(100)}}) for value in (115, 116))

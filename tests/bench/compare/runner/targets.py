@@ -2,7 +2,7 @@
 from dataclasses import dataclass
 
 from . import calm_table, collapse_table, streams_table
-from .conditions import COLLAPSES, LINKS, NEIGHBOUR_LINKS
+from .conditions import COLLAPSES, LINKS, NEIGHBOUR_LINKS, STATUS_LINKS
 from .load_table import FRAME_RATIO, limits_of, verdict, within
 from .streams_table import STREAMS
 from .transports import OWN
@@ -72,8 +72,14 @@ def conditions_with_frames(medians, fitting):
 
 def conditions_beside_another(medians):
     """The same of those with the frames of another session."""
-    return [(f"neighbour/{name}/{rate}", f"neighbour/{name}/0", LINKS[name]) for name in NEIGHBOUR_LINKS
-            for rate in filter(None, LINKS[name].frame_rates) if medians.results.get(f"neighbour/{name}/{rate}", {}).get("liena")]
+    return [(f"neighbour/{name}/{rate}", f"neighbour/{name}/0", link) for name, link in NEIGHBOUR_LINKS.items()
+            for rate in filter(None, link.frame_rates) if medians.results.get(f"neighbour/{name}/{rate}", {}).get("liena")]
+
+
+def conditions_beside_status(medians):
+    """The same of those with status messages in place of the frames, also where they are more than the link carries."""
+    return [(f"status/{name}/{rate}", f"status/{name}/0", link) for name, link in STATUS_LINKS.items()
+            for rate in filter(None, link.frame_rates) if medians.results.get(f"status/{name}/{rate}", {}).get("liena")]
 
 
 def conditions_with_losses(medians):
@@ -158,6 +164,14 @@ def judged_neighbour(medians):
     return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
 
 
+def judged_status(medians):
+    """How old status messages may be is not asked for."""
+    judged = [judge_load(medians, *condition)[:2] for condition in conditions_beside_status(medians)]
+    titles = ("Commands beside status messages: p99 and p99.9 within their limits, conditions",
+              "Commands beside status messages: p99 not above the best other transport's, conditions")
+    return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
+
+
 def judged_streams(medians):
     judged = [judge_streams(medians, name) for name in LINKS if medians.results.get(streams_table.key_of(name, 2), {}).get("liena")]
     titles = ("Commands beside two streams of frames: p99 and p99.9 within their limits, conditions",
@@ -189,7 +203,7 @@ def all_judged(medians):
     values = [(target, target.value(medians)) for target in TARGETS]
     found = [Judged(target.title, f"{target.relation} {target.bound:g}", f"{value:.2f}", target.is_met(value))
              for target, value in values if value is not None]
-    for of_conditions in (judged_load, judged_calm, judged_neighbour, judged_streams, judged_overload, judged_loss, judged_collapse):
+    for of_conditions in (judged_load, judged_calm, judged_neighbour, judged_status, judged_streams, judged_overload, judged_loss, judged_collapse):
         found += of_conditions(medians)
     return found
 
