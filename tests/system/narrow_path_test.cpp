@@ -64,10 +64,16 @@ struct NarrowPath {
 
     void push(std::uint16_t number, Rank rank, std::size_t size)
     {
+        add(number, rank, size);
+        task->wake();
+    }
+
+    /// Without a word to who sends.
+    void add(std::uint16_t number, Rank rank, std::size_t size)
+    {
         OutputQueue::Entry entry{{{{DeviceId(0x20010208U), number}, DeviceId(0x40018208U), Timestamp{1}}, {}}, rank, 0, std::nullopt, {}};
         entry.message.part.resize(size);
         queue.push(std::move(entry));
-        task->wake();
     }
 
     /// Writes until the kernel takes no more.
@@ -176,6 +182,27 @@ private Q_SLOTS:
         QVERIFY2(path.mostUnsent() > 0 && path.mostUnsent() < int(frame / 4), qPrintable(QString::number(path.mostUnsent())));
         const double most = std::max(begun, rate.rate()) * 1.25; // a burst's end may try a step more
         QVERIFY2(double(frame - frame / 4) / seconds <= most, qPrintable(QStringLiteral("%1 s").arg(seconds)));
+    }
+
+    /// Else many commands would carry along what has to wait for room.
+    void commandTakesNothingLongAlong()
+    {
+        NarrowPath path;
+        path.add(state, Rank::Status, segment);
+        path.add(motion, Rank::Control, 60);
+        path.task->wake();
+        QCOMPARE(path.task->bytesSent(), std::uint64_t{60 + protocol::headerSize});
+        QTRY_VERIFY((path.sendOn(), path.isEmptied() && path.queue.empty()));
+        QVERIFY(path.task->bytesSent() > segment);
+    }
+
+    void commandAndShortReportLeaveInOneWrite()
+    {
+        NarrowPath path;
+        path.add(state, Rank::Status, 64);
+        path.add(motion, Rank::Control, 60);
+        path.task->wake();
+        QCOMPARE(path.task->bytesSent(), std::uint64_t{60 + 64 + 2 * protocol::headerSize});
     }
 
     void commandWaitsForWhatTheKernelHasAndNoMore_data()

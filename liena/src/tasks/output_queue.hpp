@@ -86,8 +86,8 @@ public:
     /// A message of that class and number has not left whole.
     bool waits(Rank rank, std::uint16_t number) const;
 
-    /// Something waits that is not to wait for anything that has no haste: session management, safety or control.
-    bool hasUrgent() const { return !m_classes[0].turns.empty() || !m_classes[1].turns.empty(); }
+    /// Session management, safety or control waits.
+    bool hasUrgent() const { return hasAny(Rank::Safety) || hasAny(Rank::Control); }
 
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }
@@ -125,6 +125,7 @@ private:
         Load bounded;                            ///< what waits of it; not session management
     };
 
+    bool hasAny(Rank rank) const { return !m_classes[static_cast<std::size_t>(rank)].turns.empty(); }
     static bool isExpired(const Waiting& waiting, std::chrono::steady_clock::time_point now);
     Stream& streamOf(Class& ofRank, const Entry& entry);
     template <typename Out>

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void streamOfLongMessagesOwesNothing();
     void controlKeepsTheOrderOfAllItsMessages();
     void noHeartbeatWaitsBehindIncidents();
+    void whatHasNoHasteIsNotUrgent();
     void bothPartialsBeginAgainOnAnotherConnection();
     void newerSupersedesUndelivered();
     void historyKeepsThatMany();
@@ -146,6 +147,20 @@ void OutputQueueTest::noHeartbeatWaitsBehindIncidents()
     lane.push(0x0101, Rank::Control, "command");
     for (const char* expected : {"heartbeat", "command", "2", "3", "4", "-"})
         QCOMPARE(lane.next(), std::string(expected));
+}
+
+void OutputQueueTest::whatHasNoHasteIsNotUrgent()
+{
+    Lane lane;
+    for (const auto rank : {Rank::Incident, Rank::Status, Rank::Bulk, Rank::Last})
+        lane.push(0x0200, rank, "patient");
+    QVERIFY(!lane.queue.hasUrgent());
+    for (const auto rank : {Rank::Safety, Rank::Control}) {
+        lane.push(0x0101, rank, "urgent");
+        QVERIFY(lane.queue.hasUrgent());
+        QCOMPARE(lane.next(), std::string("urgent"));
+        QVERIFY(!lane.queue.hasUrgent());
+    }
 }
 
 void OutputQueueTest::bothPartialsBeginAgainOnAnotherConnection()
