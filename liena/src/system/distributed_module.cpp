@@ -166,7 +166,7 @@ void DistributedModule::perform(session::SessionAction& action)
         void operator()(const session::DiscardControl&) { module.m_laneZero.queue().discard(tasks::Rank::Control); }
         void operator()(const session::DiscardAll&)
         {
-            module.m_laneZero.queue().discardApplication();
+            module.m_laneZero.discardApplication();
             module.m_bulk.discardApplication();
         }
         void operator()(const session::Entered& change) { module.entered(change); }

@@ -120,6 +120,13 @@ bool OutputLane::push(OutputQueue::Entry&& entry)
     return true;
 }
 
+void OutputLane::discardApplication()
+{
+    m_queue->discardApplication();
+    if (m_task)
+        m_task->wake();
+}
+
 void OutputLane::gather(bool begins)
 {
     m_gathers = begins;

@@ -49,6 +49,9 @@ public:
     /// False when the queue is full.
     bool push(OutputQueue::Entry&& entry);
 
+    /// Of what waits; what had begun is abandoned, and the peer told.
+    void discardApplication();
+
     /// From its beginning to its end what is pushed only waits.
     void gather(bool begins);
 

@@ -86,8 +86,8 @@ public:
     /// A message of that class and number has not left whole.
     bool waits(Rank rank, std::uint16_t number) const;
 
-    /// Session management, safety or control waits.
-    bool hasUrgent() const { return hasAny(Rank::Safety) || hasAny(Rank::Control); }
+    /// Something waits that is not to wait for what may be passed: session management, safety, control, or news of incidents.
+    bool hasUrgent() const { return hasAny(Rank::Safety) || hasAny(Rank::Control) || hasAny(Rank::Incident); }
 
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace liena::tasks {
 
@@ -14,6 +15,7 @@ TransmissionTask::TransmissionTask(std::shared_ptr<transport::TcpChannel> channe
       m_settings(settings),
       m_rate(rate),
       m_look(m_channel->io()),
+      m_patience(m_channel->io()),
       m_lost(std::move(lost))
 {
     m_channel->tune(m_settings.traffic, m_settings.dscp);
@@ -30,6 +32,7 @@ TransmissionTask::~TransmissionTask() { close(); }
 void TransmissionTask::close()
 {
     m_look.cancel();
+    m_patience.cancel();
     m_channel->setListener(nullptr);
     m_channel->close();
 }
@@ -44,13 +47,16 @@ void TransmissionTask::wake()
 {
     if (m_writing || m_channel->isClosed())
         return;
-    const bool isPatient = mayBePassed() && m_buffers->batch.empty() && !m_queue->hasUrgent();
-    if (isPatient && !m_channel->hasRoom())
-        return;
+    const bool isPassable = mayBePassed();
+    const bool isUrgent = m_queue->hasUrgent() || !m_buffers->batch.empty();
+    const bool isPatient = isPassable && !isUrgent;
+    const bool isOverdue = isPatient && std::exchange(m_isOverdue, false);
     const auto now = std::chrono::steady_clock::now();
-    fill(now);
+    if (isPatient && !isOverdue && !m_channel->askForRoom())
+        return watchPatience(now);
+    fill(now, isPassable, isPassable && isUrgent);
     if (m_buffers->batch.empty()) {
-        m_channel->pause();
+        m_channel->nothingWaits();
         if (m_rate != nullptr)
             m_rate->pause(now, unsent());
         return;
@@ -60,10 +66,12 @@ void TransmissionTask::wake()
         if (!m_looking)
             watchPace(now);
     }
+    if (isPatient)
+        m_lastPatient = now;
     m_writing = true;
     m_bytesSent += m_buffers->batch.size();
     using Urgency = transport::TcpChannel::Urgency;
-    m_channel->write(m_buffers->batch.parts(), m_buffers, isPatient ? Urgency::Patient : Urgency::Urgent);
+    m_channel->write(m_buffers->batch.parts(), m_buffers, isPatient && !isOverdue ? Urgency::Patient : Urgency::Urgent);
 }
 
 /// On the way to another computer a command waits for what was written, and may pass what was not. What is short is soon over, and not
@@ -74,20 +82,40 @@ bool TransmissionTask::mayBePassed() const
     return m_settings.traffic == transport::TcpChannel::Traffic::Prompt && m_queue->bytes() > onePacket;
 }
 
-/// A paced write is no more than a millisecond's: the rate is judged between two of them. What is urgent takes nothing along that has to
-/// wait for room.
-void TransmissionTask::fill(std::chrono::steady_clock::time_point now)
+/// Many commands under way, or a queue that others build, may leave no room for long: what waits for it goes on all the same, slowly.
+void TransmissionTask::watchPatience(std::chrono::steady_clock::time_point now)
+{
+    if (std::exchange(m_watchesPatience, true))
+        return;
+    constexpr std::chrono::milliseconds least{20};
+    const auto facts = m_channel->facts();
+    const auto longest = least + (facts ? 2 * facts->roundTrip : std::chrono::nanoseconds{});
+    m_patience.at(now + longest, [this, longest] {
+        m_watchesPatience = false;
+        if (!mayBePassed())
+            return;
+        const auto later = std::chrono::steady_clock::now();
+        if (later - m_lastPatient < longest)
+            return watchPatience(later);
+        m_isOverdue = true;
+        wake();
+    });
+}
+
+/// A paced write is no more than a millisecond's: the rate is judged between two of them. `urgentOnly`: what is urgent takes nothing along
+/// that has to wait for room.
+void TransmissionTask::fill(std::chrono::steady_clock::time_point now, bool isPassable, bool urgentOnly)
 {
     auto segment = m_settings.segment;
     auto batch = m_settings.batch;
-    const bool isPassed = mayBePassed() && m_queue->hasUrgent();
-    if (mayBePassed())
+    if (isPassable)
         segment = batch = std::min(segment, m_channel->patientWrite());
     if (m_rate != nullptr) {
         segment = std::min(segment, m_rate->segment());
         batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, m_settings.batch);
     }
-    while (m_buffers->batch.size() < batch && (!isPassed || m_queue->hasUrgent()) && m_queue->appendNext(segment, now, m_buffers->batch)) {
+    while (m_buffers->batch.size() < batch && (!urgentOnly || m_queue->hasUrgent()) &&
+           m_queue->appendNext(segment, now, m_buffers->batch)) {
     }
 }
 

@@ -21,7 +21,7 @@ class TransmissionTask : public transport::TcpChannel::Listener, public PathRate
 public:
     struct Settings {
         std::size_t segment = 8192; ///< largest body
-        std::size_t batch = 32768;  ///< bytes per write, about; at most, where a command on its way to another computer would wait for it
+        std::size_t batch = 32768;  ///< bytes per write, about; fewer on lane 0 to another computer
         transport::TcpChannel::Traffic traffic = transport::TcpChannel::Traffic::Prompt;
         std::uint8_t dscp = 0;
         transport::WorkerThreads* workers = nullptr; ///< that may do the work; null: the network thread does
@@ -59,7 +59,8 @@ private:
     void rateChanged() override;
 
     bool mayBePassed() const;
-    void fill(std::chrono::steady_clock::time_point now);
+    void watchPatience(std::chrono::steady_clock::time_point now);
+    void fill(std::chrono::steady_clock::time_point now, bool isPassable, bool urgentOnly);
     void keepPace(std::chrono::steady_clock::time_point now);
     void watchPace(std::chrono::steady_clock::time_point now);
     std::uint32_t unsent() const;
@@ -79,6 +80,10 @@ private:
     double m_paced = 0; ///< bytes per second that the kernel was told with the last write
     transport::Timer m_look;
     bool m_looking = false;
+    transport::Timer m_patience;
+    bool m_watchesPatience = false;
+    bool m_isOverdue = false;                              ///< what is patient waited too long for room
+    std::chrono::steady_clock::time_point m_lastPatient{}; ///< write of it
     Lost m_lost;
     bool m_writing = false;
     std::uint64_t m_bytesSent = 0;

@@ -72,7 +72,7 @@ public:
     /// only between two writes: TLS keeps the buffer of a record for the rest of its write, and a longer one does not go into it.
     void limitBursts(std::size_t bytes);
 
-    /// Without that limit, what is written next is not joined with what the kernel has: it would take more into a packet that waits,
+    /// Without that limit: the kernel does not join what follows with what is written now. It would take it into a packet that waits,
     /// however full its buffer is.
     void keepApart(bool apart);
 

@@ -215,7 +215,7 @@ void TcpChannel::write(Parts parts, Keeper keeper, Urgency urgency)
 {
     m_parts = parts;
     m_done = 0;
-    m_keepsApart = urgency == Urgency::Patient;
+    m_urgency = urgency;
     openBuffer(urgency);
     m_writing.keeper = std::move(keeper);
     m_writing.active = true;
@@ -263,7 +263,7 @@ TcpChannel::Step TcpChannel::step(Way& way, std::size_t most)
     const auto begin = counted ? std::chrono::steady_clock::now() : std::chrono::steady_clock::time_point();
     if (&way == &m_writing) {
         m_end.limitBursts(m_burst);
-        m_end.keepApart(m_keepsApart);
+        m_end.keepApart(m_urgency == Urgency::Patient);
     }
     auto done = &way == &m_reading ? m_end.read(m_room, most) : m_end.write(m_parts, m_done, most);
     if (counted)
@@ -329,13 +329,14 @@ void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
     if (m_expectsPrompt && &way == &m_reading)
         acknowledge();
     if (&way == &m_writing && need == StreamEnd::Need::Writable)
-        enlargeBuffer();
+        fitUrgentBuffer();
     m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
                         Ready{shared_from_this(), &way});
 }
 
-/// While a third of the buffer is free, and less is unsent than the kernel was told.
-bool TcpChannel::hasRoom()
+/// There is room while a third of the buffer is free, and less than half as much is unsent as the kernel was told. An urgent write opens
+/// the buffer, so that the wait ends early, and who is told asks again.
+bool TcpChannel::askForRoom()
 {
     if (m_makingRoom.active || m_closed)
         return false;
@@ -359,13 +360,14 @@ void TcpChannel::openBuffer(Urgency urgency)
         set(m_descriptor, SOL_SOCKET, SO_SNDBUF, wanted);
 }
 
-/// Of what is urgent: what is patient leaves when there is room.
-void TcpChannel::enlargeBuffer()
+/// A write has to wait. What is patient asked for room before; what is left of it has begun, and leaves before all else.
+void TcpChannel::fitUrgentBuffer()
 {
-    if (const auto facts = m_buffer != 0 ? readPathFacts(m_descriptor) : std::nullopt) {
+    if (m_buffer == 0)
+        return;
+    if (const auto facts = m_urgency == Urgency::Urgent ? readPathFacts(m_descriptor) : std::nullopt)
         m_urgentBuffer = PromptBuffer::next(m_urgentBuffer, *facts, m_mostUnsent);
-        openBuffer(Urgency::Urgent);
-    }
+    openBuffer(Urgency::Urgent);
 }
 
 void TcpChannel::later(Way& way) { asio::post(m_io, Ready{shared_from_this(), &way}); }

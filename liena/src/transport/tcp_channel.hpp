@@ -6,6 +6,7 @@
 #include "security/datagram_seal.hpp"
 #include "transport/handler_memory.hpp"
 #include "transport/path_facts.hpp"
+#include "transport/patient_buffer.hpp"
 #include "transport/prompt_buffer.hpp"
 #include "transport/stream_end.hpp"
 
@@ -39,7 +40,7 @@ public:
         virtual ~Listener() = default;
         virtual void bytesRead(std::size_t count) = 0;
         virtual void bytesWritten() = 0;
-        virtual void roomMade() {} ///< after hasRoom() said no
+        virtual void roomMade() {} ///< after askForRoom() said no
         /// The connection failed or was closed by the peer; once. `identity`: TLS ended it over a certificate.
         virtual void channelLost(const std::string& detail, bool identity) = 0;
     };
@@ -82,15 +83,15 @@ public:
     /// `keeper` does. Under TLS each part is sealed by itself.
     void write(Parts parts, Keeper keeper = nullptr, Urgency urgency = Urgency::Urgent);
 
-    /// Whether a patient write would leave now; otherwise roomMade() tells as soon as it would. Only of Traffic::Prompt, with no write in
+    /// Whether a patient write would leave now; otherwise roomMade() tells when to ask again. Only of Traffic::Prompt, with no write in
     /// flight; an urgent one may come before.
-    bool hasRoom();
+    bool askForRoom();
 
     /// Bytes of a patient write that leave in one piece.
     std::size_t patientWrite() const { return m_patient.write(); }
 
-    /// Nothing waits to be written.
-    void pause() { m_patient.pause(); }
+    /// To be called when nothing waits to be written.
+    void nothingWaits() { m_patient.pause(); }
 
     /// What we send on this connection: small messages that must not wait, the same to a peer on this computer, where no path is shared, or
     /// much.
@@ -159,7 +160,7 @@ private:
     void settle(Way& way, const Step& done);
     void awaitNeed(Way& way, StreamEnd::Need need);
     void openBuffer(Urgency urgency);
-    void enlargeBuffer();
+    void fitUrgentBuffer();
     void later(Way& way);
     void lose(const StreamEnd::Failure& failure);
     void end();
@@ -176,11 +177,11 @@ private:
     Way m_makingRoom; ///< active: for patient bytes that are not written yet
     Room m_room;
     Parts m_parts;
-    std::size_t m_done = 0;    ///< bytes of m_parts that have left
-    std::size_t m_burst = 0;   ///< for the next write
-    bool m_keepsApart = false; ///< in the next write
-    int m_buffer = 0;          ///< that the kernel has been given, where messages must not wait; 0: as it likes
-    int m_mostUnsent = 0;      ///< the same
+    std::size_t m_done = 0;              ///< bytes of m_parts that have left
+    std::size_t m_burst = 0;             ///< for the next write
+    Urgency m_urgency = Urgency::Urgent; ///< of the last write
+    int m_buffer = 0;                    ///< that the kernel has been given, where messages must not wait; 0: as it likes
+    int m_mostUnsent = 0;                ///< the same
     int m_urgentBuffer = PromptBuffer::smallest;
     PatientBuffer m_patient;
     WorkerThreads* m_workers = nullptr;

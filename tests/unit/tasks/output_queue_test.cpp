@@ -152,10 +152,10 @@ void OutputQueueTest::noHeartbeatWaitsBehindIncidents()
 void OutputQueueTest::whatHasNoHasteIsNotUrgent()
 {
     Lane lane;
-    for (const auto rank : {Rank::Incident, Rank::Status, Rank::Bulk, Rank::Last})
+    for (const auto rank : {Rank::Status, Rank::Bulk, Rank::Last})
         lane.push(0x0200, rank, "patient");
     QVERIFY(!lane.queue.hasUrgent());
-    for (const auto rank : {Rank::Safety, Rank::Control}) {
+    for (const auto rank : {Rank::Safety, Rank::Control, Rank::Incident}) {
         lane.push(0x0101, rank, "urgent");
         QVERIFY(lane.queue.hasUrgent());
         QCOMPARE(lane.next(), std::string("urgent"));
