@@ -76,7 +76,7 @@ public:
     void read(Room room, Keeper keeper = nullptr);
     void read(std::span<std::byte> buffer, Keeper keeper = nullptr) { read(Room{{}, buffer}, std::move(keeper)); }
 
-    /// Patient: what may be passed, of which the kernel is given no more than keeps the path busy.
+    /// Patient: what may be passed, of which the kernel is given little at a time; see PatientBuffer.
     enum class Urgency : std::uint8_t { Patient, Urgent };
 
     /// One write in flight at a time; all of `parts`, in order. They and their bytes stay until bytesWritten; after close() for as long as
@@ -181,7 +181,7 @@ private:
     std::size_t m_burst = 0;             ///< for the next write
     Urgency m_urgency = Urgency::Urgent; ///< of the last write
     int m_buffer = 0;                    ///< that the kernel has been given, where messages must not wait; 0: as it likes
-    int m_mostUnsent = 0;                ///< the same
+    int m_mostUnsent = 0;                ///< bytes that the kernel was told to take at most before they are sent
     int m_urgentBuffer = PromptBuffer::smallest;
     PatientBuffer m_patient;
     WorkerThreads* m_workers = nullptr;
