@@ -60,10 +60,12 @@ Reading expectedOf(std::span<const std::byte> stream)
 }
 
 /// A connection hands its decoder on behind the first datagram: there the decoder is stopped once and goes on. `lands`: what is awaited of
-/// a body goes past the decoder's buffer.
+/// a body goes past the decoder's buffer, with so much of what follows; nothing: into the buffer.
 class Reader {
 public:
-    Reader(bool handsOn, bool lands) : m_handsOn(handsOn), m_lands(lands) {}
+    using Lands = std::optional<DatagramDecoder::ReadAhead>;
+
+    Reader(bool handsOn, Lands lands) : m_handsOn(handsOn), m_lands(lands) {}
 
     bool read(std::span<const std::byte> chunk)
     {
@@ -72,7 +74,7 @@ public:
                 const auto place = std::make_shared<std::vector<std::byte>>(m_decoder.awaited());
                 m_decoder.landIn(*place, place);
             }
-            const auto room = m_decoder.room();
+            const auto room = m_decoder.room(m_lands.value_or(DatagramDecoder::ReadAhead::Header));
             expect(!room.buffer.empty(), "there is always room for more bytes");
             const auto part = chunk.first(std::min(chunk.size(), room.landing.size() + room.buffer.size()));
             const auto landing = part.first(std::min(part.size(), room.landing.size()));
@@ -122,7 +124,7 @@ private:
     DatagramDecoder m_decoder;
     std::vector<std::byte> m_pieces;
     bool m_handsOn;
-    bool m_lands;
+    Lands m_lands;
     Reading m_reading;
 };
 
@@ -137,7 +139,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         chunk = input.number<std::uint8_t>();
     const auto stream = input.rest();
 
-    for (const bool lands : {false, true}) {
+    using ReadAhead = DatagramDecoder::ReadAhead;
+    for (const Reader::Lands lands : {Reader::Lands(), Reader::Lands(ReadAhead::Header), Reader::Lands(ReadAhead::All)}) {
         Reader reader(handsOn, lands);
         auto left = stream;
         for (std::size_t i = 0; !left.empty(); ++i) {

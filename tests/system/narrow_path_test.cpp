@@ -3,6 +3,7 @@
 #include "tasks/transmission_task.hpp"
 #include "transport/patient_buffer.hpp"
 #include "transport/prompt_buffer.hpp"
+#include "transport/worker_threads.hpp"
 
 #include <boost/asio/ip/tcp.hpp>
 
@@ -184,6 +185,24 @@ private Q_SLOTS:
         QVERIFY2(path.mostUnsent() > 0 && path.mostUnsent() < int(frame / 4), qPrintable(QString::number(path.mostUnsent())));
         const double most = std::max(begun, rate.rate()) * 1.25; // a burst's end may try a step more
         QVERIFY2(double(frame - frame / 4) / seconds <= most, qPrintable(QStringLiteral("%1 s").arg(seconds)));
+    }
+
+    /// To hand a write over wakes two threads, however short it is.
+    void workersAreGivenMuchAtATime()
+    {
+        constexpr std::size_t frame = 1'000'000;
+        PathRate rate;
+        rate.beginAt(PathRate::most);
+        NarrowPath alone(&rate);
+        alone.push(state, Rank::Bulk, frame);
+        QVERIFY2(alone.task->bytesSent() <= 8 * segment, qPrintable(QString::number(alone.task->bytesSent())));
+        NarrowPath path(&rate);
+        WorkerThreads workers(path.io, [] {});
+        path.channel->shareWork(workers);
+        workers.resize(1);
+        path.push(state, Rank::Bulk, frame);
+        QVERIFY2(path.task->bytesSent() >= 16 * segment, qPrintable(QString::number(path.task->bytesSent())));
+        QVERIFY2(path.task->bytesSent() <= 20 * segment, qPrintable(QString::number(path.task->bytesSent())));
     }
 
     /// Commands under way, or others' queues, may leave no room for long.

@@ -15,11 +15,10 @@ std::span<std::byte> DatagramDecoder::writable()
     return {m_buffer.get() + m_end, bufferSize - m_end};
 }
 
-/// Behind a body comes a header: more than that is not read with it, so that the next body can land, too.
-DatagramDecoder::Room DatagramDecoder::room()
+DatagramDecoder::Room DatagramDecoder::room(ReadAhead ahead)
 {
     const auto buffer = writable();
-    return {m_landing, m_landing.empty() ? buffer : buffer.first(headerSize)};
+    return {m_landing, m_landing.empty() || ahead == ReadAhead::All ? buffer : buffer.first(headerSize)};
 }
 
 void DatagramDecoder::commit(std::size_t bytes)

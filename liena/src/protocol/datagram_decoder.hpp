@@ -34,7 +34,13 @@ public:
         std::span<std::byte> landing;
         std::span<std::byte> buffer;
     };
-    Room room();
+
+    /// What is read together with a body that lands elsewhere.
+    enum class ReadAhead : std::uint8_t {
+        Header, ///< the next one, so that its body can land, too
+        All,    ///< as much as the buffer takes, to be copied from there: where reading often costs more than that
+    };
+    Room room(ReadAhead ahead = ReadAhead::Header);
     void commit(std::size_t bytes);
 
     /// How much of a body that is taken in pieces has not come yet, when nothing of what follows it has.

@@ -71,9 +71,10 @@ void ReceptionTask::process()
 /// What is missing of a long message's segment goes from the connection to the message's own buffer.
 void ReceptionTask::readOn()
 {
+    using ReadAhead = protocol::DatagramDecoder::ReadAhead;
     if (auto place = m_reassembler.place(m_decoder->awaited()); !place.bytes.empty())
         m_decoder->landIn(place.bytes, std::move(place.keeper));
-    const auto room = m_decoder->room();
+    const auto room = m_decoder->room(m_channel->hasWorkers() ? ReadAhead::All : ReadAhead::Header);
     m_channel->read({room.landing, room.buffer}, m_decoder);
 }
 

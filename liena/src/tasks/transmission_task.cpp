@@ -7,6 +7,12 @@
 
 namespace liena::tasks {
 
+namespace {
+
+constexpr std::size_t worthHandingOver = 128 * 1024; // bytes, about, of a write that another thread makes
+
+} // namespace
+
 TransmissionTask::TransmissionTask(std::shared_ptr<transport::TcpChannel> channel, OutputQueue& queue, Settings settings, PathRate* rate,
                                    Lost lost)
     : m_channel(std::move(channel)),
@@ -70,7 +76,7 @@ void TransmissionTask::wake()
         m_lastPatient = now;
     m_writing = true;
     m_bytesSent += m_buffers->batch.size();
-    using Urgency = transport::TcpChannel::Urgency;
+    using transport::Urgency;
     m_channel->write(m_buffers->batch.parts(), m_buffers, isPatient && !isOverdue ? Urgency::Patient : Urgency::Urgent);
 }
 
@@ -107,12 +113,12 @@ void TransmissionTask::watchPatience(std::chrono::steady_clock::time_point now)
 void TransmissionTask::fill(std::chrono::steady_clock::time_point now, bool isPassable, bool urgentOnly)
 {
     auto segment = m_settings.segment;
-    auto batch = m_settings.batch;
+    auto batch = m_channel->hasWorkers() ? worthHandingOver : m_settings.batch;
     if (isPassable)
         segment = batch = std::min(segment, m_channel->patientWrite());
     if (m_rate != nullptr) {
         segment = std::min(segment, m_rate->segment());
-        batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, m_settings.batch);
+        batch = std::clamp(static_cast<std::size_t>(m_rate->rate() / 1000), segment, batch);
     }
     while (m_buffers->batch.size() < batch && (!urgentOnly || m_queue->hasUrgent()) &&
            m_queue->appendNext(segment, now, m_buffers->batch)) {

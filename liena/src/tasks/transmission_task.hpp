@@ -21,7 +21,7 @@ class TransmissionTask : public transport::TcpChannel::Listener, public PathRate
 public:
     struct Settings {
         std::size_t segment = 8192; ///< largest body
-        std::size_t batch = 32768;  ///< bytes per write, about; fewer on lane 0 to another computer
+        std::size_t batch = 32768;  ///< bytes per write, about; fewer on lane 0 to another computer, more where workers write
         transport::TcpChannel::Traffic traffic = transport::TcpChannel::Traffic::Prompt;
         std::uint8_t dscp = 0;
         transport::WorkerThreads* workers = nullptr; ///< that may do the work; null: the network thread does

@@ -94,10 +94,9 @@ void TcpChannel::tune(Traffic traffic, std::uint8_t dscp)
         return;
     retransmitSoon(m_descriptor);
     m_end.keepBuffers();
-    m_buffer = PromptBuffer::smallest;
-    set(m_descriptor, SOL_SOCKET, SO_SNDBUF, m_buffer);
-    m_mostUnsent = traffic == Traffic::Prompt ? PromptBuffer::unsent : PromptBuffer::unsentHere;
-    set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, m_mostUnsent);
+    const int mostUnsent = traffic == Traffic::Prompt ? PromptBuffer::unsent : PromptBuffer::unsentHere;
+    set(m_descriptor, SOL_SOCKET, SO_SNDBUF, m_buffer.begin(mostUnsent));
+    set(m_descriptor, IPPROTO_TCP, TCP_NOTSENT_LOWAT, mostUnsent);
 }
 
 void TcpChannel::expectPrompt()
@@ -216,7 +215,7 @@ void TcpChannel::write(Parts parts, Keeper keeper, Urgency urgency)
     m_parts = parts;
     m_done = 0;
     m_urgency = urgency;
-    openBuffer(urgency);
+    fitBuffer(urgency);
     m_writing.keeper = std::move(keeper);
     m_writing.active = true;
     if (m_stepInFlight)
@@ -329,7 +328,7 @@ void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
     if (m_expectsPrompt && &way == &m_reading)
         acknowledge();
     if (&way == &m_writing && need == StreamEnd::Need::Writable)
-        fitUrgentBuffer();
+        awaitRoom();
     m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
                         Ready{shared_from_this(), &way});
 }
@@ -340,34 +339,33 @@ bool TcpChannel::askForRoom()
 {
     if (m_makingRoom.active || m_closed)
         return false;
-    openBuffer(Urgency::Patient);
+    fitBuffer(Urgency::Patient);
     pollfd asked{m_descriptor, POLLOUT, 0};
     if (::poll(&asked, 1, 0) != 0)
         return true; // or an error, which the write meets
     if (const auto facts = readPathFacts(m_descriptor)) {
-        m_patient.full(*facts);
-        openBuffer(Urgency::Patient);
+        m_buffer.full(Urgency::Patient, *facts);
+        fitBuffer(Urgency::Patient);
     }
     m_makingRoom.active = true;
     m_socket.async_wait(tcp::socket::wait_write, Ready{shared_from_this(), &m_makingRoom});
     return false;
 }
 
-void TcpChannel::openBuffer(Urgency urgency)
+void TcpChannel::fitBuffer(Urgency urgency)
 {
-    const int wanted = urgency == Urgency::Patient ? m_patient.bytes() : std::max(m_urgentBuffer, m_patient.bytes());
-    if (m_buffer != 0 && std::exchange(m_buffer, wanted) != wanted)
-        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, wanted);
+    if (const auto bytes = m_buffer.fit(urgency))
+        set(m_descriptor, SOL_SOCKET, SO_SNDBUF, *bytes);
 }
 
 /// A write has to wait. What is patient asked for room before; what is left of it has begun, and leaves before all else.
-void TcpChannel::fitUrgentBuffer()
+void TcpChannel::awaitRoom()
 {
-    if (m_buffer == 0)
+    if (!m_buffer.isOurs())
         return;
     if (const auto facts = m_urgency == Urgency::Urgent ? readPathFacts(m_descriptor) : std::nullopt)
-        m_urgentBuffer = PromptBuffer::next(m_urgentBuffer, *facts, m_mostUnsent);
-    openBuffer(Urgency::Urgent);
+        m_buffer.full(Urgency::Urgent, *facts);
+    fitBuffer(Urgency::Urgent);
 }
 
 void TcpChannel::later(Way& way) { asio::post(m_io, Ready{shared_from_this(), &way}); }

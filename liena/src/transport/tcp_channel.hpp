@@ -5,9 +5,8 @@
 #include "liena/error.hpp"
 #include "security/datagram_seal.hpp"
 #include "transport/handler_memory.hpp"
+#include "transport/kernel_buffer.hpp"
 #include "transport/path_facts.hpp"
-#include "transport/patient_buffer.hpp"
-#include "transport/prompt_buffer.hpp"
 #include "transport/stream_end.hpp"
 
 #include <boost/asio/io_context.hpp>
@@ -72,12 +71,12 @@ public:
     /// From now on worker threads do the steps, whenever there are some; `workers` outlives the connection.
     void shareWork(WorkerThreads& workers) { m_workers = &workers; }
 
+    /// Worker threads do the steps now. Each wakes two threads, however short it is: who reads or writes much at a time has fewer.
+    bool hasWorkers() const;
+
     /// One read in flight at a time. `room` stays until bytesRead; after close() for as long as `keeper` does.
     void read(Room room, Keeper keeper = nullptr);
     void read(std::span<std::byte> buffer, Keeper keeper = nullptr) { read(Room{{}, buffer}, std::move(keeper)); }
-
-    /// Patient: what may be passed, of which the kernel is given little at a time; see PatientBuffer.
-    enum class Urgency : std::uint8_t { Patient, Urgent };
 
     /// One write in flight at a time; all of `parts`, in order. They and their bytes stay until bytesWritten; after close() for as long as
     /// `keeper` does. Under TLS each part is sealed by itself.
@@ -88,10 +87,10 @@ public:
     bool askForRoom();
 
     /// Bytes of a patient write that leave in one piece.
-    std::size_t patientWrite() const { return m_patient.write(); }
+    std::size_t patientWrite() const { return m_buffer.patientWrite(); }
 
     /// To be called when nothing waits to be written.
-    void nothingWaits() { m_patient.pause(); }
+    void nothingWaits() { m_buffer.pause(); }
 
     /// What we send on this connection: small messages that must not wait, the same to a peer on this computer, where no path is shared, or
     /// much.
@@ -154,13 +153,12 @@ private:
     void pursueHandshake();
     void goOn(Way& way);
     Step step(Way& way, std::size_t most);
-    bool hasWorkers() const;
     void startOnWorker(Way& way);
     void stepFinished(Way& way, const Step& done);
     void settle(Way& way, const Step& done);
     void awaitNeed(Way& way, StreamEnd::Need need);
-    void openBuffer(Urgency urgency);
-    void fitUrgentBuffer();
+    void fitBuffer(Urgency urgency);
+    void awaitRoom();
     void later(Way& way);
     void lose(const StreamEnd::Failure& failure);
     void end();
@@ -180,10 +178,7 @@ private:
     std::size_t m_done = 0;              ///< bytes of m_parts that have left
     std::size_t m_burst = 0;             ///< for the next write
     Urgency m_urgency = Urgency::Urgent; ///< of the last write
-    int m_buffer = 0;                    ///< that the kernel has been given, where messages must not wait; 0: as it likes
-    int m_mostUnsent = 0;                ///< bytes that the kernel was told to take at most before they are sent
-    int m_urgentBuffer = PromptBuffer::smallest;
-    PatientBuffer m_patient;
+    KernelBuffer m_buffer;
     WorkerThreads* m_workers = nullptr;
     std::uint64_t m_mark = 0;
     Listener* m_listener = nullptr;

@@ -108,7 +108,7 @@ private Q_SLOTS:
     void handsOnABodyInPiecesAsItComes();
     void piecesKeepTheirOrderBesideWholeBodies_data();
     void piecesKeepTheirOrderBesideWholeBodies();
-    void bodiesInPiecesLandWhereTheyAreWanted_data() { piecesKeepTheirOrderBesideWholeBodies_data(); }
+    void bodiesInPiecesLandWhereTheyAreWanted_data();
     void bodiesInPiecesLandWhereTheyAreWanted();
 };
 
@@ -344,10 +344,21 @@ void DatagramTest::piecesKeepTheirOrderBesideWholeBodies()
     QCOMPARE(ends, 5 + 1 + 1); // segments of 0x0200
 }
 
-/// As a connection reads: what is awaited of a body goes past the decoder's buffer, and then comes one header with it.
+void DatagramTest::bodiesInPiecesLandWhereTheyAreWanted_data()
+{
+    QTest::addColumn<quint64>("chunk");
+    QTest::addColumn<bool>("all");
+    for (const bool all : {false, true})
+        for (const quint64 chunk : {1, 7, 20, 21, 1000, 65536})
+            QTest::addRow("%llu, %s", static_cast<unsigned long long>(chunk), all ? "and what follows" : "and a header") << chunk << all;
+}
+
+/// As a connection reads: what is awaited of a body goes past the decoder's buffer, and then come one header or all that fits with it.
 void DatagramTest::bodiesInPiecesLandWhereTheyAreWanted()
 {
+    using ReadAhead = DatagramDecoder::ReadAhead;
     QFETCH(quint64, chunk);
+    QFETCH(bool, all);
     const std::vector messages{messageOf(40000, 0x0200), messageOf(30, 0x0201), messageOf(5000, 0x0200), messageOf(20, 0x0200)};
     const auto stream = streamOf(messages, 16384);
     DatagramDecoder decoder;
@@ -360,8 +371,8 @@ void DatagramTest::bodiesInPiecesLandWhereTheyAreWanted()
     for (std::span<const std::byte> left = stream; !left.empty();) {
         if (decoder.awaited() > 0)
             decoder.landIn(std::span(*place).first(decoder.awaited()), place);
-        const auto room = decoder.room();
-        QVERIFY(room.landing.empty() || room.buffer.size() == headerSize);
+        const auto room = decoder.room(all ? ReadAhead::All : ReadAhead::Header);
+        QVERIFY(room.landing.empty() || all == (room.buffer.size() > headerSize));
         const auto count = std::min({static_cast<std::size_t>(chunk), left.size(), room.landing.size() + room.buffer.size()});
         const auto first = std::min(count, room.landing.size());
         std::copy_n(left.begin(), first, room.landing.begin());
