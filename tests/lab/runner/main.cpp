@@ -35,10 +35,11 @@ struct Options {
     bool spread = false;
     bool loss = false;
     bool memory = false;
+    bool share = false;
     bool soak = false;
     int spin = 0; ///< ms
 
-    bool all() const { return faults.empty() && !spread && !loss && !memory && !soak; }
+    bool all() const { return faults.empty() && !spread && !loss && !memory && !share && !soak; }
 };
 
 int listFaults()
@@ -112,6 +113,8 @@ bool runAll(const Options& options)
         holds &= studyLoss(options.study);
     if (options.all() || options.memory)
         holds &= studyMemory(options.study);
+    if (options.all() || options.share)
+        holds &= studyShare(options.study);
     if (options.soak)
         holds &= soak(options.study);
     return holds;
@@ -127,6 +130,7 @@ void addOptions(CLI::App& app, Options& options)
     app.add_flag("--loss", options.loss, "false alarms under loss");
     app.add_option("--loss-seconds", options.study.lossSeconds, "at each rate of loss")->check(CLI::Range(1, 86'400));
     app.add_flag("--memory", options.memory, "memory per idle session");
+    app.add_flag("--share", options.share, "how two sessions of one device share a line");
     app.add_flag("--soak", options.soak, "a random fault every half minute");
     app.add_option("--hours", options.study.soakHours, "of the soak")->check(CLI::Range(0.01, 1000.0));
     app.add_option("--interval", options.study.soakInterval, "seconds from fault to fault of the soak")->check(CLI::Range(5, 3600));

@@ -18,10 +18,11 @@ bool isOpen(Rig& rig, const std::string& link)
     return rig[a].stateOf(b) == "open" && rig[b].stateOf(a) == "open";
 }
 
-void openEveryLink(Rig& rig)
+void openEveryLink(Rig& rig) { openLinks(rig, rig.plan().links); }
+
+void openLinks(Rig& rig, const std::vector<std::string>& links)
 {
     constexpr int patience = 10;
-    const auto& links = rig.plan().links;
     const auto allOpen = [&] { return std::all_of(links.begin(), links.end(), [&](const auto& link) { return isOpen(rig, link); }); };
     for (int press = 0; press < patience && !allOpen(); ++press) {
         for (const auto& link : links) {

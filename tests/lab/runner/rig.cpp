@@ -79,10 +79,10 @@ Rig::Rig(SystemPlan plan, RigOptions options)
 {
     if (options.keep)
         m_files.keep();
-    for (std::size_t port = 0; port < m_plan.devices.size(); ++port) {
+    for (std::size_t i = 0; i < m_plan.devices.size(); ++i) {
         m_devices.push_back(std::make_unique<RigDevice>());
-        m_devices.back()->name = m_plan.devices[port].name;
-        m_devices.back()->port = port;
+        m_devices.back()->name = m_plan.devices[i].name;
+        m_devices.back()->port = m_plan.portOf(i);
     }
     startWire(options.seed);
     m_networks.configure();

@@ -15,6 +15,7 @@ public:
         if (value)
             m_values.push_back(*value);
     }
+    void add(const Sample& other) { m_values.insert(m_values.end(), other.m_values.begin(), other.m_values.end()); }
     bool empty() const { return m_values.empty(); }
     std::size_t size() const { return m_values.size(); }
 

@@ -1,4 +1,5 @@
-// Measurements that are no single fault: how fast a stand-by is known, how often it is false, what an idle session costs, and the soak.
+// Measurements that are no single fault: how fast a stand-by is known, how often it is false, what an idle session costs, how sessions
+// share a line, and the soak.
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@ struct StudyOptions {
 bool studySpread(const StudyOptions& options);
 bool studyLoss(const StudyOptions& options);
 bool studyMemory(const StudyOptions& options);
+bool studyShare(const StudyOptions& options);
 bool soak(const StudyOptions& options);
 
 } // namespace liena::lab

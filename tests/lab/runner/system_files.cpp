@@ -15,16 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto port = "52200";
+constexpr std::size_t firstPort = 52200;
 constexpr auto oneWeek = std::chrono::hours(24 * 7);
 
-DevicePlan cockpitPlan() { return {"cockpit", "0x40018208", "siat-cockpit"}; }
+DevicePlan cockpitPlan() { return {"cockpit", "0x40018208", "siat-cockpit", {}}; }
 
 DevicePlan robotPlan(std::size_t index)
 {
     constexpr std::string_view lastDigits = "89abcde"; // seven devices of one type
-    return {index == 0 ? "robot" : "robot" + std::to_string(index + 1), "0x0000820" + std::string(1, lastDigits.at(index)),
-            "vascular-robot"};
+    return {index == 0 ? "robot" : "robot" + std::to_string(index + 1),
+            "0x0000820" + std::string(1, lastDigits.at(index)),
+            "vascular-robot",
+            {}};
 }
 
 fs::path makeFolder()
@@ -43,7 +45,15 @@ SystemPlan plans::pair() { return {{cockpitPlan(), robotPlan(0)}, {"cockpit robo
 
 SystemPlan plans::withPictures()
 {
-    return {{cockpitPlan(), robotPlan(0), {"xray", "0x20010208", "cbct-xray"}}, {"cockpit robot", "cockpit xray"}, {}};
+    return {{cockpitPlan(), robotPlan(0), {"xray", "0x20010208", "cbct-xray", {}}}, {"cockpit robot", "cockpit xray"}, {}};
+}
+
+SystemPlan plans::twoViewers()
+{
+    auto plan = withPictures();
+    plan.devices.push_back({"viewer", "0x40018209", "siat-cockpit", 0});
+    plan.links.insert(plan.links.end(), {"viewer robot", "viewer xray"});
+    return plan;
 }
 
 SystemPlan plans::star(std::size_t devices)
@@ -87,7 +97,7 @@ void SystemFiles::writeTopology(const SystemPlan& plan) const
          << "  <timing heartbeat=\"20ms\" suspect=\"70ms\" lost=\"110ms\" reconnect=\"500ms\"/>\n  <security mode=\"tls\"/>\n";
     for (std::size_t i = 0; i < plan.devices.size(); ++i)
         file << "  <device name=\"" << plan.devices[i].name << "\" id=\"" << plan.devices[i].id << "\" message-set=\""
-             << plan.devices[i].set << "\" host=\"" << Networks::addressOf(i) << "\" port=\"" << port << "\"/>\n";
+             << plan.devices[i].set << "\" host=\"" << Networks::addressOf(plan.portOf(i)) << "\" port=\"" << firstPort + i << "\"/>\n";
     for (const auto& link : plan.links)
         file << "  <link between=\"" << link << "\"/>\n";
     file << "</topology>\n";

@@ -14,17 +14,21 @@ struct DevicePlan {
     std::string name;
     std::string id;
     std::string set;
+    std::optional<std::size_t> beside; ///< a device on the same computer; nothing: on one of its own
 };
 
 struct SystemPlan {
-    std::vector<DevicePlan> devices; ///< device i stands at port i of the wire
+    std::vector<DevicePlan> devices; ///< device i stands at port i of the wire, or beside another
     std::vector<std::string> links;  ///< "cockpit robot"
     std::vector<std::string> flags;  ///< of every lab_device
+
+    std::size_t portOf(std::size_t device) const { return devices[device].beside.value_or(device); }
 };
 
 namespace plans {
 SystemPlan pair();                    ///< cockpit and robot
 SystemPlan withPictures();            ///< … and an X-ray system, linked to the cockpit
+SystemPlan twoViewers();              ///< … and a second cockpit on the first one's computer, linked to both
 SystemPlan mesh(std::size_t devices); ///< a cockpit and robots, every pair linked
 SystemPlan star(std::size_t devices); ///< a cockpit with a link to each robot, no others
 } // namespace plans
