@@ -328,7 +328,7 @@ void TcpChannel::awaitNeed(Way& way, StreamEnd::Need need)
     if (m_expectsPrompt && &way == &m_reading)
         acknowledge();
     if (&way == &m_writing && need == StreamEnd::Need::Writable)
-        awaitRoom();
+        fitWhileWaiting();
     m_socket.async_wait(need == StreamEnd::Need::Writable ? tcp::socket::wait_write : tcp::socket::wait_read,
                         Ready{shared_from_this(), &way});
 }
@@ -359,7 +359,7 @@ void TcpChannel::fitBuffer(Urgency urgency)
 }
 
 /// A write has to wait. What is patient asked for room before; what is left of it has begun, and leaves before all else.
-void TcpChannel::awaitRoom()
+void TcpChannel::fitWhileWaiting()
 {
     if (!m_buffer.isOurs())
         return;

@@ -158,7 +158,7 @@ private:
     void settle(Way& way, const Step& done);
     void awaitNeed(Way& way, StreamEnd::Need need);
     void fitBuffer(Urgency urgency);
-    void awaitRoom();
+    void fitWhileWaiting();
     void later(Way& way);
     void lose(const StreamEnd::Failure& failure);
     void end();

@@ -2,6 +2,7 @@
 #include "runner/judge.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace liena::lab {
 
@@ -140,6 +141,14 @@ void Judge::judgeRobot(Robot& robot, const RigDevice& device, const Record& reco
     }
     if (kind == "moves" && !robot.armed)
         pass.find(pass.tally.unbidden, device, record, "the drives began to move without having been armed anew");
+}
+
+bool concludes(const Tally& tally, const std::vector<std::string>& findings)
+{
+    for (const auto& finding : findings)
+        std::printf("    BROKEN: %s\n", finding.c_str());
+    std::fflush(stdout);
+    return findings.empty() && tally.broken() == 0;
 }
 
 } // namespace liena::lab

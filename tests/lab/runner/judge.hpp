@@ -25,6 +25,9 @@ struct Tally {
     void add(const Tally& other);
 };
 
+/// Prints the findings; true when there are none and nothing was broken.
+bool concludes(const Tally& tally, const std::vector<std::string>& findings);
+
 /// Reads the records of a rig in order, each once.
 class Judge {
 public:

@@ -74,10 +74,7 @@ bool studyOne(Rig& rig, Judge& judge, const std::string& title, const std::strin
     std::printf("%-26s %zu links x %d s = %.3f link hours: suspect %s, interrupted %s, stand-by %s; processes stalled %d; stall %.1f ms\n",
                 title.c_str(), rig.plan().links.size(), options.lossSeconds, hours, rate(counts.suspect, hours).c_str(),
                 rate(counts.interrupted, hours).c_str(), rate(counts.standBy, hours).c_str(), counts.stalls, stall);
-    for (const auto& line : broken)
-        std::printf("    BROKEN: %s\n", line.c_str());
-    std::fflush(stdout);
-    return broken.empty() && tally.broken() == 0;
+    return concludes(tally, broken);
 }
 
 } // namespace

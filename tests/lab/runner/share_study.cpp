@@ -94,10 +94,7 @@ bool studyOne(const Line& line, Viewers viewers, const StudyOptions& options)
         if (!isOpen(rig, link))
             broken.push_back("the link " + link + " is not open");
     tally.add(judge.judge(broken));
-    for (const auto& finding : broken)
-        std::printf("    BROKEN: %s\n", finding.c_str());
-    std::fflush(stdout);
-    return broken.empty() && tally.broken() == 0;
+    return concludes(tally, broken);
 }
 
 } // namespace

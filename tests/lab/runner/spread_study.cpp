@@ -77,10 +77,7 @@ bool studyOne(const std::string& title, SystemPlan plan, const std::string& orde
                 spread.fromCut.at(0.99), stall);
     if (spread.unaware > 0)
         broken.push_back(std::to_string(spread.unaware) + " times a live device never heard of the stand-by");
-    for (const auto& line : broken)
-        std::printf("    BROKEN: %s\n", line.c_str());
-    std::fflush(stdout);
-    return broken.empty() && tally.broken() == 0;
+    return concludes(tally, broken);
 }
 
 } // namespace
