@@ -4,6 +4,7 @@
 #include <QDeadlineTimer>
 
 #include <sys/prctl.h>
+#include <sys/wait.h>
 
 #include <csignal>
 
@@ -53,7 +54,15 @@ void ChildProcess::kill()
     m_process.waitForFinished(patience);
 }
 
-void ChildProcess::freeze() { ::kill(static_cast<pid_t>(m_process.processId()), SIGSTOP); }
+void ChildProcess::freeze()
+{
+    const auto process = static_cast<pid_t>(m_process.processId());
+    ::kill(process, SIGSTOP);
+    // One thread takes the signal when it is next given a processor. Until then the others go on, for many milliseconds on a busy machine.
+    siginfo_t stopped{};
+    ::waitid(P_PID, static_cast<id_t>(process), &stopped, WSTOPPED | WEXITED | WNOWAIT);
+}
+
 void ChildProcess::thaw() { ::kill(static_cast<pid_t>(m_process.processId()), SIGCONT); }
 
 int ChildProcess::terminate()

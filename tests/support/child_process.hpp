@@ -19,7 +19,7 @@ public:
 
     void say(const QString& line); ///< to its stdin
     void kill();                   ///< SIGKILL, and waits for the end
-    void freeze();                 ///< SIGSTOP
+    void freeze();                 ///< SIGSTOP, and waits until all its threads have stopped
     void thaw();                   ///< SIGCONT
     int terminate();               ///< SIGTERM, and waits; the exit status, -1 when it crashed or hung
 

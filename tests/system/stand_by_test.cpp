@@ -196,7 +196,8 @@ private Q_SLOTS:
         QVERIFY(system.cockpit->reopenChannel(system.robotId));
         QTRY_VERIFY2(system.cockpit.heard(Kind::ReOpened, system.robotId), system.cockpit.story().c_str());
         QTRY_VERIFY(hand.reports > before);
-        QVERIFY2(hand.applied > 0 && hand.applied <= inTime, qPrintable(system.robotProcess->output()));
+        QVERIFY2(hand.applied > 0 && hand.applied <= inTime,
+                 qPrintable(QStringLiteral("%1 applied, %2 in time\n").arg(hand.applied).arg(inTime) + system.robotProcess->output()));
         QVERIFY(hand.holds);
     }
 
