@@ -61,6 +61,9 @@ public:
         }
     }
 
+    /// The receiver's computer, or the way back, does nothing for so long: what comes meanwhile is acknowledged then.
+    void deafen(Nanoseconds time) { m_heardFrom = m_now + time; }
+
     /// What was carried a round trip ago is known now.
     void acknowledge()
     {
@@ -141,7 +144,8 @@ private:
         while (m_entries.size() > 1 && m_entries.front().total < m_left)
             m_entries.pop_front();
         const double seconds = std::chrono::duration<double>(step).count();
-        m_onItsWay.push_back({m_now + m_idle, m_now - m_entries.front().at + piece, carried, carried / seconds});
+        const auto delay = std::max(m_heardFrom - m_now, Nanoseconds::zero());
+        m_onItsWay.push_back({m_now + m_idle + delay, m_now - m_entries.front().at + piece + delay, carried, carried / seconds});
     }
 
     /// A switch has half a megabyte or so, a faster one more.
@@ -165,7 +169,8 @@ private:
     double m_left = 0;
     std::deque<Entry> m_entries; ///< of what waits: since when
     double m_delivered = 0;
-    double m_window = 1e12; ///< bytes that TCP lets be under way
+    tasks::PathRate::Instant m_heardFrom{}; ///< by the receiver
+    double m_window = 1e12;                 ///< bytes that TCP lets be under way
     double m_unacknowledged = 0;
     double m_deliveryRate = 0;
     std::deque<News> m_onItsWay;

@@ -43,6 +43,7 @@ constexpr double untried = 0.97;        // of the ceiling: below it hardly ever 
 constexpr double highestLeft = 0.99;    // of the highest ceiling of late, a second later
 constexpr double leastBoldest = 1.08;   // of the steps on a slow path, which must not be as bold as on others
 constexpr double bolder = 1.5;          // each step beyond the ceiling, as long as no queue shows
+constexpr int atOnce = 3;               // a part of what is tolerated, by which a round trip waits longer than just before
 constexpr double inOnePiece = 2896;     // bytes: two packets, which the kernel sends and acknowledges together
 constexpr int piecesInDoubt = 4;        // what is late by no more waits for pieces of its own
 constexpr double noticing = 12;         // such pieces, until the smoothed round trip shows a queue
@@ -54,6 +55,12 @@ constexpr std::size_t largestSegment = 3 * smallestSegment; // a command waits f
 
 double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
 
+/// Counts the SYN.
+double underWay(const transport::PathFacts& facts)
+{
+    return static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged);
+}
+
 } // namespace
 
 void PathRate::restart()
@@ -64,6 +71,7 @@ void PathRate::restart()
     m_calm = {}; // it may go another way
     m_ofLate = {};
     m_least = Nanoseconds::zero();
+    m_look.forget();
     m_standing.forget();
     m_usualWait.forget();
     m_draining = false;
@@ -103,6 +111,7 @@ void PathRate::forgetQueues()
         return;
     m_ceiling = m_highest > m_rate ? std::optional(m_highest) : std::nullopt;
     m_doubted = m_draining = false;
+    m_look.stop();
     m_effective = m_forgotten = 0;
 }
 
@@ -132,8 +141,13 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         m_course.forget();
         return;
     }
-    if (m_draining && !hasQueue(facts, now))
+    if (m_draining && !hasQueue(facts, now)) {
         m_draining = false;
+        if (m_look.isOn()) {
+            judgeFrom(facts, now);
+            return goOn(now);
+        }
+    }
     const auto elapsed = now - m_window->begin.at;
     if (m_window->first && m_burst->alone && facts.bytesAcknowledged <= m_burst->bytesSent && elapsed < longestSilence)
         return; // nothing of it is acknowledged yet
@@ -198,11 +212,10 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
 {
     if (!hasWaited(facts))
         return false;
-    const double underWay = static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged); // that counts the SYN
     const double segments = static_cast<double>(segment() * m_lanes);
     const auto usual = usualWait();
     const double own = usual ? std::min(segments, m_rate * secondsOf(*usual)) : segments;
-    return underWay > mayBeUnderWay(facts, now) + own + segments / 4;
+    return underWay(facts) > mayBeUnderWay(facts, now) + own + segments / 4;
 }
 
 /// Without a queue: what a round trip carries. On a long path that was delivered a round trip ago, and a connection that has just begun
@@ -242,8 +255,7 @@ bool PathRate::mayTry() const { return m_isLong && m_calm.isCalm() && !m_ceiling
 
 bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
 {
-    const bool alone = !m_share || m_share->isAlone(*this);
-    return alone && facts.leastRoundTrip >= longWay && m_waiting <= std::min<Nanoseconds>(facts.leastRoundTrip / 3, mostUnrest);
+    return isAlone() && facts.leastRoundTrip >= longWay && m_waiting <= std::min<Nanoseconds>(facts.leastRoundTrip / 3, mostUnrest);
 }
 
 /// Of a long path: what left a round trip ago has come, only somewhat late. A connection that TCP itself holds back, as each does at first,
@@ -273,9 +285,42 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
     return true;
 }
 
+/// On a short way, for who is alone on it: of two that met the same queue the other may have fallen already.
+bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
+{
+    const SecondLook::Seen seen{now, m_rate, underWay(facts), m_waiting};
+    if (m_look.isOn())
+        return m_look.goesOn(seen);
+    if (facts.leastRoundTrip >= longWay || m_lanes > 1 || !isAlone() || !m_look.begins(seen, tolerated(facts) / atOnce, 2 * timeToNotice()))
+        return false;
+    m_draining = true;
+    m_drain = drainWhenSlow;
+    judgeFrom(facts, now);
+    return true;
+}
+
+/// A standstill had left the queue, and it is gone. If it was a step too far after all, this is what that would cost.
+void PathRate::goOn(Instant now)
+{
+    m_look.drained(now);
+    if (m_ceiling)
+        m_rate = std::min(m_rate, *m_ceiling * margin);
+    m_step = gentle;
+    m_nextStep = now + pauseBetweenSteps();
+}
+
+/// What came before tells nothing of the rate.
+void PathRate::judgeFrom(const transport::PathFacts& facts, Instant now)
+{
+    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
+    m_course.forget();
+}
+
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
 {
     m_shown = now;
+    if (looksAgain(facts, now))
+        return;
     if (mayBeUnrest(facts) && std::exchange(m_passed, 0) >= m_rate)
         return; // seen once, at a rate that passed: a computer that stood still for a moment looks like that
     m_usualWait.forget();
@@ -311,6 +356,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_rate =
         std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
     yield(facts);
+    m_look.forget();
     m_step = gentle;
     m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
@@ -348,6 +394,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
 {
     m_shown = now;
     m_passed = m_rate;
+    m_look.passed(m_rate, m_waiting, now);
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
     if (m_calm.listens() && !listen(facts, delivered, now))
         return;

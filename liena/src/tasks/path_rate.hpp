@@ -5,6 +5,7 @@
 #include "tasks/fair_share.hpp"
 #include "tasks/path_calm.hpp"
 #include "tasks/path_memory.hpp"
+#include "tasks/second_look.hpp"
 #include "transport/path_facts.hpp"
 
 #include <algorithm>
@@ -32,8 +33,9 @@ struct KnownRate {
 /// there, too. What does not become shorter while bulk yields is no queue but another, longer way.
 ///
 /// A computer or a network that stands still for a moment looks like a queue, or like a path that carries a tenth. So on a long way a queue
-/// at a rate that passed just before is believed when it is seen twice, a rate that fell deep at once is raised again soon, and steps
-/// beyond a ceiling are bold up to the highest of late only, which a moment's standstill does not change.
+/// at a rate that passed just before is believed when it is seen twice, and on a short one what came at once is seen to drain first
+/// (SecondLook). A rate that fell deep at once is raised again soon, and steps beyond a ceiling are bold up to the highest of late only,
+/// which a moment's standstill does not change.
 ///
 /// The lanes of one session share its path, and the rate is that of all of them together: each sends at an even part of it, by how many are
 /// in a burst at the moment, and judges what it delivers as many times over. A burst that ends gives its part back at once, and one that
@@ -146,6 +148,10 @@ private:
     void forgetQueues();
     void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
+    bool looksAgain(const transport::PathFacts& facts, Instant now);
+    void goOn(Instant now);
+    void judgeFrom(const transport::PathFacts& facts, Instant now);
+    bool isAlone() const { return !m_share || m_share->isAlone(*this); }
     bool isCalm(const transport::PathFacts& facts) const;
     bool mayTry() const;
     bool isEffective(const transport::PathFacts& facts) const;
@@ -202,6 +208,7 @@ private:
     PathCourse m_course; ///< in the last windows: on a slow path one of them is a packet or two
     PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
+    SecondLook m_look;
     StandingWait m_standing; ///< since bulk yielded
     Nanoseconds m_least{};   ///< that a round trip takes, as last known
     UsualWait m_usualWait;   ///< below the ceiling

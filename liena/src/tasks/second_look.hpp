@@ -1,0 +1,78 @@
+// Whether a queue is no more than what a standstill left.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+
+namespace liena::tasks {
+
+/// Pure. A computer or a network that stands still for some milliseconds leaves a queue, and as little has come meanwhile as on a path that
+/// fell. But that queue is there at once, at a rate that had passed for a while, and drains about as fast as that, once hardly anything is
+/// sent. A rate that is too high makes one that grows; behind a path that fell none drains so fast. So it is looked at a second time before
+/// anything is concluded from it.
+class SecondLook {
+public:
+    using Instant = std::chrono::steady_clock::time_point;
+    using Nanoseconds = std::chrono::nanoseconds;
+
+    struct Seen {
+        Instant at;
+        double rate = 0;     ///< bytes per second
+        double underWay = 0; ///< bytes
+        Nanoseconds waiting{};
+    };
+
+    void forget() { *this = {}; }
+
+    /// No queue was met.
+    void passed(double rate, Nanoseconds waiting, Instant now)
+    {
+        if (rate > m_rate * hardlyMore) {
+            m_rate = rate;
+            m_since = now;
+        }
+        m_rate = std::max(m_rate, rate);
+        m_waited = {waiting, m_waited[0]};
+    }
+
+    /// A queue is met: whether it is looked at again, since it came `atOnce`, at a rate that had passed for `longEnough`.
+    bool begins(const Seen& seen, Nanoseconds atOnce, Nanoseconds longEnough)
+    {
+        if (seen.rate > m_rate * hardlyMore || seen.at - m_since < longEnough || seen.waiting - std::min(m_waited[0], m_waited[1]) < atOnce)
+            return false;
+        m_first = seen;
+        return true;
+    }
+    bool isOn() const { return m_first.has_value(); }
+
+    /// It is met still: whether it drains as one does that a standstill left. If not, this look is over, and it is none.
+    bool goesOn(const Seen& seen)
+    {
+        const std::chrono::duration<double> since = seen.at - m_first->at;
+        if (seen.underWay < m_first->underWay - m_first->rate * slowest * since.count())
+            return true;
+        m_first.reset();
+        return false;
+    }
+
+    /// It is gone. What comes soon after was not left by a standstill.
+    void drained(Instant now)
+    {
+        m_first.reset();
+        m_since = now;
+    }
+    void stop() { m_first.reset(); }
+
+private:
+    static constexpr double hardlyMore = 1.03; // than a rate that passed
+    static constexpr double slowest = 0.25;    // of the rate
+
+    double m_rate = 0; ///< the highest that passed since the last fall
+    Instant m_since{}; ///< it or hardly less does so
+    std::array<Nanoseconds, 2> m_waited{};
+    std::optional<Seen> m_first;
+};
+
+} // namespace liena::tasks
