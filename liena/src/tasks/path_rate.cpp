@@ -285,13 +285,13 @@ bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Ins
     return true;
 }
 
-/// On a short way, for who is alone on it: of two that met the same queue the other may have fallen already.
+/// On a short way, and not for one of several lanes of a session: of those the others may have fallen at the same queue already.
 bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
 {
     const SecondLook::Seen seen{now, m_rate, underWay(facts), m_waiting};
     if (m_look.isOn())
         return m_look.goesOn(seen);
-    if (facts.leastRoundTrip >= longWay || m_lanes > 1 || !isAlone() || !m_look.begins(seen, tolerated(facts) / atOnce, 2 * timeToNotice()))
+    if (facts.leastRoundTrip >= longWay || m_lanes > 1 || !m_look.begins(seen, tolerated(facts) / atOnce, 2 * timeToNotice()))
         return false;
     m_draining = true;
     m_drain = drainWhenSlow;
@@ -307,6 +307,8 @@ void PathRate::goOn(Instant now)
         m_rate = std::min(m_rate, *m_ceiling * margin);
     m_step = gentle;
     m_nextStep = now + pauseBetweenSteps();
+    if (m_share)
+        m_share->even(*this);
 }
 
 /// What came before tells nothing of the rate.

@@ -7,9 +7,11 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <map>
 #include <memory>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -65,7 +67,7 @@ public:
             flow->entered += taken;
             waiting += flow->queue;
         }
-        const double carried = std::min(waiting, m_capacity * seconds);
+        const double carried = stalled ? 0 : std::min(waiting, m_capacity * seconds);
         const auto wait = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(waiting / m_capacity));
         longestWait = std::max(longestWait, wait);
         for (auto& flow : flows) {
@@ -89,6 +91,7 @@ public:
     }
 
     std::vector<std::unique_ptr<Flow>> flows;
+    bool stalled = false;
     Nanoseconds longestWait{};
 
 private:
@@ -214,6 +217,51 @@ private Q_SLOTS:
         Bottleneck bottleneck(gigabit, 9ms, 3, nullptr);
         const double index = fairnessOf(bottleneck);
         QVERIFY2(index < 0.85, qPrintable(QString::number(index)));
+    }
+
+    void standstillsCostSessionsBeforeOneQueueLittle_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("sessions");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int sessions : {2, 3})
+                QTest::addRow("%.0f Mbit/s, %d", megabits, sessions) << megabits * 125'000 << sessions;
+    }
+
+    /// Six times a second, for 0.5 to 4 ms, the network stands still before all of them.
+    void standstillsCostSessionsBeforeOneQueueLittle()
+    {
+        QFETCH(const double, capacity);
+        QFETCH(const int, sessions);
+        constexpr auto counted = 20s;
+        Bottleneck bottleneck(capacity, 200us, static_cast<std::size_t>(sessions), std::make_shared<FairShare>());
+        for (auto& flow : bottleneck.flows)
+            flow->sending = true;
+        std::mt19937_64 random(1);
+        PathRate::Instant now{1h};
+        const auto run = [&](Nanoseconds time) {
+            for (const auto end = now + time; now < end; now += step)
+                bottleneck.tick(now);
+        };
+        const auto runRestlessly = [&](Nanoseconds time) {
+            for (const auto end = now + time; now < end;) {
+                const std::chrono::duration<double> until(std::exponential_distribution(6.0)(random));
+                run(std::min<Nanoseconds>(std::chrono::duration_cast<Nanoseconds>(until), end - now));
+                bottleneck.stalled = true;
+                run(std::chrono::microseconds(static_cast<int>(500 * std::pow(8, std::uniform_real_distribution(0.0, 1.0)(random)))));
+                bottleneck.stalled = false;
+            }
+        };
+        runRestlessly(3s);
+        for (auto& flow : bottleneck.flows)
+            flow->delivered = 0;
+        runRestlessly(counted);
+        double carried = 0;
+        for (const auto& flow : bottleneck.flows)
+            carried += flow->delivered / capacity / std::chrono::duration<double>(counted).count();
+        QVERIFY2(carried > 0.87, qPrintable(QString::number(carried)));
+        const double index = fairness(bottleneck.parts());
+        QVERIFY2(index > 0.85, qPrintable(QString::number(index)));
     }
 
     void laneWithANarrowPathDoesNotHoldUpAWideOne()
