@@ -143,10 +143,8 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     }
     if (m_draining && !hasQueue(facts, now)) {
         m_draining = false;
-        if (m_look.isOn()) {
-            judgeFrom(facts, now);
-            return goOn(now);
-        }
+        if (m_look.isOn())
+            return goOn(facts, now);
     }
     const auto elapsed = now - m_window->begin.at;
     if (m_window->first && m_burst->alone && facts.bytesAcknowledged <= m_burst->bytesSent && elapsed < longestSilence)
@@ -169,7 +167,10 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
             return;
         const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
-        if (isEffective(facts) || (heard && m_delivered * margin < sending * used))
+        // After a second look little was delivered since little was sent, and only clearly more than what drained is another queue.
+        const auto drained = m_look.drainedFrom();
+        const bool tells = drained ? underWay(facts) > *drained + m_rate * settling : m_delivered * margin < sending * used;
+        if (isEffective(facts) || (heard && tells))
             meetQueue(facts, allCame ? std::max(m_delivered, m_rate * mostThatIsSent) : m_delivered, allCame, now);
         return;
     }
@@ -295,27 +296,24 @@ bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
         return false;
     m_draining = true;
     m_drain = drainWhenSlow;
-    judgeFrom(facts, now);
+    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
+    m_course.forget(); // what came before tells nothing of the rate
     return true;
 }
 
 /// A standstill had left the queue, and it is gone. If it was a step too far after all, this is what that would cost.
-void PathRate::goOn(Instant now)
+void PathRate::goOn(const transport::PathFacts& facts, Instant now)
 {
     m_look.drained(now);
     if (m_ceiling)
         m_rate = std::min(m_rate, *m_ceiling * margin);
+    m_effective = std::max(facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling), whenForgotten(facts));
+    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
+    m_course.forget(); // it tells how little was sent
     m_step = gentle;
     m_nextStep = now + pauseBetweenSteps();
     if (m_share)
         m_share->even(*this);
-}
-
-/// What came before tells nothing of the rate.
-void PathRate::judgeFrom(const transport::PathFacts& facts, Instant now)
-{
-    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
-    m_course.forget();
 }
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)
@@ -378,8 +376,14 @@ void PathRate::yield(const transport::PathFacts& facts)
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
     if (facts.leastRoundTrip < longWay || m_waiting <= mostUnrest || isSlow()) // which would make it wait for too much
         return;
+    m_forgotten = whenForgotten(facts);
+}
+
+/// Once so much is acknowledged, the smoothed round trip tells no more of the queue that it tells of now.
+std::uint64_t PathRate::whenForgotten(const transport::PathFacts& facts) const
+{
     const double times = secondsOf(m_waiting) / secondsOf(tolerated(facts));
-    m_forgotten = facts.bytesSent + static_cast<std::uint64_t>(smoothing * inOnePiece * std::log(std::max(times, 1.0)));
+    return facts.bytesSent + static_cast<std::uint64_t>(smoothing * inOnePiece * std::log(std::max(times, 1.0)));
 }
 
 void PathRate::shift(double bytesPerSecond)

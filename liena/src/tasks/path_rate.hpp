@@ -149,8 +149,7 @@ private:
     void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool looksAgain(const transport::PathFacts& facts, Instant now);
-    void goOn(Instant now);
-    void judgeFrom(const transport::PathFacts& facts, Instant now);
+    void goOn(const transport::PathFacts& facts, Instant now);
     bool isAlone() const { return !m_share || m_share->isAlone(*this); }
     bool isCalm(const transport::PathFacts& facts) const;
     bool mayTry() const;
@@ -172,6 +171,7 @@ private:
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
     void yield(const transport::PathFacts& facts);
+    std::uint64_t whenForgotten(const transport::PathFacts& facts) const;
     void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
     void growInDoubt(const transport::PathFacts& facts, Instant now);

@@ -57,12 +57,16 @@ public:
         return false;
     }
 
-    /// It is gone. What comes soon after was not left by a standstill.
+    /// It is gone. What comes within as long again, or before the rate has passed for long enough, was not left by a standstill.
     void drained(Instant now)
     {
+        m_since = now + (now - m_first->at);
+        m_drainedFrom = m_first->underWay;
         m_first.reset();
-        m_since = now;
     }
+
+    /// So many bytes had been under way when the last queue was met that drained; nothing: none did since the last fall.
+    std::optional<double> drainedFrom() const { return m_drainedFrom; }
     void stop() { m_first.reset(); }
 
 private:
@@ -73,6 +77,7 @@ private:
     Instant m_since{}; ///< it or hardly less does so
     std::array<Nanoseconds, 2> m_waited{};
     std::optional<Seen> m_first;
+    std::optional<double> m_drainedFrom;
 };
 
 } // namespace liena::tasks

@@ -384,6 +384,32 @@ private Q_SLOTS:
         QVERIFY2(carried > 0.86, qPrintable(QString::number(carried)));
     }
 
+    void aFallIsNoStandstill_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<double>("left");
+        for (const double megabits : {100.0, 400.0, 1000.0})
+            for (const int roundTrip : {200, 2000})
+                for (const double left : {0.1, 0.5, 0.8})
+                    QTest::addRow("%.0f Mbit/s, %d us, to %.1f", megabits, roundTrip, left) << megabits * 125'000 << roundTrip << left;
+    }
+
+    /// What a path carries less all at once is seen within some hundredths of a second, although it may have been a standstill.
+    void aFallIsNoStandstill()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, roundTripUs);
+        QFETCH(double, left);
+        Path path(capacity, std::chrono::microseconds(roundTripUs));
+        path.run(4s);
+        path.forget();
+        path.capacity = capacity * left;
+        path.tooLong = 2ms + path.carrying(static_cast<double>(path.rate.segment()));
+        path.run(1s);
+        QVERIFY2(path.late < 65ms, millisecondsOf(path.late, "ms late").constData());
+    }
+
     void looksOnceMoreWhetherAPathHasReallyFallen()
     {
         Path path(gigabit, 200us);

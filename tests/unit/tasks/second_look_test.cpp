@@ -99,8 +99,8 @@ private Q_SLOTS:
         QVERIFY(look.begins(queue(5ms), atOnce, longEnough));
         look.drained(start + 9ms);
         QVERIFY(!look.isOn());
-        QVERIFY(!begins(look, queue(13ms)));
-        QVERIFY(begins(look, queue(14ms)));
+        QVERIFY2(!begins(look, queue(17ms)), "the look took 4 ms");
+        QVERIFY(begins(look, queue(18ms)));
     }
 
     void aPauseEndsIt()
