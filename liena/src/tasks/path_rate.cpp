@@ -167,10 +167,9 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
             return;
         const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
-        // After a second look little was delivered since little was sent, and only clearly more than what drained is another queue.
-        const auto drained = m_look.drainedFrom();
-        const bool tells = drained ? underWay(facts) > *drained + m_rate * settling : m_delivered * margin < sending * used;
-        if (isEffective(facts) || (heard && tells))
+        if (mayStillDrain(facts, ended.begin.bytes))
+            return m_course.forget();
+        if (isEffective(facts) || (heard && m_delivered * margin < sending * used))
             meetQueue(facts, allCame ? std::max(m_delivered, m_rate * mostThatIsSent) : m_delivered, allCame, now);
         return;
     }
@@ -178,6 +177,14 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         m_usualWait.note(m_waiting, now);
     if (!receiverLimits && m_delivered > m_rate * used)
         grow(facts, m_delivered, quickest, now);
+}
+
+/// After a second look little was delivered since little was sent: a window that began then tells nothing, but for clearly more under way
+/// than had drained, which is another queue.
+bool PathRate::mayStillDrain(const transport::PathFacts& facts, std::uint64_t acknowledgedBefore) const
+{
+    const auto drained = m_look.drainedFrom();
+    return drained && acknowledgedBefore < m_effective && underWay(facts) <= *drained + m_rate * settling;
 }
 
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.

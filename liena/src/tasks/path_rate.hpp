@@ -149,6 +149,7 @@ private:
     void decide(const transport::PathFacts& facts, Instant now);
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool looksAgain(const transport::PathFacts& facts, Instant now);
+    bool mayStillDrain(const transport::PathFacts& facts, std::uint64_t acknowledgedBefore) const;
     void goOn(const transport::PathFacts& facts, Instant now);
     bool isAlone() const { return !m_share || m_share->isAlone(*this); }
     bool isCalm(const transport::PathFacts& facts) const;
