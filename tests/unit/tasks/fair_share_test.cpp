@@ -4,14 +4,14 @@
 #include "tasks/interface_shares.hpp"
 #include "tasks/path_rate.hpp"
 
+#include "support/standstills.hpp"
+
 #include <QTest>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
 #include <map>
 #include <memory>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -237,7 +237,7 @@ private Q_SLOTS:
         Bottleneck bottleneck(capacity, 200us, static_cast<std::size_t>(sessions), std::make_shared<FairShare>());
         for (auto& flow : bottleneck.flows)
             flow->sending = true;
-        std::mt19937_64 random(1);
+        liena::test::Standstills standstills(6, 4ms, 1);
         PathRate::Instant now{1h};
         const auto run = [&](Nanoseconds time) {
             for (const auto end = now + time; now < end; now += step)
@@ -245,10 +245,9 @@ private Q_SLOTS:
         };
         const auto runRestlessly = [&](Nanoseconds time) {
             for (const auto end = now + time; now < end;) {
-                const std::chrono::duration<double> until(std::exponential_distribution(6.0)(random));
-                run(std::min<Nanoseconds>(std::chrono::duration_cast<Nanoseconds>(until), end - now));
+                run(std::min(standstills.untilNext(), end - now));
                 bottleneck.stalled = true;
-                run(std::chrono::microseconds(static_cast<int>(500 * std::pow(8, std::uniform_real_distribution(0.0, 1.0)(random)))));
+                run(standstills.length());
                 bottleneck.stalled = false;
             }
         };

@@ -1,15 +1,14 @@
 // The rate of bulk on a long path in virtual time, whose round trips vary by themselves.
 #include "tasks/path_rate.hpp"
 
+#include "support/standstills.hpp"
 #include "support/virtual_path.hpp"
 
 #include <QTest>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <optional>
-#include <random>
 #include <tuple>
 #include <utility>
 
@@ -52,13 +51,11 @@ public:
     /// Eight times a second of sending, for 0.5 to 5 ms: the sender's computer or the network, by turns of chance.
     void standsStillAtTimes(unsigned seed)
     {
-        m_random.seed(seed);
-        m_nextStandstill = m_running + untilNext();
+        m_standstills = liena::test::Standstills(8, 5ms, seed);
+        m_nextStandstill = m_running + m_standstills->untilNext();
     }
 
 private:
-    Nanoseconds untilNext() { return Nanoseconds(static_cast<Nanoseconds::rep>(std::exponential_distribution(8.0)(m_random) * 1e9)); }
-
     void standStill(Nanoseconds time, bool ofTheNetwork)
     {
         m_path.stalled = ofTheNetwork;
@@ -68,17 +65,16 @@ private:
 
     Nanoseconds standStillIfDue()
     {
-        if (!m_nextStandstill || m_running < *m_nextStandstill)
+        if (!m_standstills || m_running < m_nextStandstill)
             return {};
-        const auto time =
-            std::chrono::microseconds(static_cast<int>(500 * std::pow(10, std::uniform_real_distribution(0.0, 1.0)(m_random))));
-        const bool ofTheNetwork = std::bernoulli_distribution(0.5)(m_random);
+        const auto time = m_standstills->length();
+        const bool ofTheNetwork = m_standstills->isEither();
         const auto counted = std::pair(m_path.late, m_path.veryLate);
         standStill(time, ofTheNetwork);
         std::tie(m_path.late, m_path.veryLate) = counted;
         if (ofTheNetwork)
             m_countedFrom = m_running + 3 * time + 5ms; // then what gathered meanwhile is gone
-        m_nextStandstill = m_running + untilNext();
+        m_nextStandstill = m_running + m_standstills->untilNext();
         return time;
     }
 
@@ -86,9 +82,9 @@ private:
     double m_bytes;
     Nanoseconds m_period;
     Nanoseconds m_running{}; ///< so long sent
-    std::optional<Nanoseconds> m_nextStandstill;
+    std::optional<liena::test::Standstills> m_standstills;
+    Nanoseconds m_nextStandstill{};
     Nanoseconds m_countedFrom{}; ///< what waits
-    std::mt19937_64 m_random;
 };
 
 void calmLongPaths(std::initializer_list<int> unrestUs)

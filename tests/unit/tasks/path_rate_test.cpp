@@ -1,16 +1,15 @@
 // The rate of bulk on a path in virtual time: a bottleneck with a queue before it.
 #include "tasks/path_rate.hpp"
 
+#include "support/standstills.hpp"
 #include "support/virtual_path.hpp"
 
 #include <QTest>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -25,26 +24,24 @@ constexpr double gigabit = 125e6; // bytes per second
 
 enum class Who : std::uint8_t { Sender, Network, Receiver };
 
-/// Something stands still by chance, while bulk is sent without a pause.
+/// Something stands still six times a second, for 0.5 to 4 ms, while bulk is sent without a pause.
 class Restless {
 public:
-    Restless(Path& path, Who who, unsigned seed) : m_path(path), m_who(who), m_random(seed) {}
+    Restless(Path& path, Who who, unsigned seed) : m_path(path), m_who(who), m_standstills(6, 4ms, seed) {}
 
     void run(Nanoseconds time)
     {
         while (time > m_untilNext) {
             time -= m_untilNext;
             m_path.run(m_untilNext);
-            standStill(std::chrono::microseconds(static_cast<int>(500 * std::pow(8, std::uniform_real_distribution(0.0, 1.0)(m_random)))));
-            m_untilNext = untilNext();
+            standStill(m_standstills.length());
+            m_untilNext = m_standstills.untilNext();
         }
         m_untilNext -= time;
         m_path.run(time);
     }
 
 private:
-    Nanoseconds untilNext() { return Nanoseconds(static_cast<Nanoseconds::rep>(std::exponential_distribution(6.0)(m_random) * 1e9)); }
-
     void standStill(Nanoseconds time)
     {
         switch (m_who) {
@@ -61,8 +58,8 @@ private:
 
     Path& m_path;
     Who m_who;
-    std::mt19937_64 m_random;
-    Nanoseconds m_untilNext = untilNext();
+    liena::test::Standstills m_standstills;
+    Nanoseconds m_untilNext = m_standstills.untilNext();
 };
 
 QByteArray millisecondsOf(Nanoseconds time, const char* what)
@@ -365,7 +362,7 @@ private Q_SLOTS:
                     QTest::addRow("%.0f Mbit/s, %d us, %s", megabits, roundTrip, name) << megabits * 125'000 << roundTrip << who;
     }
 
-    /// Six times a second, for 0.5 to 4 ms: themselves they take 1 to 2 % of the time.
+    /// Themselves they take 1 % of the time.
     void standstillsCostAShortWayLittle()
     {
         QFETCH(double, capacity);

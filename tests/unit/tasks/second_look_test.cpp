@@ -103,6 +103,19 @@ private Q_SLOTS:
         QVERIFY(begins(look, queue(18ms)));
     }
 
+    /// Until the next fall: what is under way is compared with it.
+    void whatDrainedIsKnown()
+    {
+        auto look = held();
+        QVERIFY(!look.drainedFrom());
+        QVERIFY(look.begins(queue(5ms, 40e3), atOnce, longEnough));
+        QVERIFY(!look.drainedFrom());
+        look.drained(start + 9ms);
+        QCOMPARE(look.drainedFrom().value(), 40e3);
+        look.forget();
+        QVERIFY(!look.drainedFrom());
+    }
+
     void aPauseEndsIt()
     {
         auto look = held();
