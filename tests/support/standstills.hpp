@@ -7,7 +7,7 @@
 
 namespace liena::test {
 
-/// As often on the average, each for 0.5 ms to `longest`, short ones as often as long ones in proportion.
+/// So often a second on the average, each for 0.5 ms to `longest`, short ones as often as long ones in proportion.
 class Standstills {
 public:
     using Nanoseconds = std::chrono::nanoseconds;
@@ -24,7 +24,7 @@ public:
             static_cast<int>(shortest * std::pow(m_times, std::uniform_real_distribution(0.0, 1.0)(m_random))));
     }
 
-    bool isEither() { return std::bernoulli_distribution(0.5)(m_random); }
+    bool coin() { return std::bernoulli_distribution(0.5)(m_random); }
 
 private:
     static constexpr double shortest = 500; // µs

@@ -303,8 +303,7 @@ bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
         return false;
     m_draining = true;
     m_drain = drainWhenSlow;
-    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
-    m_course.forget(); // what came before tells nothing of the rate
+    judgeFrom(facts, now);
     return true;
 }
 
@@ -315,12 +314,18 @@ void PathRate::goOn(const transport::PathFacts& facts, Instant now)
     if (m_ceiling)
         m_rate = std::min(m_rate, *m_ceiling * margin);
     m_effective = std::max(facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling), whenForgotten(facts));
-    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
-    m_course.forget(); // it tells how little was sent
+    judgeFrom(facts, now);
     m_step = gentle;
     m_nextStep = now + pauseBetweenSteps();
     if (m_share)
         m_share->even(*this);
+}
+
+/// What came before tells of the standstill, or of how little was sent.
+void PathRate::judgeFrom(const transport::PathFacts& facts, Instant now)
+{
+    m_window = Window{{now, facts.bytesAcknowledged}, facts.windowClosed, false};
+    m_course.forget();
 }
 
 void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now)

@@ -150,6 +150,7 @@ private:
     void judgeBurst(const transport::PathFacts& facts, Instant now);
     bool looksAgain(const transport::PathFacts& facts, Instant now);
     bool mayStillDrain(const transport::PathFacts& facts, std::uint64_t acknowledgedBefore) const;
+    void judgeFrom(const transport::PathFacts& facts, Instant now);
     void goOn(const transport::PathFacts& facts, Instant now);
     bool isAlone() const { return !m_share || m_share->isAlone(*this); }
     bool isCalm(const transport::PathFacts& facts) const;

@@ -10,8 +10,8 @@ namespace liena::tasks {
 
 /// Pure. A computer or a network that stands still for some milliseconds leaves a queue, and as little has come meanwhile as on a path that
 /// fell. But that queue is there at once, at a rate that had passed for a while, and drains about as fast as that, once hardly anything is
-/// sent. A rate that is too high makes one that grows; behind a path that fell none drains so fast. So it is looked at a second time before
-/// anything is concluded from it.
+/// sent. A rate that is too high makes one that grows; behind a path that fell deep none drains so fast, and behind one that fell less
+/// another stands soon after. So it is looked at a second time before anything is concluded from it.
 class SecondLook {
 public:
     using Instant = std::chrono::steady_clock::time_point;

@@ -68,7 +68,7 @@ private:
         if (!m_standstills || m_running < m_nextStandstill)
             return {};
         const auto time = m_standstills->length();
-        const bool ofTheNetwork = m_standstills->isEither();
+        const bool ofTheNetwork = m_standstills->coin();
         const auto counted = std::pair(m_path.late, m_path.veryLate);
         standStill(time, ofTheNetwork);
         std::tie(m_path.late, m_path.veryLate) = counted;

@@ -1,14 +1,12 @@
 // The rate of bulk on a path in virtual time: a bottleneck with a queue before it.
 #include "tasks/path_rate.hpp"
 
-#include "support/standstills.hpp"
 #include "support/virtual_path.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <initializer_list>
 #include <utility>
 #include <vector>
@@ -21,46 +19,6 @@ using Path = liena::test::VirtualPath;
 namespace {
 
 constexpr double gigabit = 125e6; // bytes per second
-
-enum class Who : std::uint8_t { Sender, Network, Receiver };
-
-/// Something stands still six times a second, for 0.5 to 4 ms, while bulk is sent without a pause.
-class Restless {
-public:
-    Restless(Path& path, Who who, unsigned seed) : m_path(path), m_who(who), m_standstills(6, 4ms, seed) {}
-
-    void run(Nanoseconds time)
-    {
-        while (time > m_untilNext) {
-            time -= m_untilNext;
-            m_path.run(m_untilNext);
-            standStill(m_standstills.length());
-            m_untilNext = m_standstills.untilNext();
-        }
-        m_untilNext -= time;
-        m_path.run(time);
-    }
-
-private:
-    void standStill(Nanoseconds time)
-    {
-        switch (m_who) {
-        case Who::Sender:
-            return m_path.standStill(time);
-        case Who::Receiver:
-            return m_path.deafen(time);
-        case Who::Network:
-            m_path.stalled = true;
-            m_path.run(time);
-            m_path.stalled = false;
-        }
-    }
-
-    Path& m_path;
-    Who m_who;
-    liena::test::Standstills m_standstills;
-    Nanoseconds m_untilNext = m_standstills.untilNext();
-};
 
 QByteArray millisecondsOf(Nanoseconds time, const char* what)
 {
@@ -347,64 +305,6 @@ private Q_SLOTS:
         path.stalled = false;
         path.run(std::chrono::milliseconds(after));
         QVERIFY2(path.rate.rate() > 0.85 * capacity, qPrintable(QString::number(path.rate.rate() / capacity)));
-    }
-
-    void standstillsCostAShortWayLittle_data()
-    {
-        QTest::addColumn<double>("capacity");
-        QTest::addColumn<int>("roundTripUs");
-        QTest::addColumn<Who>("who");
-        const std::initializer_list<std::pair<const char*, Who>> all{
-            {"the sender", Who::Sender}, {"the network", Who::Network}, {"the receiver", Who::Receiver}};
-        for (const double megabits : {20.0, 100.0, 200.0, 400.0, 1000.0})
-            for (const int roundTrip : {200, 2000})
-                for (const auto& [name, who] : all)
-                    QTest::addRow("%.0f Mbit/s, %d us, %s", megabits, roundTrip, name) << megabits * 125'000 << roundTrip << who;
-    }
-
-    /// Themselves they take 1 % of the time.
-    void standstillsCostAShortWayLittle()
-    {
-        QFETCH(double, capacity);
-        QFETCH(int, roundTripUs);
-        QFETCH(Who, who);
-        double sent = 0;
-        for (const unsigned seed : {1, 2, 3}) {
-            Path path(capacity, std::chrono::microseconds(roundTripUs));
-            Restless restless(path, who, seed);
-            restless.run(3s);
-            path.forget();
-            restless.run(10s);
-            sent += path.sent();
-        }
-        const double carried = sent / capacity / 30;
-        QVERIFY2(carried > 0.86, qPrintable(QString::number(carried)));
-    }
-
-    void aFallIsNoStandstill_data()
-    {
-        QTest::addColumn<double>("capacity");
-        QTest::addColumn<int>("roundTripUs");
-        QTest::addColumn<double>("left");
-        for (const double megabits : {100.0, 400.0, 1000.0})
-            for (const int roundTrip : {200, 2000})
-                for (const double left : {0.1, 0.5, 0.8})
-                    QTest::addRow("%.0f Mbit/s, %d us, to %.1f", megabits, roundTrip, left) << megabits * 125'000 << roundTrip << left;
-    }
-
-    /// What a path carries less all at once is seen within some hundredths of a second, although it may have been a standstill.
-    void aFallIsNoStandstill()
-    {
-        QFETCH(double, capacity);
-        QFETCH(int, roundTripUs);
-        QFETCH(double, left);
-        Path path(capacity, std::chrono::microseconds(roundTripUs));
-        path.run(4s);
-        path.forget();
-        path.capacity = capacity * left;
-        path.tooLong = 2ms + path.carrying(static_cast<double>(path.rate.segment()));
-        path.run(1s);
-        QVERIFY2(path.late < 60ms + path.carrying(24 * 2896), millisecondsOf(path.late, "ms late").constData());
     }
 
     void looksOnceMoreWhetherAPathHasReallyFallen()
