@@ -6,10 +6,12 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cstdio>
+#include <mutex>
 #include <random>
 #include <stdexcept>
 
@@ -27,6 +29,24 @@ bool isFree(int kind, std::uint16_t port)
     const bool bound = ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     ::close(socket);
     return bound;
+}
+
+// Below the range from which connections get their own ports.
+constexpr std::uint16_t lowestPort = 12000;
+constexpr std::uint16_t portsOfABlock = 100;
+constexpr std::uint16_t blocks = 200;
+
+/// From now until this process ends its ports are no other test's, also not to look whether they are free.
+bool takeBlock(unsigned block)
+{
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX; // abstract, unix(7): the first byte is 0, there is no file, and only one may have it
+    std::snprintf(address.sun_path + 1, sizeof address.sun_path - 1, "liena test ports %u", block);
+    const int holder = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    if (::bind(holder, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0)
+        return true; // and the holder stays
+    ::close(holder);
+    return false;
 }
 
 std::string linkElement(const std::string& link)
@@ -59,14 +79,22 @@ std::filesystem::path setsWithLateCommands(const std::filesystem::path& folder)
 
 std::uint16_t freePort()
 {
-    // Below the range from which connections get their own ports, and each only once, since it is free again until somebody listens.
-    constexpr unsigned lowest = 12000;
-    constexpr unsigned count = 20000;
-    static std::atomic<unsigned> next{std::random_device{}()};
-    for (unsigned attempt = 0; attempt < count; ++attempt) {
-        const auto port = static_cast<std::uint16_t>(lowest + next++ % count);
-        if (isFree(SOCK_STREAM, port) && isFree(SOCK_DGRAM, port))
-            return port;
+    static std::mutex mutex;
+    static std::uint16_t next = 0; // each only once, since it is free again until somebody listens
+    static std::uint16_t end = 0;
+    static unsigned block = std::random_device{}();
+    const std::lock_guard lock(mutex);
+    for (unsigned tried = 0; tried <= blocks; ++tried) {
+        while (next < end) {
+            const auto port = next++;
+            if (isFree(SOCK_STREAM, port) && isFree(SOCK_DGRAM, port))
+                return port;
+        }
+        block = (block + 1) % blocks;
+        if (takeBlock(block)) {
+            next = static_cast<std::uint16_t>(lowestPort + block * portsOfABlock);
+            end = static_cast<std::uint16_t>(next + portsOfABlock);
+        }
     }
     throw std::runtime_error("no port of 127.0.0.1 is free for TCP and UDP");
 }

@@ -24,7 +24,7 @@ QByteArray words(T value)
     return {text.data(), static_cast<qsizetype>(text.size())};
 }
 
-/// A port that was free a moment ago on 127.0.0.1, for TCP and UDP.
+/// A port of 127.0.0.1, for TCP and UDP, that was free a moment ago, and that no other test that runs meanwhile gets or tries.
 std::uint16_t freePort();
 
 struct DeviceSpec {
