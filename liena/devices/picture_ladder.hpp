@@ -71,7 +71,7 @@ public:
     static constexpr double headroom = 1.25;
     static constexpr double leastHeadroom = 1.05;
     static constexpr std::chrono::milliseconds patience{350};
-    static constexpr std::chrono::milliseconds longPatience{2500};
+    static constexpr std::chrono::milliseconds longPatience{1500};
     static constexpr std::chrono::seconds withheldWindow{1};
     static constexpr std::chrono::seconds proven{10};
     static constexpr std::chrono::seconds firstWait{2};

@@ -1,49 +1,63 @@
 // A path in virtual time: a bottleneck with a queue before it.
 #pragma once
 
+#include "support/virtual_kernel.hpp"
 #include "tasks/path_rate.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <random>
+#include <utility>
 
 namespace liena::test {
 
 using namespace std::chrono_literals;
 
-/// A sender at the rate's pace, a bottleneck, and the kernel's smoothed view of the round trip.
+/// A sender, its kernel at the rate's pace, a bottleneck, and the kernel's smoothed view of the round trip.
 class VirtualPath {
 public:
     using Nanoseconds = std::chrono::nanoseconds;
 
     VirtualPath(double bytesPerSecond, Nanoseconds idleRoundTrip)
         : capacity(bytesPerSecond), m_idle(idleRoundTrip), m_smoothed(idleRoundTrip)
-    {}
+    {
+        m_kernel.pace(rate.rate(), rate.segment());
+    }
 
+    /// There is always more to send, or nothing.
     void run(Nanoseconds time, bool busy = true)
     {
-        if (!busy)
-            rate.pause(m_now);
-        for (const auto end = m_now + time; m_now < end; m_now += step) {
-            const double seconds = std::chrono::duration<double>(step).count();
-            const double offered = busy ? std::clamp(m_window - (m_entered - m_delivered), 0.0, rate.rate() * seconds) : 0;
-            const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds + m_tokens);
-            m_tokens = std::clamp(m_tokens + capacity * seconds - carried, 0.0, bucket);
-            const double taken = std::min(offered, deepest() + carried - m_queue);
-            m_queue += taken - carried;
-            m_entered += taken;
-            m_entries.push_back({m_now, m_entered});
-            leave(carried, m_tokens > 0 ? Nanoseconds::zero() : carrying(acknowledged));
-            acknowledge();
-            m_sent += offered;
-            longestWait = std::max(longestWait, waiting());
-            late += waiting() > tooLong ? step : Nanoseconds::zero();
-            veryLate += waiting() > muchTooLong ? step : Nanoseconds::zero();
-            if (busy)
-                observe();
-        }
+        m_toWrite = busy ? std::numeric_limits<double>::infinity() : 0;
+        goOn(time);
+    }
+
+    /// As many bytes more are to be sent, and nothing else; and so long with what there is.
+    void give(double bytes) { m_toWrite += bytes; }
+    void goOn(Nanoseconds time)
+    {
+        for (const auto end = m_now + time; m_now < end; m_now += step)
+            tick();
+    }
+
+    double unwritten() const { return m_toWrite; }                  ///< bytes that the kernel does not have yet
+    double unsent() const { return m_toWrite + m_kernel.unsent(); } ///< and those that it has
+    void drop() { m_toWrite = 0; }                                  ///< what the kernel does not have yet
+
+    /// So many bytes, each so often; what has not left by then is left out. How long they took to leave.
+    Nanoseconds frame(double bytes, Nanoseconds period)
+    {
+        const auto begun = m_now;
+        drop();
+        give(bytes);
+        while (unsent() > 0 && m_now < begun + period)
+            goOn(step);
+        const auto took = m_now - begun;
+        drop();
+        goOn(period - took);
+        return took;
     }
 
     /// The sender's computer does nothing for so long: it sends nothing, and what comes meanwhile is late by what is left of it.
@@ -88,15 +102,6 @@ public:
         return m_unrest;
     }
 
-    void observe()
-    {
-        m_closed += receiverLimits ? step : Nanoseconds::zero();
-        m_shortest = std::min(m_shortest, m_idle);
-        rate.observe({m_smoothed, m_shortest, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered),
-                      m_deliveryRate, m_closed, 0},
-                     m_now);
-    }
-
     void forget()
     {
         longestWait = late = veryLate = Nanoseconds::zero();
@@ -130,6 +135,56 @@ public:
     Nanoseconds veryLate{}; ///< and much too long
 
 private:
+    void tick()
+    {
+        const double seconds = std::chrono::duration<double>(step).count();
+        write();
+        const double offered = m_kernel.send(m_now, step, std::max(m_window - (m_entered - m_delivered), 0.0));
+        const double carried = stalled ? 0 : std::min(m_queue + offered, capacity * seconds + m_tokens);
+        m_tokens = std::clamp(m_tokens + capacity * seconds - carried, 0.0, bucket);
+        const double taken = std::min(offered, deepest() + carried - m_queue);
+        m_queue += taken - carried;
+        m_entered += taken;
+        m_entries.push_back({m_now, m_entered});
+        leave(carried, m_tokens > 0 ? Nanoseconds::zero() : carrying(acknowledged));
+        acknowledge();
+        m_sent += offered;
+        longestWait = std::max(longestWait, waiting());
+        late += waiting() > tooLong ? step : Nanoseconds::zero();
+        veryLate += waiting() > muchTooLong ? step : Nanoseconds::zero();
+    }
+
+    /// As TransmissionTask does: a millisecond's at a time, as long as the kernel takes it. It looks at the path before each, and while one
+    /// lasts for longer than 5 ms.
+    void write()
+    {
+        if (m_toWrite > 0 && receiverLimits)
+            m_closed += step;
+        if (m_isWriting && m_now - m_looked >= 5ms)
+            observe();
+        while (m_toWrite > 0 && m_kernel.hasRoom()) {
+            m_isWriting = true;
+            observe();
+            const double bytes = std::min(m_toWrite, std::max(rate.rate() / 1000, static_cast<double>(rate.segment())));
+            m_toWrite -= bytes;
+            rate.endsBurst(m_toWrite <= 0);
+            m_kernel.pace(rate.rate(), rate.segment());
+            m_kernel.take(bytes);
+        }
+        if (m_toWrite <= 0 && std::exchange(m_isWriting, false))
+            rate.pause(m_now, static_cast<std::uint32_t>(m_kernel.unsent()));
+    }
+
+    void observe()
+    {
+        m_looked = m_now;
+        m_shortest = std::min(m_shortest, m_idle);
+        rate.observe({m_smoothed, m_shortest, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered),
+                      m_deliveryRate, m_closed, static_cast<std::uint32_t>(m_kernel.unsent())},
+                     m_now);
+        m_kernel.pace(rate.rate(), rate.segment());
+    }
+
     struct News {
         tasks::PathRate::Instant known;
         Nanoseconds waiting{};
@@ -163,6 +218,10 @@ private:
     Nanoseconds m_shortest = m_idle; ///< as the kernel remembers it
     Nanoseconds m_smoothed;
     tasks::PathRate::Instant m_now{1h};
+    tasks::PathRate::Instant m_looked{};
+    double m_toWrite = 0; ///< of what is to be sent, what the kernel has not yet
+    bool m_isWriting = false;
+    VirtualKernel m_kernel;
     double m_queue = 0;
     double m_tokens = 0;
     double m_entered = 0;

@@ -38,6 +38,22 @@ std::optional<std::uint64_t> PathDepartures::until(Instant then) const
     return std::nullopt;
 }
 
+std::optional<double> PathDepartures::about(Instant then) const
+{
+    for (std::size_t steps = 1; steps <= m_noted.count(); ++steps) {
+        const auto& before = m_noted.back(steps);
+        if (before.at > then)
+            continue;
+        const auto bytes = static_cast<double>(before.bytes);
+        if (steps == 1)
+            return bytes;
+        const auto& after = m_noted.back(steps - 1);
+        const std::chrono::duration<double> gone = then - before.at;
+        return bytes + static_cast<double>(after.bytes - before.bytes) * (gone / (after.at - before.at));
+    }
+    return std::nullopt;
+}
+
 SharedBytes::Bytes SharedBytes::note(Bytes own, std::size_t lanes)
 {
     const auto sent = wholeOf(own.sent);

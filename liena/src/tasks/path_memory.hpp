@@ -59,6 +59,9 @@ public:
     /// No more than what had been sent by then; nothing when that is not known.
     std::optional<std::uint64_t> until(Instant then) const;
 
+    /// What had been sent by then, as if it had left evenly between two points; nothing when that is not known.
+    std::optional<double> about(Instant then) const;
+
 private:
     PathPoints<128> m_noted;
 };

@@ -145,6 +145,8 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         m_draining = false;
         if (m_look.isOn())
             return goOn(facts, now);
+        if (!m_isLong)
+            m_effective = std::max(m_effective, facts.bytesSent); // until now at the pace of the drain
     }
     const auto elapsed = now - m_window->begin.at;
     if (m_window->first && m_burst->alone && facts.bytesAcknowledged <= m_burst->bytesSent && elapsed < longestSilence)
@@ -155,13 +157,15 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     if (ended.first && facts.leastRoundTrip > shortestWindow / 8)
         return; // little of it is acknowledged yet
     const bool receiverLimits = facts.windowClosed - ended.windowClosed > elapsed / 4;
-    m_burst.reset();
     m_delivered = m_course.rate(ended.begin, {now, facts.bytesAcknowledged}, timeToNotice());
     const double sending = rate() * static_cast<double>(m_lanes);
     m_judged = now;
     if (m_delivered > sending * used) // also at a limit, below what it would grow from
         m_shown = now;
-    if (hasQueue(facts, now)) {
+    const bool queue = hasQueue(facts, now);
+    if (queue || receiverLimits || m_delivered > m_rate * used)
+        m_burst.reset();
+    if (queue) {
         // If it may be the way's, to yield further would tell no more.
         if (mayBeOfThePath)
             return;
@@ -179,28 +183,28 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         grow(facts, m_delivered, quickest, now);
 }
 
-/// After a second look little was delivered since little was sent: a window that began then tells nothing, but for clearly more under way
-/// than had drained, which is another queue.
+/// After it yielded, as after a second look, little was delivered since little was sent: on a short way a window that began then tells
+/// nothing, but for clearly more under way than a round trip carries, or than had drained, which is another queue.
 bool PathRate::mayStillDrain(const transport::PathFacts& facts, std::uint64_t acknowledgedBefore) const
 {
-    const auto drained = m_look.drainedFrom();
-    return drained && acknowledgedBefore < m_effective && underWay(facts) <= *drained + m_rate * settling;
+    const double stood = m_look.drainedFrom().value_or(m_rate * secondsOf(facts.leastRoundTrip));
+    return facts.leastRoundTrip < longWay && acknowledgedBefore < m_effective && underWay(facts) <= stood + m_rate * settling;
 }
 
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
 void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
 {
-    constexpr double leastBytes = 4096; // fewer meet no queue of their own
+    constexpr double leastBytes = 4096; // fewer make no queue of their own
     const double bytes = static_cast<double>(facts.bytesSent - m_burst->bytesSent);
     const double seconds = std::max(secondsOf(m_burst->end.value_or(now) - m_burst->begin), bytes / m_rate);
-    if (bytes < leastBytes || !isEffective(facts))
+    if (!isEffective(facts))
         return;
     const bool proves = bytes > m_rate * leastProof;
     if (proves)
         m_judged = now;
     const double carried = bytes / (seconds + secondsOf(std::max(m_waiting - m_unrest, Nanoseconds::zero()))); // that is not its queue
     const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
-    if (hasWaited(facts) && facts.bytesAcknowledged >= m_forgotten)
+    if (bytes >= leastBytes && hasWaited(facts) && facts.bytesAcknowledged >= m_forgotten)
         meetQueue(facts, tells ? carried : m_rate, mayBeUnrest(facts), now);
     else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves) {
         if (!isCalm(facts))
@@ -226,13 +230,13 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
     return underWay(facts) > mayBeUnderWay(facts, now) + own + segments / 4;
 }
 
-/// Without a queue: what a round trip carries. On a long path that was delivered a round trip ago, and a connection that has just begun
-/// sends twice as much in each; what left within the last one is not late.
+/// Without a queue: what a round trip carries, as was delivered of late; or what left within the last one, which is not late yet, however
+/// little left before it: a connection that has just begun sends twice as much in each, and one that yielded sends at its rate again.
 double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) const
 {
     const double carried = m_delivered * (secondsOf(facts.leastRoundTrip + m_unrest) + usual);
-    const auto before = facts.leastRoundTrip >= longWay ? m_departures.until(now - facts.leastRoundTrip - m_unrest) : std::nullopt;
-    return before ? std::max(carried, static_cast<double>(facts.bytesSent) - static_cast<double>(*before)) : carried;
+    const auto before = m_departures.about(now - facts.leastRoundTrip - m_unrest);
+    return before ? std::max(carried, static_cast<double>(facts.bytesSent) - *before) : carried;
 }
 
 /// A path's own unrest, as it is assumed or was heard, and two of our segments; where these take milliseconds, what the kernel sends in one
