@@ -34,8 +34,10 @@ public:
         goOn(time);
     }
 
-    /// As many bytes more are to be sent, and nothing else; and so long with what there is.
+    /// So many bytes more are to be sent.
     void give(double bytes) { m_toWrite += bytes; }
+
+    /// With what there is to send.
     void goOn(Nanoseconds time)
     {
         for (const auto end = m_now + time; m_now < end; m_now += step)

@@ -1,5 +1,6 @@
 // Growing and yielding.
 #include "tasks/path_rate.hpp"
+#include "tasks/path_figures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,27 +9,18 @@
 namespace liena::tasks {
 
 using namespace std::chrono_literals;
+using namespace path_figures;
 
 namespace {
 
-constexpr auto shortestWindow = 2ms;  // between decisions, however near the peer is
-constexpr auto gentlePause = 20ms;    // between two steps near the ceiling
-constexpr auto longestSilence = 50ms; // until a burst's first acknowledgement; then there is a queue
-constexpr auto longWay = 10ms;        // there and back: from here on round trips vary by milliseconds
-constexpr auto alwaysTolerated = 200us;
-constexpr auto toleratedWhenCalm = 100us;
-constexpr auto mostUnrest = 8ms;        // that is taken for one: what is longer is a queue
+constexpr auto shortestWindow = 2ms;    // between decisions, however near the peer is
+constexpr auto longestSilence = 50ms;   // until a burst's first acknowledgement; then there is a queue
 constexpr auto unrestHalves = 10s;      // what was seen of it, when it is not seen again
-constexpr double clearlyBelow = 0.75;   // what passed without a queue a moment ago
 constexpr double provenLeft = 0.97;     // of that, a second later
 constexpr double drain = 0.25;          // of the rate, while a queue drains
 constexpr double drainWhenSlow = 0.125; // where a segment more is long in coming through, or may be
-constexpr double settling = 0.002;      // seconds in which the smoothed round trip forgets
-constexpr double smoothing = 8;         // acknowledgements that bring the smoothed round trip nearer to the present one by a factor of e
-constexpr double used = 0.7;            // of the rate: less delivered proves nothing
 constexpr double margin = 0.93;         // of what was delivered while a queue stood
 constexpr double allThatIsSent = 0.95;  // nearly
-constexpr double mostThatIsSent = 0.85; // by a path that may be long
 constexpr double leastProof = 0.002;    // seconds at the rate: shorter bursts do not show what the path carries
 constexpr double deepestFall = 0.125;   // at once: a moment in which a processor stood still proves no more
 constexpr double doubtful = 0.5;        // of the rate: whatever makes it fall further at once is to be seen twice
@@ -44,22 +36,8 @@ constexpr double highestLeft = 0.99;    // of the highest ceiling of late, a sec
 constexpr double leastBoldest = 1.08;   // of the steps on a slow path, which must not be as bold as on others
 constexpr double bolder = 1.5;          // each step beyond the ceiling, as long as no queue shows
 constexpr int atOnce = 3;               // a part of what is tolerated, by which a round trip waits longer than just before
-constexpr double inOnePiece = 2896;     // bytes: two packets, which the kernel sends and acknowledges together
 constexpr int piecesInDoubt = 4;        // what is late by no more waits for pieces of its own
-constexpr double noticing = 12;         // such pieces, until the smoothed round trip shows a queue
-constexpr double usual = 0.0002;        // seconds of what is delivered, in a round trip without a queue
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
-// With header and seal two full packets.
-constexpr std::size_t smallestSegment = 2854;
-constexpr std::size_t largestSegment = 3 * smallestSegment; // a command waits for one; longer ones save little
-
-double secondsOf(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
-
-/// Counts the SYN.
-double underWay(const transport::PathFacts& facts)
-{
-    return static_cast<double>(facts.bytesSent) - static_cast<double>(facts.bytesAcknowledged);
-}
 
 } // namespace
 
@@ -88,18 +66,6 @@ void PathRate::observe(const transport::PathFacts& facts, Instant now, bool goes
         return;
     enter(goesOn, now);
     decide(asOfLate(ofSession, now), now);
-}
-
-/// What takes longer than the shortest for as long as this is no queue of ours: it would have drained.
-transport::PathFacts PathRate::asOfLate(transport::PathFacts facts, Instant now)
-{
-    const auto ofLate = m_ofLate.note(facts.roundTrip, now);
-    if (ofLate && *ofLate - facts.leastRoundTrip > tolerated(facts))
-        facts.leastRoundTrip = *ofLate;
-    const auto before = std::exchange(m_least, facts.leastRoundTrip);
-    if (before > Nanoseconds::zero() && m_least - before > tolerated(facts))
-        forgetQueues();
-    return facts;
 }
 
 /// They were none, the path has become longer: back to what it carried before. On a slow path, where a step too far is long in coming
@@ -183,14 +149,6 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
         grow(facts, m_delivered, quickest, now);
 }
 
-/// After it yielded, as after a second look, little was delivered since little was sent: on a short way a window that began then tells
-/// nothing, but for clearly more under way than a round trip carries, or than had drained, which is another queue.
-bool PathRate::mayStillDrain(const transport::PathFacts& facts, std::uint64_t acknowledgedBefore) const
-{
-    const double stood = m_look.drainedFrom().value_or(m_rate * secondsOf(facts.leastRoundTrip));
-    return facts.leastRoundTrip < longWay && acknowledgedBefore < m_effective && underWay(facts) <= stood + m_rate * settling;
-}
-
 /// It was over before its acknowledgements came; what they said of it is known when the next one begins.
 void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
 {
@@ -214,48 +172,6 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     m_draining = false; // it had the pause for that
 }
 
-bool PathRate::isEffective(const transport::PathFacts& facts) const { return facts.bytesAcknowledged >= m_effective; }
-
-bool PathRate::hasWaited(const transport::PathFacts& facts) const { return facts.roundTrip - facts.leastRoundTrip > tolerated(facts); }
-
-/// The round trip is smoothed over many acknowledgements, which on a slow path takes long: it goes on telling of a queue that is gone. What
-/// is under way knows better, and at once.
-bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
-{
-    if (!hasWaited(facts))
-        return false;
-    const double segments = static_cast<double>(segment() * m_lanes);
-    const auto usual = usualWait();
-    const double own = usual ? std::min(segments, m_rate * secondsOf(*usual)) : segments;
-    return underWay(facts) > mayBeUnderWay(facts, now) + own + segments / 4;
-}
-
-/// Without a queue: what a round trip carries, as was delivered of late; or what left within the last one, which is not late yet, however
-/// little left before it: a connection that has just begun sends twice as much in each, and one that yielded sends at its rate again.
-double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) const
-{
-    const double carried = m_delivered * (secondsOf(facts.leastRoundTrip + m_unrest) + usual);
-    const auto before = m_departures.about(now - facts.leastRoundTrip - m_unrest);
-    return before ? std::max(carried, static_cast<double>(facts.bytesSent) - *before) : carried;
-}
-
-/// A path's own unrest, as it is assumed or was heard, and two of our segments; where these take milliseconds, what the kernel sends in one
-/// piece and one of them, or as little as that is seen to wait: behind a token bucket a step too far costs commands next to nothing.
-PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) const
-{
-    const double segments = 2 * static_cast<double>(segment()) / part();
-    const double piece = inOnePiece / part();
-    const auto usual = usualWait();
-    const std::chrono::duration<double> own(std::min(segments, (usual ? std::min(piece, secondsOf(*usual)) : piece) + 0.0003));
-    return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
-           std::max(std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()), m_unrest);
-}
-
-/// Elsewhere a piece takes next to no time.
-std::optional<PathRate::Nanoseconds> PathRate::usualWait() const { return isSlow() ? m_usualWait.calmest() : std::nullopt; }
-
-bool PathRate::isCalm(const transport::PathFacts& facts) const { return facts.leastRoundTrip >= longWay && m_calm.isCalm(); }
-
 void PathRate::endsBurst(bool ends)
 {
     m_tries = ends && mayTry();
@@ -264,38 +180,6 @@ void PathRate::endsBurst(bool ends)
 }
 
 bool PathRate::mayTry() const { return m_isLong && m_calm.isCalm() && !m_ceiling && !m_draining; }
-
-bool PathRate::mayBeUnrest(const transport::PathFacts& facts) const
-{
-    return isAlone() && facts.leastRoundTrip >= longWay && m_waiting <= std::min<Nanoseconds>(facts.leastRoundTrip / 3, mostUnrest);
-}
-
-/// Of a long path: what left a round trip ago has come, only somewhat late. A connection that TCP itself holds back, as each does at first,
-/// delivers less than the rate, and that says nothing of the path.
-bool PathRate::carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const
-{
-    if (!mayBeUnrest(facts))
-        return false;
-    const auto from = m_departures.until(m_course.since() - facts.leastRoundTrip);
-    const auto to = m_departures.until(now - facts.leastRoundTrip);
-    return from && to &&
-           m_delivered * secondsOf(now - m_course.since()) >= mostThatIsSent * (static_cast<double>(*to) - static_cast<double>(*from));
-}
-
-/// A path that carried more a moment ago, and carries what is sent now, has no queue of ours: its round trips vary by themselves, as those
-/// of long and of wireless ways do. On a calm path something stood still.
-bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Instant now)
-{
-    if (!mayBeUnrest(facts) || delivered < m_rate * used)
-        m_proven = 0;
-    if (m_rate > m_proven * clearlyBelow)
-        return false;
-    if (!isCalm(facts)) {
-        m_unrest = std::max(m_unrest, m_waiting);
-        m_unrestSeen = now;
-    }
-    return true;
-}
 
 /// On a short way, and not for one of several lanes of a session: of those the others may have fallen at the same queue already.
 bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
@@ -395,13 +279,6 @@ void PathRate::yield(const transport::PathFacts& facts)
     m_forgotten = whenForgotten(facts);
 }
 
-/// Once so much is acknowledged, the smoothed round trip tells no more of the queue that it tells of now.
-std::uint64_t PathRate::whenForgotten(const transport::PathFacts& facts) const
-{
-    const double times = secondsOf(m_waiting) / secondsOf(tolerated(facts));
-    return facts.bytesSent + static_cast<std::uint64_t>(smoothing * inOnePiece * std::log(std::max(times, 1.0)));
-}
-
 void PathRate::shift(double bytesPerSecond)
 {
     m_rate = std::clamp(m_rate + bytesPerSecond, least, most);
@@ -487,13 +364,6 @@ void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
     }
 }
 
-PathRate::Nanoseconds PathRate::timeOf(double bytes) const
-{
-    return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(bytes / part()));
-}
-
-PathRate::Nanoseconds PathRate::timeToNotice() const { return timeOf(noticing * inOnePiece); }
-
 /// On a long way a queue shows a round trip later.
 PathRate::Nanoseconds PathRate::pauseInDoubt(const transport::PathFacts& facts) const
 {
@@ -504,21 +374,12 @@ PathRate::Nanoseconds PathRate::pauseInDoubt(const transport::PathFacts& facts) 
 /// A step too far must show before the next one.
 PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nanoseconds>(gentlePause, timeToNotice()); }
 
-/// It takes longer than between two steps elsewhere until a queue shows.
-bool PathRate::isSlow() const { return timeToNotice() > gentlePause; }
-
 std::optional<double> PathRate::known() const
 {
     const double usual = m_rate * m_usualPart;
     if (m_limit && *m_limit < usual)
         return m_limit;
     return m_ceiling ? std::optional(usual) : std::nullopt;
-}
-
-std::size_t PathRate::segment() const
-{
-    const auto quarter = static_cast<std::size_t>(std::min(part(), m_limit.value_or(most)) * 0.00025);
-    return std::clamp(quarter / smallestSegment * smallestSegment, smallestSegment, largestSegment);
 }
 
 } // namespace liena::tasks

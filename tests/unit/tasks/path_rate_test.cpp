@@ -86,7 +86,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("megabits");
         QTest::addColumn<int>("mostUs");
-        for (const auto& [megabits, most] : {std::pair{100.0, 700}, {400.0, 750}, {1000.0, 600}})
+        for (const auto& [megabits, most] : {std::pair{100.0, 650}, {400.0, 750}, {1000.0, 600}})
             QTest::addRow("%.0f Mbit/s", megabits) << megabits << most;
     }
 
