@@ -74,7 +74,7 @@ private Q_SLOTS:
             for (const int roundTrip : {200, 2000})
                 for (const auto& [name, who] : all)
                     QTest::addRow("%.0f Mbit/s, %d us, %s", megabits, roundTrip, name)
-                        << megabits * 125'000 << roundTrip << who << (megabits < 50 && who == Who::Network ? 0.68 : 0.84);
+                        << megabits * 125'000 << roundTrip << who << (megabits < 50 && who == Who::Network ? 0.68 : 0.86);
     }
 
     /// Themselves they take 1 % of the time. On a slow path a piece is late by as much as a standstill is long.
