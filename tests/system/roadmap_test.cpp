@@ -4,10 +4,12 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QDeadlineTimer>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace console;
 using console::test::Theatre;
@@ -16,15 +18,30 @@ namespace {
 
 constexpr int patience = Theatre::patience;
 
-/// Five millilitres, while armed.
-bool giveContrast(Theatre& theatre)
+/// Arms, and gives five millilitres by one hold; again as often as the permit ended before: a busy computer paints too late, or stands
+/// still.
+bool armAndGiveContrast(Theatre& theatre)
 {
-    theatre.hold(Qt::Key_G);
+    const QDeadlineTimer deadline(3 * patience);
     const auto& injections = theatre.models().instrument.injections();
-    const bool given =
-        QTest::qWaitFor([&] { return !injections.empty() && injections.back().progress == InjectionProgress::Done; }, patience);
-    theatre.release(Qt::Key_G);
-    return given;
+    while (!deadline.hasExpired() && theatre.arm()) {
+        const auto mayGive = [&theatre] { return theatre.phase() == PermitPhase::Armed || theatre.phase() == PermitPhase::Engaged; };
+        const auto asked = injections.size();
+        const auto given = [&] { return injections.size() == asked + 1 && injections.back().progress == InjectionProgress::Done; };
+        theatre.hold(Qt::Key_G);
+        (void)QTest::qWaitFor([&] { return given() || !mayGive(); }, patience);
+        theatre.release(Qt::Key_G);
+        if (given())
+            return true;
+    }
+    return false;
+}
+
+double contrastGiven(const Theatre& theatre)
+{
+    const auto& injections = theatre.models().instrument.injections();
+    return std::accumulate(injections.begin(), injections.end(), 0.0,
+                           [](double sum, const InjectionStatus& injection) { return sum + injection.delivered; });
 }
 
 bool makeRoadmap(Theatre& theatre)
@@ -44,14 +61,12 @@ private Q_SLOTS:
     {
         Theatre theatre;
         QVERIFY(theatre.openAll());
-        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
+        QTRY_VERIFY_WITH_TIMEOUT(theatre.models().instrument.robot().known(), patience);
         const double before = theatre.robotStatus().contrastRemaining;
         QVERIFY(before >= 10);
-        QVERIFY2(giveContrast(theatre), qPrintable(theatre.story()));
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(theatre.robotStatus().contrastRemaining - (before - 5)) < 0.2, patience);
-        const auto& injections = theatre.models().instrument.injections();
-        QCOMPARE(injections.size(), std::size_t(1));
-        QVERIFY(std::abs(injections.back().delivered - 5) < 0.2);
+        QVERIFY2(armAndGiveContrast(theatre), qPrintable(theatre.story()));
+        QVERIFY(std::abs(theatre.models().instrument.injections().back().delivered - 5) < 0.2);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(theatre.robotStatus().contrastRemaining - (before - contrastGiven(theatre))) < 0.2, patience);
         QVERIFY2(makeRoadmap(theatre), qPrintable(theatre.story()));
         const auto* pane = theatre.window().findChild<ReferenceImageView*>();
         QTRY_VERIFY(pane->picture() && pane->picture()->role == PictureRole::Roadmap);
@@ -66,8 +81,7 @@ private Q_SLOTS:
     {
         Theatre theatre;
         QVERIFY(theatre.openAll());
-        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
-        QVERIFY2(giveContrast(theatre), qPrintable(theatre.story()));
+        QVERIFY2(armAndGiveContrast(theatre), qPrintable(theatre.story()));
         QVERIFY2(makeRoadmap(theatre), qPrintable(theatre.story()));
         QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
         const auto& models = theatre.models();
