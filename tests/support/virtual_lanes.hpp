@@ -1,6 +1,7 @@
-// The bulk lanes of one session in virtual time, with what their kernels hold, before one bottleneck with a queue.
+// The bulk lanes of one or several sessions in virtual time, each with its kernel, before one bottleneck with a queue.
 #pragma once
 
+#include "support/virtual_kernel.hpp"
 #include "tasks/fair_share.hpp"
 #include "tasks/path_rate.hpp"
 
@@ -9,6 +10,7 @@
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace liena::test {
@@ -26,13 +28,16 @@ public:
         double frame = 0; ///< bytes
         Nanoseconds period{};
         Nanoseconds begins{};
+        std::uint32_t session = 1;
     };
 
     VirtualLane(Stream stream, Nanoseconds roundTrip, Instant now)
         : m_stream(stream), m_idle(roundTrip), m_smoothed(roundTrip), m_due(now + stream.begins)
-    {}
+    {
+        rateChanged();
+    }
 
-    void rateChanged() override { m_pace = rate.rate(); }
+    void rateChanged() override { m_kernel.pace(rate.rate(), rate.segment()); }
 
     /// A write after the other, as long as the kernel takes them: of a millisecond, and looked at every five.
     void write(Instant now)
@@ -41,25 +46,25 @@ public:
         while (m_write > 0 || m_waiting > 0) {
             if (m_write <= 0)
                 beginWrite(now);
-            const double lowWater = std::clamp(m_pace / 250, 2.0 * static_cast<double>(rate.segment()), 131072.0);
-            if (m_unsent >= lowWater)
+            if (!m_kernel.hasRoom())
                 return look(now);
             const double taken = std::min(m_write, 16384.0);
             m_write -= taken;
-            m_unsent += taken;
+            m_kernel.take(taken);
         }
         if (m_sending) {
             m_sending = false;
-            rate.pause(now, static_cast<std::uint32_t>(m_unsent));
+            rate.pause(now, static_cast<std::uint32_t>(m_kernel.unsent()));
             took.push_back(now - m_begun);
         }
     }
 
-    double offered(double seconds) const { return std::min(m_unsent, m_pace * seconds); }
-    void leave(double bytes)
+    /// Bytes that leave its kernel, within one step.
+    double send(Instant now, Nanoseconds step, double atMost)
     {
-        m_unsent -= bytes;
+        const double bytes = m_kernel.send(now, step, atMost);
         m_sent += bytes;
+        return bytes;
     }
 
     /// So many bytes left the bottleneck after so long a wait.
@@ -88,6 +93,12 @@ public:
         auto sorted = took;
         std::ranges::sort(sorted);
         return sorted.empty() ? Nanoseconds::zero() : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
+    }
+
+    Nanoseconds tookInTheMean() const
+    {
+        return took.empty() ? Nanoseconds::zero()
+                            : std::accumulate(took.begin(), took.end(), Nanoseconds::zero()) / static_cast<int>(took.size());
     }
 
     static constexpr double twoPackets = 2896; ///< bytes, which are acknowledged at once
@@ -130,11 +141,11 @@ private:
 
     void observe(Instant now)
     {
-        const auto unsent = static_cast<std::uint32_t>(m_unsent);
+        const auto unsent = static_cast<std::uint32_t>(m_kernel.unsent());
         rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_sent), static_cast<std::uint64_t>(m_acknowledged), 0, {}, unsent},
                      now, m_waiting > 0);
         rate.endsBurst(m_waiting <= 0);
-        m_pace = rate.rate();
+        rateChanged();
         m_look = now + 5ms;
     }
 
@@ -147,8 +158,7 @@ private:
     double m_waiting = 0; ///< of a frame, not yet written
     double m_write = 0;   ///< of the write in hand, not yet in the kernel
     bool m_sending = false;
-    double m_pace = 0;
-    double m_unsent = 0; ///< in the kernel
+    VirtualKernel m_kernel;
     double m_sent = 0;
     double m_acknowledged = 0;
     double m_unheard = 0;
@@ -160,12 +170,13 @@ class VirtualLanes {
 public:
     using Nanoseconds = std::chrono::nanoseconds;
 
-    VirtualLanes(double bytesPerSecond, Nanoseconds roundTrip, const std::vector<VirtualLane::Stream>& streams) : capacity(bytesPerSecond)
+    VirtualLanes(double bytesPerSecond, Nanoseconds roundTrip, const std::vector<VirtualLane::Stream>& streams,
+                 const std::shared_ptr<tasks::FairShare>& share = std::make_shared<tasks::FairShare>())
+        : capacity(bytesPerSecond)
     {
-        const auto share = std::make_shared<tasks::FairShare>();
         for (const auto& stream : streams) {
             m_lanes.push_back(std::make_unique<VirtualLane>(stream, roundTrip, m_now));
-            m_lanes.back()->rate.shareWith(share, DeviceId(1));
+            m_lanes.back()->rate.shareWith(share, DeviceId(stream.session));
             m_lanes.back()->rate.serve(*m_lanes.back());
         }
     }
@@ -186,6 +197,18 @@ public:
     }
 
     void stop(std::size_t place) { m_lanes[place]->stop(); }
+    std::size_t count() const { return m_lanes.size(); }
+
+    /// What it has in the queue is gone, too.
+    void close(std::size_t place)
+    {
+        const auto* lane = m_lanes[place].get();
+        std::erase_if(m_chunks, [lane](const Chunk& chunk) { return chunk.lane == lane; });
+        m_queue = 0;
+        for (const auto& chunk : m_chunks)
+            m_queue += chunk.bytes;
+        m_lanes.erase(m_lanes.begin() + static_cast<std::ptrdiff_t>(place));
+    }
     VirtualLane& lane(std::size_t place) { return *m_lanes[place]; }
 
     Nanoseconds carrying(double bytes) const
@@ -201,7 +224,10 @@ public:
         return sorted.empty() ? Nanoseconds::zero() : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
     }
 
+    static constexpr Nanoseconds step = 50us;
+
     double capacity;
+    bool stalled = false;
 
 private:
     struct Chunk {
@@ -213,16 +239,12 @@ private:
     void tick()
     {
         const double seconds = std::chrono::duration<double>(step).count();
-        double offered = 0;
+        const double room = std::max(512e3, capacity * 0.005) - m_queue; // as of a switch
         for (auto& lane : m_lanes) {
             lane->write(m_now);
-            offered += lane->offered(seconds);
+            enter(*lane, lane->send(m_now, step, std::max(room, 0.0) / static_cast<double>(m_lanes.size())));
         }
-        const double room = std::max(512e3, capacity * 0.005) - m_queue; // as of a switch
-        const double part = offered > 0 ? std::clamp(room / offered, 0.0, 1.0) : 0;
-        for (auto& lane : m_lanes)
-            enter(*lane, part * lane->offered(seconds));
-        for (double left = capacity * seconds; left > 0 && !m_chunks.empty();)
+        for (double left = stalled ? 0 : capacity * seconds; left > 0 && !m_chunks.empty();)
             left -= carry(left);
         m_waits.push_back(carrying(m_queue));
         for (auto& lane : m_lanes)
@@ -233,7 +255,6 @@ private:
     {
         if (bytes <= 0)
             return;
-        lane.leave(bytes);
         m_queue += bytes;
         m_chunks.push_back({&lane, bytes, m_now});
     }
@@ -249,8 +270,6 @@ private:
             m_chunks.pop_front();
         return bytes;
     }
-
-    static constexpr Nanoseconds step = 25us;
 
     tasks::PathRate::Instant m_now{1h};
     std::vector<std::unique_ptr<VirtualLane>> m_lanes;

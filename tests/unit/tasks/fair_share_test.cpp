@@ -2,124 +2,61 @@
 #include "tasks/fair_share.hpp"
 
 #include "tasks/interface_shares.hpp"
-#include "tasks/path_rate.hpp"
 
 #include "support/standstills.hpp"
+#include "support/virtual_lanes.hpp"
 
 #include <QTest>
 
-#include <algorithm>
-#include <deque>
 #include <map>
 #include <memory>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
 using Nanoseconds = std::chrono::nanoseconds;
+using Lanes = liena::test::VirtualLanes;
+using Stream = liena::test::VirtualLane::Stream;
 
 namespace {
 
 constexpr double gigabit = 125e6; // bytes per second
-constexpr Nanoseconds step = 250us;
+constexpr auto between = 3s;
 
-/// What one lane has before the bottleneck, and the kernel's smoothed view of its round trip.
-struct Flow {
-    PathRate rate;
-    bool sending = false;
-    double queue = 0;
-    double entered = 0;
-    double delivered = 0;
-    double offered = 0;
-    Nanoseconds smoothed{};
-    struct News {
-        PathRate::Instant known;
-        Nanoseconds waiting{};
-        double bytes = 0;
-    };
-    std::deque<News> onItsWay{};
-};
+/// Each always has more to send, and begins so much later than the one before.
+std::vector<Stream> endless(const std::vector<unsigned>& sessions, std::chrono::milliseconds apart = 0ms)
+{
+    std::vector<Stream> streams;
+    for (const auto session : sessions)
+        streams.push_back({1e12, 1h, apart * static_cast<int>(streams.size()), session});
+    return streams;
+}
 
-/// A first-in-first-out queue that several flows share, each of another session.
-class Bottleneck {
-public:
-    Bottleneck(double bytesPerSecond, Nanoseconds idleRoundTrip, std::size_t count, const std::shared_ptr<FairShare>& share,
-               std::uint32_t firstSession = 1)
-        : m_capacity(bytesPerSecond), m_idle(idleRoundTrip)
-    {
-        for (std::size_t i = 0; i < count; ++i) {
-            flows.push_back(std::make_unique<Flow>());
-            flows.back()->smoothed = idleRoundTrip;
-            flows.back()->rate.shareWith(share, liena::DeviceId(firstSession + static_cast<std::uint32_t>(i)));
-        }
-    }
+/// One to `count`, a lane each.
+std::vector<unsigned> sessions(int count)
+{
+    std::vector<unsigned> all(static_cast<std::size_t>(count));
+    std::iota(all.begin(), all.end(), 1U);
+    return all;
+}
 
-    void tick(PathRate::Instant now)
-    {
-        const double seconds = std::chrono::duration<double>(step).count();
-        double waiting = 0;
-        for (auto& flow : flows) {
-            const double offered = flow->sending ? flow->rate.rate() * seconds : 0;
-            const double room = std::max(512e3, m_capacity * 0.005) / static_cast<double>(flows.size());
-            const double taken = std::clamp(room - flow->queue, 0.0, offered);
-            flow->queue += taken;
-            flow->entered += taken;
-            waiting += flow->queue;
-        }
-        const double carried = stalled ? 0 : std::min(waiting, m_capacity * seconds);
-        const auto wait = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(waiting / m_capacity));
-        longestWait = std::max(longestWait, wait);
-        for (auto& flow : flows) {
-            const double part = waiting > 0 ? carried * flow->queue / waiting : 0;
-            flow->queue -= part;
-            flow->onItsWay.push_back({now + m_idle, wait, part});
-            hear(*flow, now);
-        }
-    }
+double delivered(Lanes& path)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < path.count(); ++i)
+        sum += path.lane(i).delivered;
+    return sum;
+}
 
-    /// Of all that was delivered since the last call.
-    std::vector<double> parts()
-    {
-        double sum = 0;
-        for (const auto& flow : flows)
-            sum += flow->delivered;
-        std::vector<double> result;
-        for (const auto& flow : flows)
-            result.push_back(std::exchange(flow->delivered, 0) / sum);
-        return result;
-    }
-
-    std::vector<std::unique_ptr<Flow>> flows;
-    bool stalled = false;
-    Nanoseconds longestWait{};
-
-private:
-    void hear(Flow& flow, PathRate::Instant now)
-    {
-        for (; !flow.onItsWay.empty() && flow.onItsWay.front().known <= now; flow.onItsWay.pop_front()) {
-            const auto& news = flow.onItsWay.front();
-            if (news.bytes <= 0)
-                continue;
-            flow.delivered += news.bytes;
-            m_acknowledged[&flow] += news.bytes;
-            flow.smoothed += ((m_idle + news.waiting) - flow.smoothed) / 4;
-        }
-        if (flow.sending)
-            flow.rate.observe({flow.smoothed,
-                               m_idle,
-                               static_cast<std::uint64_t>(flow.entered),
-                               static_cast<std::uint64_t>(m_acknowledged[&flow]),
-                               0,
-                               {},
-                               0},
-                              now);
-    }
-
-    double m_capacity;
-    Nanoseconds m_idle;
-    std::map<const Flow*, double> m_acknowledged;
-};
+/// Of all that was delivered.
+std::vector<double> parts(Lanes& path)
+{
+    std::vector<double> result;
+    for (std::size_t i = 0; i < path.count(); ++i)
+        result.push_back(path.lane(i).delivered / delivered(path));
+    return result;
+}
 
 /// Jain's index: 1 when all are equal, 1/n when one has everything (Jain, Chiu and Hawe, DEC-TR-301, 1984).
 double fairness(const std::vector<double>& parts)
@@ -133,23 +70,18 @@ double fairness(const std::vector<double>& parts)
     return sum * sum / (static_cast<double>(parts.size()) * squares);
 }
 
-/// One flow after the other begins, each finding what the earlier ones left.
-std::vector<double> partsOf(Bottleneck& bottleneck, std::chrono::milliseconds between = 3s)
+/// In step, since they share an interface.
+void runTogether(Lanes& one, Lanes& other, Nanoseconds time)
 {
-    PathRate::Instant now{1h};
-    for (auto& flow : bottleneck.flows) {
-        flow->sending = true;
-        for (const auto end = now + between; now < end; now += step)
-            bottleneck.tick(now);
+    for (; time > 0s; time -= Lanes::step) {
+        one.run(Lanes::step);
+        other.run(Lanes::step);
     }
-    (void)bottleneck.parts();
-    bottleneck.longestWait = {};
-    for (const auto end = now + 10s; now < end; now += step)
-        bottleneck.tick(now);
-    return bottleneck.parts();
 }
 
-double fairnessOf(Bottleneck& bottleneck) { return fairness(partsOf(bottleneck)); }
+QByteArray milliseconds(Nanoseconds time) { return QByteArray::number(static_cast<double>(time.count()) / 1e6) + " ms"; }
+
+QByteArray number(double value) { return QByteArray::number(value); }
 
 } // namespace
 
@@ -168,15 +100,18 @@ private Q_SLOTS:
         QTest::newRow("two across one") << 2 << 40'000;
     }
 
+    /// One after the other begins, each finding what the earlier ones left.
     void lanesBeforeOneQueueComeToEvenRates()
     {
         QFETCH(const int, lanes);
         QFETCH(const int, microseconds);
-        Bottleneck bottleneck(gigabit, std::chrono::microseconds(microseconds), static_cast<std::size_t>(lanes),
-                              std::make_shared<FairShare>());
-        const double index = fairnessOf(bottleneck);
-        QVERIFY2(index > 0.85, qPrintable(QString::number(index)));
-        QVERIFY2(bottleneck.longestWait < 8ms, qPrintable(QString::number(bottleneck.longestWait.count())));
+        Lanes path(gigabit, std::chrono::microseconds(microseconds), endless(sessions(lanes), between));
+        path.run(between * lanes);
+        path.forget();
+        path.run(10s);
+        const double index = fairness(parts(path));
+        QVERIFY2(index > 0.85, number(index).constData());
+        QVERIFY2(path.waitedFor(1) < 8ms, milliseconds(path.waitedFor(1)).constData());
     }
 
     void sessionsBeforeOneQueueComeToEvenRatesWhateverTheirLanes_data()
@@ -191,141 +126,107 @@ private Q_SLOTS:
     {
         QFETCH(const std::vector<unsigned>, sessions);
         double sum = 0;
-        for (const auto between : {2500ms, 2800ms, 3000ms, 3300ms}) {
-            const auto share = std::make_shared<FairShare>();
-            Bottleneck bottleneck(gigabit, 1ms, sessions.size(), share);
-            for (std::size_t i = 0; i < sessions.size(); ++i)
-                bottleneck.flows[i]->rate.shareWith(share, liena::DeviceId(sessions[i]));
-            const auto parts = partsOf(bottleneck, between);
+        for (const auto time : {2500ms, 2800ms, 3000ms, 3300ms}) {
+            Lanes path(gigabit, 1ms, endless(sessions, time));
+            path.run(time * static_cast<int>(sessions.size()));
+            path.forget();
+            path.run(10s);
             std::map<unsigned, double> ofSession;
             for (std::size_t i = 0; i < sessions.size(); ++i)
-                ofSession[sessions[i]] += parts[i];
+                ofSession[sessions[i]] += path.lane(i).delivered;
             std::vector<double> shares;
             for (const auto& [session, part] : ofSession)
                 shares.push_back(part);
             const double index = fairness(shares); // lanes at even rates: 0.8 and 0.89
-            QVERIFY2(index > 0.9, qPrintable(QString::number(index)));
+            QVERIFY2(index > 0.9, number(index).constData());
             sum += index;
-            QVERIFY2(bottleneck.longestWait < 8ms, qPrintable(QString::number(bottleneck.longestWait.count())));
+            QVERIFY2(path.waitedFor(1) < 8ms, milliseconds(path.waitedFor(1)).constData());
         }
-        QVERIFY2(sum / 4 > 0.93, qPrintable(QString::number(sum / 4))); // where in its breathing a lane meets the next one is chance
+        QVERIFY2(sum / 4 > 0.93, number(sum / 4).constData()); // where in its breathing a lane meets the next one is chance
     }
 
     /// The same lanes without a share: what the last one finds is what it keeps.
     void lanesThatDoNotKnowOfEachOtherKeepWhatTheyFound()
     {
-        Bottleneck bottleneck(gigabit, 9ms, 3, nullptr);
-        const double index = fairnessOf(bottleneck);
-        QVERIFY2(index < 0.85, qPrintable(QString::number(index)));
+        Lanes path(gigabit, 9ms, endless(sessions(3), between), nullptr);
+        path.run(between * 3);
+        path.forget();
+        path.run(10s);
+        const double index = fairness(parts(path));
+        QVERIFY2(index < 0.85, number(index).constData());
     }
 
     void standstillsCostSessionsBeforeOneQueueLittle_data()
     {
         QTest::addColumn<double>("capacity");
-        QTest::addColumn<int>("sessions");
+        QTest::addColumn<int>("count");
         for (const double megabits : {100.0, 400.0, 1000.0})
-            for (const int sessions : {2, 3})
-                QTest::addRow("%.0f Mbit/s, %d", megabits, sessions) << megabits * 125'000 << sessions;
+            for (const int count : {2, 3})
+                QTest::addRow("%.0f Mbit/s, %d", megabits, count) << megabits * 125'000 << count;
     }
 
     /// Six times a second, for 0.5 to 4 ms, the network stands still before all of them.
     void standstillsCostSessionsBeforeOneQueueLittle()
     {
         QFETCH(const double, capacity);
-        QFETCH(const int, sessions);
+        QFETCH(const int, count);
         constexpr auto counted = 20s;
-        Bottleneck bottleneck(capacity, 200us, static_cast<std::size_t>(sessions), std::make_shared<FairShare>());
-        for (auto& flow : bottleneck.flows)
-            flow->sending = true;
+        Lanes path(capacity, 200us, endless(sessions(count)));
         liena::test::Standstills standstills(6, 4ms, 1);
-        PathRate::Instant now{1h};
         const auto run = [&](Nanoseconds time) {
-            for (const auto end = now + time; now < end; now += step)
-                bottleneck.tick(now);
-        };
-        const auto runRestlessly = [&](Nanoseconds time) {
-            for (const auto end = now + time; now < end;) {
-                run(std::min(standstills.untilNext(), end - now));
-                bottleneck.stalled = true;
-                run(standstills.length());
-                bottleneck.stalled = false;
+            while (time > 0s) {
+                const auto calm = std::min(standstills.untilNext(), time);
+                path.run(calm);
+                const auto still = standstills.length();
+                path.stalled = true;
+                path.run(still);
+                path.stalled = false;
+                time -= calm + still;
             }
         };
-        runRestlessly(3s);
-        for (auto& flow : bottleneck.flows)
-            flow->delivered = 0;
-        runRestlessly(counted);
-        double carried = 0;
-        for (const auto& flow : bottleneck.flows)
-            carried += flow->delivered / capacity / std::chrono::duration<double>(counted).count();
-        QVERIFY2(carried > 0.87, qPrintable(QString::number(carried)));
-        const double index = fairness(bottleneck.parts());
-        QVERIFY2(index > 0.85, qPrintable(QString::number(index)));
+        run(3s);
+        path.forget();
+        run(counted);
+        const double carried = delivered(path) / capacity / std::chrono::duration<double>(counted).count();
+        QVERIFY2(carried > 0.87, number(carried).constData());
+        const double index = fairness(parts(path));
+        QVERIFY2(index > 0.85, number(index).constData());
     }
 
     void laneWithANarrowPathDoesNotHoldUpAWideOne()
     {
         const auto share = std::make_shared<FairShare>();
-        Bottleneck wide(gigabit, 200us, 1, share);
-        Bottleneck narrow(gigabit / 100, 5ms, 1, share, 2);
-        wide.flows.front()->sending = narrow.flows.front()->sending = true;
-        PathRate::Instant now{1h};
-        const auto run = [&](Nanoseconds time) {
-            for (const auto end = now + time; now < end; now += step) {
-                wide.tick(now);
-                narrow.tick(now);
-            }
-        };
-        run(2s);
-        wide.flows.front()->delivered = narrow.flows.front()->delivered = 0;
-        run(10s);
-        QVERIFY2(wide.flows.front()->delivered > 0.8 * gigabit * 10,
-                 qPrintable(QString::number(wide.flows.front()->delivered / gigabit / 10)));
-        QVERIFY(narrow.flows.front()->delivered > 0.8 * gigabit / 100 * 10);
+        Lanes wide(gigabit, 200us, endless({1}), share);
+        Lanes narrow(gigabit / 100, 5ms, endless({2}), share);
+        runTogether(wide, narrow, 2s);
+        wide.forget();
+        narrow.forget();
+        runTogether(wide, narrow, 10s);
+        QVERIFY2(delivered(wide) > 0.8 * gigabit * 10, number(delivered(wide) / gigabit / 10).constData());
+        QVERIFY(delivered(narrow) > 0.8 * gigabit / 100 * 10);
     }
 
     /// A fast session waits in a queue of its own, far away; the others come to even rates before theirs all the same.
     void sessionWithAnotherBottleneckKeepsNobodyFromEvenRates()
     {
         const auto share = std::make_shared<FairShare>();
-        Bottleneck far(4 * gigabit, 60ms, 4, share);
-        for (auto& flow : far.flows) {
-            flow->rate.shareWith(share, liena::DeviceId(9));
-            flow->sending = true;
-        }
-        Bottleneck near(gigabit, 9ms, 3, share);
-        for (std::size_t i = 0; i < near.flows.size(); ++i)
-            near.flows[i]->rate.shareWith(share, liena::DeviceId(static_cast<std::uint32_t>(i + 1)));
-        PathRate::Instant now{1h};
-        const auto run = [&](Nanoseconds time) {
-            for (const auto end = now + time; now < end; now += step) {
-                far.tick(now);
-                near.tick(now);
-            }
-        };
-        for (auto& flow : near.flows) {
-            flow->sending = true;
-            run(3s);
-        }
-        (void)near.parts();
-        (void)far.parts();
-        run(10s);
-        const double index = fairness(near.parts());
-        QVERIFY2(index > 0.93, qPrintable(QString::number(index)));
+        Lanes far(4 * gigabit, 60ms, endless({9, 9, 9, 9}), share);
+        Lanes near(gigabit, 9ms, endless(sessions(3), between), share);
+        runTogether(far, near, between * 3);
+        near.forget();
+        runTogether(far, near, 10s);
+        const double index = fairness(parts(near));
+        QVERIFY2(index > 0.93, number(index).constData());
     }
 
     void laneThatPausedOrEndedTakesNoShare()
     {
-        const auto share = std::make_shared<FairShare>();
-        Bottleneck bottleneck(gigabit, 200us, 3, share);
-        (void)fairnessOf(bottleneck);
-        bottleneck.flows.at(0)->sending = false;
-        bottleneck.flows.at(0)->rate.pause(PathRate::Instant{2h});
-        bottleneck.flows.erase(bottleneck.flows.begin() + 1); // its destructor leaves the share
-        PathRate::Instant now{3h};
-        for (const auto end = now + 3s; now < end; now += step)
-            bottleneck.tick(now);
-        QVERIFY(bottleneck.flows.back()->rate.rate() > 0.8 * gigabit);
+        Lanes path(gigabit, 200us, endless(sessions(3), between));
+        path.run(between * 3);
+        path.stop(0);
+        path.close(1); // it leaves the share
+        path.run(3s);
+        QVERIFY2(path.lane(1).rate.rate() > 0.8 * gigabit, number(path.lane(1).rate.rate() / gigabit).constData());
     }
 
     void interfacesHaveSharesOfTheirOwn()
