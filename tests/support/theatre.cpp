@@ -262,6 +262,17 @@ bool Theatre::armAndMove(const Hand& hand)
     return true;
 }
 
+bool Theatre::heldByThisComputer() const
+{
+    const QStringList late{word(HoldCause::Stalled), word(HoldCause::GateClosed), QStringLiteral("Picture"),
+                           QStringLiteral("No recent robot report")};
+    const auto isLate = [&late](const QString& reason) {
+        return std::any_of(late.begin(), late.end(), [&reason](const QString& one) { return reason.startsWith(one); });
+    };
+    const auto& reasons = models().permit.holdReasons();
+    return !mayMove() && !reasons.isEmpty() && std::all_of(reasons.begin(), reasons.end(), isLate);
+}
+
 void Theatre::testAlarms()
 {
     const auto& test = models().selfTest;

@@ -103,6 +103,11 @@ public:
     bool armAndMove(const Hand& hand);
     bool armAndMove() { return armAndMove(keyboardHand()); }
 
+    bool mayMove() const { return phase() == PermitPhase::Armed || phase() == PermitPhase::Engaged; }
+
+    /// Motion has ended by nothing but what a busy computer does: this console stood still, pictures or the robot's reports were late.
+    bool heldByThisComputer() const;
+
     /// Looks at the colours, listens when that was wished, and says so. A high alarm that comes between ends the test.
     void testAlarms();
 

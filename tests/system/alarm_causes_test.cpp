@@ -9,6 +9,7 @@
 #include "widgets/theme.hpp"
 
 #include <QApplication>
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QTest>
 
@@ -59,6 +60,37 @@ void endRoadmap(Stage& stage)
     stage.endRoadmap();
 }
 
+/// Until it is told; armed again where a busy computer ended that first.
+void turnDriveOff(Stage& stage)
+{
+    const QDeadlineTimer deadline(3 * patience);
+    const auto told = [&stage] { return stage.alarm(C::DriveFault) != nullptr; };
+    while (!told() && !deadline.hasExpired()) {
+        stage.robot.alterDrives({});
+        if (!stage.theatre.mayMove() && !stage.theatre.armAndMove())
+            return;
+        stage.robot.alterDrives([](Message& m) { m.set("enabled", std::vector<double>{1, 0, 1, 1}); });
+        (void)QTest::qWaitFor([&] { return told() || stage.theatre.heldByThisComputer(); }, patience);
+    }
+}
+
+/// By a hold that is long enough; armed again where a busy computer ended that first.
+void beginInjection(Stage& stage)
+{
+    auto& theatre = stage.theatre;
+    const QDeadlineTimer deadline(3 * patience);
+    const auto injecting = [&theatre] { return theatre.models().instrument.injecting(); };
+    stage.robot.setInjector(true);
+    while (!injecting() && !deadline.hasExpired()) {
+        if (!theatre.mayMove() && !theatre.arm())
+            return;
+        for (const int key : {Qt::Key_Up, Qt::Key_D, Qt::Key_G})
+            theatre.release(key);
+        theatre.hold(Qt::Key_G);
+        (void)QTest::qWaitFor([&] { return injecting() || !theatre.mayMove(); }, patience);
+    }
+}
+
 const std::vector<Cause>& causes()
 {
     static const std::vector<Cause> all{
@@ -76,10 +108,7 @@ const std::vector<Cause>& causes()
          [](Stage& s) { s.robot.setForce(0); }},
         {"6 a drive fails", C::DriveFault, AlarmPriority::High,
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("fault_code", 2).set("state", std::string_view("Fault")); }); }, truth},
-        {"6 a drive is off while it is armed", C::DriveFault, AlarmPriority::High,
-         [](Stage& s) { s.robot.alterDrives([](Message& m) {
-                            m.set("enabled", std::vector<double>{1, 0, 1, 1});
-                        }); }, truth},
+        {"6 a drive is off while it is armed", C::DriveFault, AlarmPriority::High, turnDriveOff, truth},
         {"6 the arm fails", C::DriveFault, AlarmPriority::High, [](Stage& s) { s.arm.setFault(true); },
          [](Stage& s) { s.arm.setFault(false); }},
         {"7 emergency stop at the other site", C::EmergencyStop, AlarmPriority::High,
@@ -128,11 +157,7 @@ const std::vector<Cause>& causes()
          [](Stage& s) { robotSays(s, [](Message& m) { m.set("contrast_remaining", 3.0); }); }, truth},
         {"13 contrast runs out during an injection", C::ContrastEmpty, AlarmPriority::Medium,
          [](Stage& s) {
-             s.theatre.release(Qt::Key_Up);
-             s.theatre.release(Qt::Key_D);
-             s.robot.setInjector(true);
-             s.theatre.hold(Qt::Key_G);
-             (void)QTest::qWaitFor([&s] { return s.theatre.models().instrument.injecting(); }, patience);
+             beginInjection(s);
              s.robot.setContrast(0); // it stops with that, and tells both in one turn
          },
          [](Stage& s) {

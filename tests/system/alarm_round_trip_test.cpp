@@ -62,23 +62,16 @@ struct Stage {
         return QTest::qWaitFor([&] { return usual() > time; }, patience);
     }
 
+    /// While it is armed.
     bool tells(AlarmPriority priority) const
     {
-        return QTest::qWaitFor([&] { return isPresent(theatre, C::CommandRoundTrip, priority); }, patience);
+        const auto told = [&] { return isPresent(theatre, C::CommandRoundTrip, priority); };
+        return QTest::qWaitFor([&] { return told() || !theatre.mayMove(); }, patience) && told() && theatre.mayMove();
     }
 
     bool ends() const
     {
         return QTest::qWaitFor([&] { return present(theatre, C::CommandRoundTrip) == nullptr; }, patience);
-    }
-
-    /// Or held since nothing was heard of the robot, as where the computer stands still: what comes of it does not pass the slow line.
-    bool staysArmed() const
-    {
-        const auto& permit = theatre.models().permit;
-        const auto& reasons = permit.holdReasons();
-        return theatre.phase() == PermitPhase::Armed || (permit.state().cause == HoldCause::GuardFailed && reasons.size() == 1 &&
-                                                         reasons.front().startsWith(QStringLiteral("No recent robot report")));
     }
 };
 
@@ -112,14 +105,19 @@ private Q_SLOTS:
         const auto before = stage.devices.robot.turns();
         QTRY_VERIFY_WITH_TIMEOUT(stage.devices.robot.turns() > before + 50, patience); // alarms are looked for several times between
         QVERIFY2(present(theatre, C::CommandRoundTrip) == nullptr, qPrintable(theatre.story())); // nothing is armed
-        stage.line.setDelay(0ms);
-        QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
-        QVERIFY2(present(theatre, C::CommandRoundTrip) == nullptr, qPrintable(theatre.story()));
-        stage.line.setDelay(slow);
-        QVERIFY2(stage.tells(AlarmPriority::Low), qPrintable(theatre.story()));
-        stage.line.setDelay(tooSlow);
-        QVERIFY2(stage.tells(AlarmPriority::Medium), qPrintable(theatre.story()));
-        QVERIFY2(stage.staysArmed(), qPrintable(theatre.story())); // it is told, and ends nothing
+        constexpr int tries = 5; // a computer that stands still ends motion, and what comes of the robot does not pass the slow line
+        bool told = false;
+        for (int i = 0; i < tries && !told; ++i) {
+            stage.line.setDelay(0ms);
+            QVERIFY2(theatre.arm(), qPrintable(theatre.story()));
+            QVERIFY2(stage.ends(), qPrintable(theatre.story()));
+            stage.line.setDelay(slow);
+            told = stage.tells(AlarmPriority::Low);
+            stage.line.setDelay(tooSlow);
+            told = told && stage.tells(AlarmPriority::Medium);
+            QVERIFY2(told || theatre.heldByThisComputer(), qPrintable(theatre.story())); // it is told, and ends nothing
+        }
+        QVERIFY2(told, qPrintable(theatre.story()));
         stage.line.setDelay(0ms);
         QVERIFY2(stage.ends(), qPrintable(theatre.story()));
         theatre.releaseAll();

@@ -29,7 +29,7 @@ struct NeverStage : PuppetTheatre {
 
     bool open() { return theatre.openAll(); }
     PermitPhase phase() const { return theatre.phase(); }
-    bool mayMove() const { return phase() == PermitPhase::Armed || phase() == PermitPhase::Engaged; }
+    bool mayMove() const { return theatre.mayMove(); }
 
     /// Waits until it is so, or motion has ended. Whether it is so and motion goes on.
     template <typename Condition>

@@ -25,11 +25,10 @@ bool armAndGiveContrast(Theatre& theatre)
     const QDeadlineTimer deadline(3 * patience);
     const auto& injections = theatre.models().instrument.injections();
     while (!deadline.hasExpired() && theatre.arm()) {
-        const auto mayGive = [&theatre] { return theatre.phase() == PermitPhase::Armed || theatre.phase() == PermitPhase::Engaged; };
         const auto asked = injections.size();
         const auto given = [&] { return injections.size() == asked + 1 && injections.back().progress == InjectionProgress::Done; };
         theatre.hold(Qt::Key_G);
-        (void)QTest::qWaitFor([&] { return given() || !mayGive(); }, patience);
+        (void)QTest::qWaitFor([&] { return given() || !theatre.mayMove(); }, patience);
         theatre.release(Qt::Key_G);
         if (given())
             return true;
@@ -76,29 +75,44 @@ private Q_SLOTS:
         theatre.releaseAll();
     }
 
-    /// A console that stands still for a tenth of a second ends motion and the pedal.
+    /// A console that stands still for a tenth of a second ends motion: with a roadmap that is made by the thread that hears hands it would
+    /// do so each time.
     void askedForHoweverOftenItEndsNoMotion()
     {
         Theatre theatre;
         QVERIFY(theatre.openAll());
         QVERIFY2(armAndGiveContrast(theatre), qPrintable(theatre.story()));
         QVERIFY2(makeRoadmap(theatre), qPrintable(theatre.story()));
-        QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
         const auto& models = theatre.models();
         const auto made = [&models] {
             const auto& lines = models.log.lines();
             return std::count_if(lines.begin(), lines.end(),
                                  [](const LogLine& line) { return line.text.startsWith(QStringLiteral("roadmap made of ")); });
         };
-        for (int turn = 0; turn < 3; ++turn) {
-            const auto before = made();
-            for (int time = 0; time < 6; ++time)
-                QVERIFY(theatre.click(QStringLiteral("Roadmap")));
-            QTRY_VERIFY2_WITH_TIMEOUT(made() > before, qPrintable(theatre.story()), patience);
+        const auto whileItMoves = [&theatre](const auto& happens) {
+            const auto moves = [&theatre] { return theatre.phase() == PermitPhase::Engaged; };
+            return QTest::qWaitFor([&] { return happens() || !moves(); }, patience) && happens() && moves();
+        };
+        const auto askAgainAndAgain = [&] {
+            for (int turn = 0; turn < 3; ++turn) {
+                const auto before = made();
+                for (int time = 0; time < 6; ++time)
+                    if (!theatre.click(QStringLiteral("Roadmap")))
+                        return false;
+                if (!whileItMoves([&] { return made() > before; }))
+                    return false;
+            }
+            const auto shown = models.picture.paintedCount();
+            return whileItMoves([&] { return models.picture.paintedCount() > shown + 5; });
+        };
+        constexpr int tries = 5;
+        bool movedOn = false;
+        for (int i = 0; i < tries && !movedOn; ++i) {
+            QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+            movedOn = askAgainAndAgain();
+            QVERIFY2(movedOn || theatre.heldByThisComputer(), qPrintable(theatre.story()));
         }
-        const auto shown = models.picture.paintedCount();
-        QTRY_VERIFY2_WITH_TIMEOUT(models.picture.paintedCount() > shown + 5, qPrintable(theatre.story()), patience);
-        QVERIFY2(theatre.phase() == PermitPhase::Engaged, qPrintable(theatre.story()));
+        QVERIFY2(movedOn, qPrintable(theatre.story()));
         QVERIFY2(models.roadmap.isValid(), qPrintable(theatre.story()));
         theatre.releaseAll();
     }
