@@ -14,6 +14,7 @@ inline constexpr auto longWay = 10ms;          // there and back: from here on r
 inline constexpr auto mostUnrest = 8ms;        // that is taken for one: what is longer is a queue
 inline constexpr double settling = 0.002;      // seconds in which the smoothed round trip forgets
 inline constexpr double used = 0.7;            // of the rate: less delivered proves nothing
+inline constexpr double doubtful = 0.5;        // of the rate: whatever makes it fall further at once is to be seen twice
 inline constexpr double mostThatIsSent = 0.85; // by a path that may be long
 inline constexpr double inOnePiece = 2896;     // bytes: two packets, which the kernel sends and acknowledges together
 

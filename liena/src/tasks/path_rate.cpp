@@ -23,7 +23,7 @@ constexpr double margin = 0.93;         // of what was delivered while a queue s
 constexpr double allThatIsSent = 0.95;  // nearly
 constexpr double leastProof = 0.002;    // seconds at the rate: shorter bursts do not show what the path carries
 constexpr double deepestFall = 0.125;   // at once: a moment in which a processor stood still proves no more
-constexpr double doubtful = 0.5;        // of the rate: whatever makes it fall further at once is to be seen twice
+constexpr auto leastPiece = 500us;      // that it takes: less is lost among what computers take
 constexpr double asBefore = 0.15;       // of the ceiling: a queue met so near it confirms it
 constexpr auto passed = 2000ms;         // before a slow or calm path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr double refuted = 1.1;         // times a ceiling, without a queue: it is none
@@ -52,6 +52,7 @@ void PathRate::restart()
     m_look.forget();
     m_standing.forget();
     m_usualWait.forget();
+    m_pieceWait.forget();
     m_draining = false;
     m_passed = 0;
     m_effective = m_forgotten = 0;
@@ -145,6 +146,8 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     }
     if (m_ceiling && m_rate < *m_ceiling * untried && isEffective(facts))
         m_usualWait.note(m_waiting, now);
+    if (m_ceiling && timeOf(inOnePiece) > leastPiece && isEffective(facts) && m_pieceWait.isOver(m_waiting, timeOf(inOnePiece), now))
+        doubtCeiling(now);
     if (!receiverLimits && m_delivered > m_rate * used)
         grow(facts, m_delivered, quickest, now);
 }
@@ -199,6 +202,7 @@ bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
 void PathRate::goOn(const transport::PathFacts& facts, Instant now)
 {
     m_look.drained(now);
+    m_stoodStill = now;
     if (m_ceiling)
         m_rate = std::min(m_rate, *m_ceiling * margin);
     m_effective = std::max(facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling), whenForgotten(facts));
@@ -240,7 +244,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
     const bool wasDoubted =
-        std::exchange(m_doubted, !again && delivered < m_rate * doubtful && (wasProven || facts.leastRoundTrip < longWay));
+        std::exchange(m_doubted, !again && delivered < m_rate * doubtedBelow(now) && (wasProven || facts.leastRoundTrip < longWay));
     if (!wasDoubted)
         m_ceilingBefore = m_ceiling;
     if (less && !m_doubted)
@@ -347,6 +351,14 @@ bool PathRate::listen(const transport::PathFacts& facts, double delivered, Insta
         return true;
     }
     return true;
+}
+
+/// The path may carry more than was met.
+void PathRate::doubtCeiling(Instant now)
+{
+    m_confirmed.reset();
+    m_doubted = true;
+    m_nextStep = now;
 }
 
 /// A processor that stands still for some milliseconds looks like a path that carries a tenth, and so does a network. One that does shows

@@ -5,6 +5,7 @@
 #include "tasks/fair_share.hpp"
 #include "tasks/path_calm.hpp"
 #include "tasks/path_memory.hpp"
+#include "tasks/piece_wait.hpp"
 #include "tasks/second_look.hpp"
 #include "transport/path_facts.hpp"
 
@@ -172,10 +173,12 @@ private:
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
     bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
+    double doubtedBelow(Instant now) const;
     void yield(const transport::PathFacts& facts);
     std::uint64_t whenForgotten(const transport::PathFacts& facts) const;
     void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
     bool listen(const transport::PathFacts& facts, double delivered, Instant now);
+    void doubtCeiling(Instant now);
     void growInDoubt(const transport::PathFacts& facts, Instant now);
 
     std::shared_ptr<FairShare> m_share;
@@ -211,10 +214,12 @@ private:
     PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
     SecondLook m_look;
-    StandingWait m_standing; ///< since bulk yielded
-    Nanoseconds m_least{};   ///< that a round trip takes, as last known
-    UsualWait m_usualWait;   ///< below the ceiling
-    Nanoseconds m_unrest{};  ///< by which round trips on this path vary without a queue of ours, as far as it was seen
+    std::optional<Instant> m_stoodStill; ///< what a second look found last
+    StandingWait m_standing;             ///< since bulk yielded
+    Nanoseconds m_least{};               ///< that a round trip takes, as last known
+    UsualWait m_usualWait;
+    PieceWait m_pieceWait;  ///< below the ceiling
+    Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
     PathCalm m_calm;
     double m_carried = 0; ///< bytes per second, by what was late when a queue was met last

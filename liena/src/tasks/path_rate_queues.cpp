@@ -15,6 +15,7 @@ namespace {
 
 constexpr auto alwaysTolerated = 200us;
 constexpr auto toleratedWhenCalm = 100us;
+constexpr double doubtfulAfterStandstill = 0.9;
 constexpr double clearlyBelow = 0.75; // what passed without a queue a moment ago
 constexpr double smoothing = 8;       // acknowledgements that bring the smoothed round trip nearer to the present one by a factor of e
 constexpr double noticing = 12;       // pieces of two packets, until the smoothed round trip shows a queue
@@ -102,6 +103,14 @@ bool PathRate::carriesWhatIsSent(const transport::PathFacts& facts, Instant now)
     const auto to = m_departures.until(now - facts.leastRoundTrip);
     return from && to &&
            m_delivered * secondsOf(now - m_course.since()) >= mostThatIsSent * (static_cast<double>(*to) - static_cast<double>(*from));
+}
+
+/// Of the rate: what makes it fall further at once is to be seen twice. Where something stood still just before it probably did so again,
+/// if the rate was one that the path was known to carry. Of several lanes one may have met the queue of another.
+double PathRate::doubtedBelow(Instant now) const
+{
+    const bool wasCarried = m_ceiling && m_rate <= *m_ceiling && m_lanes == 1;
+    return wasCarried && m_stoodStill && now - *m_stoodStill < 1s ? doubtfulAfterStandstill : doubtful;
 }
 
 /// A path that carried more a moment ago, and carries what is sent now, has no queue of ours: its round trips vary by themselves, as those

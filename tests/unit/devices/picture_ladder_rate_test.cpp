@@ -103,15 +103,15 @@ private:
     std::uint64_t m_withheld = 0;
 };
 
-/// The path falls to a tenth for so long, and pictures are reduced; whether they are as asked for within 5 s of its healing.
-bool isBackInTime(Source& source, Nanoseconds narrow)
+/// The path falls to a tenth for so long, and pictures are reduced; whether they are as asked for soon after its healing.
+bool isBackInTime(Source& source, Nanoseconds narrow, Nanoseconds inTime = 5s)
 {
     source.path.capacity /= 10;
     source.run(narrow);
     const bool isReduced = source.ladder.step() > 0;
     source.path.capacity *= 10;
     const auto healed = source.now();
-    source.run(5s);
+    source.run(inTime);
     return isReduced && source.fullSince && *source.fullSince > healed;
 }
 
@@ -211,6 +211,30 @@ private Q_SLOTS:
             Source source(megabits * 125'000, std::chrono::microseconds(roundTripUs), 15, share);
             source.run(6s);
             QVERIFY2(isBackInTime(source, narrow), qPrintable(QStringLiteral("narrow for %1 ms").arg(narrow.count())));
+        }
+    }
+
+    void fullQualityIsBackSoonWhereASlowPathHeals_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<double>("share");
+        for (const double megabits : {50.0, 100.0})
+            for (const int roundTrip : {200, 1000, 2000})
+                for (const double share : {0.25, 0.4, 0.63})
+                    QTest::addRow("%g Mbit/s, %d us, %g of it", megabits, roundTrip, share) << megabits << roundTrip << share;
+    }
+
+    /// What a piece takes on the narrow path is gone at once: until that was heard, it took 2 to 4 s.
+    void fullQualityIsBackSoonWhereASlowPathHeals()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, roundTripUs);
+        QFETCH(double, share);
+        for (const auto narrow : {4000ms, 4700ms, 5400ms, 6100ms, 6800ms}) {
+            Source source(megabits * 125'000, std::chrono::microseconds(roundTripUs), 15, share);
+            source.run(6s);
+            QVERIFY2(isBackInTime(source, narrow, 1900ms), qPrintable(QStringLiteral("narrow for %1 ms").arg(narrow.count())));
         }
     }
 };
