@@ -84,8 +84,8 @@ void beginInjection(Stage& stage)
     while (!injecting() && !deadline.hasExpired()) {
         if (!theatre.mayMove() && !theatre.arm())
             return;
-        for (const int key : {Qt::Key_Up, Qt::Key_D, Qt::Key_G})
-            theatre.release(key);
+        theatre.release(Qt::Key_Up);
+        theatre.release(Qt::Key_D);
         theatre.hold(Qt::Key_G);
         (void)QTest::qWaitFor([&] { return injecting() || !theatre.mayMove(); }, patience);
     }

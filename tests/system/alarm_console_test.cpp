@@ -156,7 +156,7 @@ private Q_SLOTS:
         QTRY_VERIFY2_WITH_TIMEOUT(isPresent(theatre, C::SoundFailed, priority), qPrintable(theatre.story()), patience);
         QTRY_VERIFY_WITH_TIMEOUT(bandSays(theatre, QStringLiteral("No alarm sound: ")), patience);
         if (armed)
-            QCOMPARE(theatre.phase(), PermitPhase::Armed); // it is told, and ends nothing
+            QVERIFY2(theatre.mayMove() || theatre.heldByThisComputer(), qPrintable(theatre.story())); // it is told, and ends nothing
         theatre.releaseAll();
     }
 

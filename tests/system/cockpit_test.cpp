@@ -267,25 +267,25 @@ private Q_SLOTS:
 
         // It gives the robot back: now it is ours, and what the other one goes on asking for is refused.
         rival.arms = false;
-        double last = theatre.robotStatus().guidewirePosition;
-        bool retracted = false;
-        const auto follows = QObject::connect(&theatre.models().instrument, &InstrumentState::robotChanged, &theatre.window(), [&] {
-            const double now = theatre.robotStatus().guidewirePosition;
-            retracted = retracted || now < last;
-            last = now;
-        });
         const auto moves = [&theatre] { return theatre.phase() == PermitPhase::Engaged; };
         constexpr int tries = 5; // a computer that stands still ends motion, too
         bool movedOn = false;
         for (int i = 0; i < tries && !movedOn; ++i) {
             QVERIFY2(theatre.armAndMove(), qPrintable(theatre.story()));
+            double last = theatre.robotStatus().guidewirePosition;
+            bool retracted = false;
+            const auto follows = QObject::connect(&theatre.models().instrument, &InstrumentState::robotChanged, &theatre.window(), [&] {
+                const double now = theatre.robotStatus().guidewirePosition;
+                retracted = retracted || (moves() && now < last); // what holds may give way a little
+                last = now;
+            });
             const auto refused = theatre.robotStatus().refusedCommands;
             const auto refusedMany = [&theatre, refused] { return theatre.robotStatus().refusedCommands > refused + 100; };
             movedOn = QTest::qWaitFor([&] { return refusedMany() || !moves(); }, patience) && refusedMany() && moves();
-            QVERIFY2(movedOn || theatre.heldByThisComputer(), qPrintable(theatre.story()));
+            QObject::disconnect(follows);
+            QVERIFY2(!retracted && (movedOn || theatre.heldByThisComputer()), qPrintable(theatre.story()));
         }
-        QVERIFY2(movedOn && !retracted, qPrintable(theatre.story()));
-        QObject::disconnect(follows);
+        QVERIFY2(movedOn, qPrintable(theatre.story()));
         theatre.releaseAll();
     }
 

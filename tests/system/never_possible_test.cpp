@@ -206,22 +206,23 @@ private Q_SLOTS:
         program.write("#!/bin/sh\nexec " LIENA_PROGRAM_DIR "/liena-console-watchdog \"$@\" 2>" + said.toLocal8Bit() + "\n");
         program.close();
         QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner));
-        const auto says = [&said](const char* words) {
+        const auto timesSaid = [&said](const char* words) {
             QFile file(said);
-            return file.open(QIODevice::ReadOnly) && file.readAll().contains(words);
+            return file.open(QIODevice::ReadOnly) ? file.readAll().count(words) : 0;
         };
         auto watched = puppetWishes();
         watched.watchdog = program.fileName();
         Stage stage(watched);
         QVERIFY(stage.open());
         QVERIFY2(stage.theatre.armAndMove(), qPrintable(stage.theatre.story()));
-        QVERIFY(!says("ALARM"));
+        const auto hung = timesSaid("hangs"); // a busy computer may have let it by itself
+        const auto again = timesSaid("beats again");
         const auto before = stage.robot.turns();
         QThread::msleep(1000); // longer than a silent link may be
         const auto after = stage.robot.turns();
-        QTRY_VERIFY2_WITH_TIMEOUT(says("hangs"), qPrintable(stage.theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(timesSaid("hangs") > hung, qPrintable(stage.theatre.story()), patience);
         QVERIFY(after > before); // only the console stood still
-        QTRY_VERIFY2_WITH_TIMEOUT(says("beats again"), qPrintable(stage.theatre.story()), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(timesSaid("beats again") > again, qPrintable(stage.theatre.story()), patience);
         QVERIFY2(!stage.mayMove(), qPrintable(stage.theatre.story()));
         QVERIFY(stage.settles());
         QVERIFY2(stage.nothingComesBack(), qPrintable(stage.theatre.story()));
