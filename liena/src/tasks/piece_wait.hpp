@@ -20,12 +20,12 @@ public:
     void forget() { *this = {}; }
 
     /// Without a queue a piece waited for so long, and takes `own` at the rate that the path is known to carry. True: all of the last
-    /// second were late by a good part of that, and the last three by less than half of it. What was before is forgotten then.
+    /// second were late by a quarter of that, and the last three by less than half of it. What was before is forgotten then.
     bool isOver(Nanoseconds waiting, Nanoseconds own, Instant now)
     {
         if (m_least[0] && m_least[1]) {
             const auto least = std::min(*m_least[0], *m_least[1]);
-            if (least > own / 2 && waiting < least / 2) {
+            if (least > own / 4 && waiting < least / 2) {
                 m_less = std::max(m_less, waiting);
                 if (++m_times < enough)
                     return false;
