@@ -209,6 +209,7 @@ public:
             m_queue += chunk.bytes;
         m_lanes.erase(m_lanes.begin() + static_cast<std::ptrdiff_t>(place));
     }
+
     VirtualLane& lane(std::size_t place) { return *m_lanes[place]; }
 
     Nanoseconds carrying(double bytes) const

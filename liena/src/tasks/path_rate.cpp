@@ -50,6 +50,7 @@ void PathRate::restart()
     m_ofLate = {};
     m_least = Nanoseconds::zero();
     m_look.forget();
+    m_stoodStill.reset();
     m_standing.forget();
     m_usualWait.forget();
     m_pieceWait.forget();

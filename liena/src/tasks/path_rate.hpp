@@ -217,8 +217,8 @@ private:
     std::optional<Instant> m_stoodStill; ///< what a second look found last
     StandingWait m_standing;             ///< since bulk yielded
     Nanoseconds m_least{};               ///< that a round trip takes, as last known
-    UsualWait m_usualWait;
-    PieceWait m_pieceWait;  ///< below the ceiling
+    UsualWait m_usualWait;               ///< below the ceiling
+    PieceWait m_pieceWait;
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
     PathCalm m_calm;
