@@ -33,7 +33,6 @@ constexpr double gentle = 1.01;         // a step near the ceiling
 constexpr double nearCeiling = 0.9;     // gently from here
 constexpr double untried = 0.97;        // of the ceiling: below it hardly ever a queue of ours stands
 constexpr double highestLeft = 0.99;    // of the highest ceiling of late, a second later
-constexpr double leastBoldest = 1.08;   // of the steps on a slow path, which must not be as bold as on others
 constexpr double bolder = 1.5;          // each step beyond the ceiling, as long as no queue shows
 constexpr int atOnce = 3;               // a part of what is tolerated, by which a round trip waits longer than just before
 constexpr int piecesInDoubt = 4;        // what is late by no more waits for pieces of its own
@@ -56,7 +55,7 @@ void PathRate::restart()
     m_pieceWait.forget();
     m_draining = false;
     m_passed = 0;
-    m_effective = m_forgotten = 0;
+    m_effective = 0;
     m_bytes = {};
     m_sent = 0;
 }
@@ -80,7 +79,7 @@ void PathRate::forgetQueues()
     m_ceiling = m_highest > m_rate ? std::optional(m_highest) : std::nullopt;
     m_doubted = m_draining = false;
     m_look.stop();
-    m_effective = m_forgotten = 0;
+    m_effective = 0;
 }
 
 void PathRate::decide(const transport::PathFacts& facts, Instant now)
@@ -166,13 +165,10 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
         m_judged = now;
     const double carried = bytes / (seconds + secondsOf(std::max(m_waiting - m_unrest, Nanoseconds::zero()))); // that is not its queue
     const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
-    if (bytes >= leastBytes && hasWaited(facts) && facts.bytesAcknowledged >= m_forgotten)
+    if (bytes >= leastBytes && hasWaited(facts))
         meetQueue(facts, tells ? carried : m_rate, mayBeUnrest(facts), now);
-    else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves) {
-        if (!isCalm(facts))
-            m_confirmed.reset(); // with pauses a step too far is over soon
+    else if (!hasWaited(facts) && bytes / seconds > m_rate * used && proves)
         grow(facts, carried, m_burst->tries ? triedStep : quickest, now);
-    }
     m_draining = false; // it had the pause for that
 }
 
@@ -234,7 +230,6 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts) && m_unrest == Nanoseconds::zero())
         delivered = m_rate; // nothing is known of the path's own unrest
-    const bool wasProven = m_proven > m_rate * used;
     if (isUnrest(facts, delivered, now))
         return;
     if (m_waiting > piecesInDoubt * timeOf(inOnePiece))
@@ -244,8 +239,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     const bool less = delivered < m_rate * allThatIsSent;
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
-    const bool wasDoubted =
-        std::exchange(m_doubted, !again && delivered < m_rate * doubtedBelow(now) && (wasProven || facts.leastRoundTrip < longWay));
+    const bool wasDoubted = std::exchange(m_doubted, !again && delivered < m_rate * doubtedBelow(now));
     if (!wasDoubted)
         m_ceilingBefore = m_ceiling;
     if (less && !m_doubted)
@@ -273,15 +267,12 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
 }
 
 /// The rate is lower now: first what stands drains, and what was sent before says nothing of it. A rate that fell deep at once may still be
-/// far above what the path carries. On a long way it is known late that a queue is gone, and the round trip goes on telling of a long one.
+/// far above what the path carries. On a long way it is known late that a queue is gone.
 void PathRate::yield(const transport::PathFacts& facts)
 {
     m_draining = true;
     m_drain = facts.leastRoundTrip < longWay && (m_doubted || isSlow()) ? drainWhenSlow : drain;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
-    if (facts.leastRoundTrip < longWay || m_waiting <= mostUnrest || isSlow()) // which would make it wait for too much
-        return;
-    m_forgotten = whenForgotten(facts);
 }
 
 void PathRate::shift(double bytesPerSecond)
@@ -318,12 +309,9 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
     if (isBelowHighest && m_rate >= m_highest * untried)
         m_step = gentle;
     m_rate = std::min(m_rate * (m_confirmed ? gentle : m_step), isBelowHighest ? std::max(m_highest * untried, m_rate * gentle) : most);
-    const auto pause = pauseBetweenSteps();
-    const double shorter = gentlePause / std::chrono::duration<double>(pause);
-    const double boldest = std::max(1 + (quickest - 1) * shorter * shorter, leastBoldest);
     if (m_rate > *m_ceiling && !m_confirmed)
-        m_step = std::min(1 + (m_step - 1) * bolder, boldest);
-    m_nextStep = m_step < boldest || isSlow() ? now + pause : now;
+        m_step = std::min(1 + (m_step - 1) * bolder, quickest);
+    m_nextStep = m_step < quickest || isSlow() ? now + pauseBetweenSteps() : now;
 }
 
 /// True: that is over, or another lane has begun.

@@ -205,7 +205,6 @@ private:
     bool m_draining = false;
     double m_drain = 1;            ///< of the rate, while it drains
     std::uint64_t m_effective = 0; ///< what is acknowledged below this says nothing of the rate as it is now
-    std::uint64_t m_forgotten = 0; ///< once this is acknowledged the smoothed round trip says nothing of the queue before
     double m_step = 1;             ///< the next one near the ceiling
     Instant m_nextStep{};
     std::optional<Instant> m_confirmed; ///< a slow or calm path's ceiling, met twice: tried again from then on, and gently
