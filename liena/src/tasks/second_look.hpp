@@ -26,7 +26,7 @@ public:
 
     void forget() { *this = {}; }
 
-    /// No queue was met.
+    /// No queue was met, so that one that was looked at is gone.
     void passed(double rate, Nanoseconds waiting, Instant now)
     {
         if (rate > m_rate * hardlyMore) {
@@ -35,6 +35,7 @@ public:
         }
         m_rate = std::max(m_rate, rate);
         m_waited = {waiting, m_waited[0]};
+        m_first.reset();
     }
 
     /// A queue is met: whether it is looked at again, since it came `atOnce`, at a rate that had passed for `longEnough`.
@@ -47,7 +48,8 @@ public:
     }
     bool isOn() const { return m_first.has_value(); }
 
-    /// It is met still: whether it drains as one does that a standstill left. If not, this look is over, and it is none.
+    /// It is met still, or again after a pause: whether it drains as one does that a standstill left. If not, this look is over, and it is
+    /// none.
     bool goesOn(const Seen& seen)
     {
         const std::chrono::duration<double> since = seen.at - m_first->at;

@@ -156,6 +156,37 @@ private Q_SLOTS:
         QVERIFY2(path.late < 60ms + path.carrying(24 * 2896),
                  qPrintable(QString::number(static_cast<double>(path.late.count()) / 1e6) + " ms late"));
     }
+
+    void whatDrainsInEachPauseIsNoStandstill_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<int>("roundTripUs");
+        for (const double megabits : {4.0, 10.0, 20.0, 40.0, 100.0})
+            for (const int roundTrip : {200, 2000, 9000})
+                QTest::addRow("%.0f Mbit/s, %d us", megabits, roundTrip) << megabits * 125'000 << roundTrip;
+    }
+
+    /// A path falls to a tenth and becomes half as wide again, so that higher rates are tried, and frames take nine tenths of it. At a rate
+    /// that is too high each of them leaves a queue at its end, which is gone when the next one begins.
+    void whatDrainsInEachPauseIsNoStandstill()
+    {
+        QFETCH(double, capacity);
+        QFETCH(int, roundTripUs);
+        Path path(capacity * 10, std::chrono::microseconds(roundTripUs));
+        const auto send = [&path](int seconds, double part) {
+            for (int i = 0; i < seconds * 15; ++i)
+                path.frame(part * path.capacity / 15, 66'667us);
+        };
+        send(4, 0.6);
+        path.capacity = capacity;
+        send(4, 0.6);
+        path.capacity = capacity * 1.5;
+        path.forget();
+        path.tooLong = path.carrying(static_cast<double>(path.rate.segment())) + 500us;
+        send(8, 0.9);
+        QVERIFY2(path.late < 1'100ms && path.longestWait < 25ms,
+                 qPrintable(QString("%1 ms of 8 s late, at most by %2 ms").arg(path.late / 1ms).arg(path.longestWait / 1ms)));
+    }
 };
 
 QTEST_APPLESS_MAIN(PathRateStandstillsTest)
