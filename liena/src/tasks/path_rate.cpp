@@ -222,15 +222,15 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (mayBeUnrest(facts) && std::exchange(m_passed, 0) >= m_rate)
         return; // seen once, at a rate that passed: a computer that stood still for a moment looks like that
     m_usualWait.forget();
-    m_carried = std::clamp(delivered, least, most);
+    const double carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts) && m_unrest == Nanoseconds::zero())
         delivered = m_rate; // nothing is known of the path's own unrest
     if (isUnrest(facts, delivered, now))
         return;
     if (m_waiting > piecesInDoubt * timeOf(inOnePiece))
-        m_standing.yielded({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, m_carried);
+        m_standing.yielded({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, carried);
     if (allCame)
-        m_proven = std::max(m_proven, std::min(m_rate, m_carried));
+        m_proven = std::max(m_proven, std::min(m_rate, carried));
     const bool less = delivered < m_rate * allThatIsSent;
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
@@ -241,13 +241,13 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (again && m_confirmed)
         delivered = (delivered + *m_ceiling) / 2; // what a token bucket had left came through, too
     m_ceiling = std::clamp(delivered, least, most);
-    m_highest = std::max(m_highest, std::min(*m_ceiling, m_carried));
+    m_highest = std::max(m_highest, std::min(*m_ceiling, carried));
     if (mayBeUnrest(facts) && m_calm.isDue(now))
         m_calm.begin();
     else
         m_calm.stop();
     m_rate =
-        std::clamp(m_calm.listens() ? std::min(m_rate, m_carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
+        std::clamp(m_calm.listens() ? std::min(m_rate, carried) * PathCalm::slower : std::min(m_rate, delivered) * margin, least, most);
     yield(facts);
     m_look.forget();
     m_step = gentle;
@@ -272,7 +272,6 @@ void PathRate::yield(const transport::PathFacts& facts)
 void PathRate::shift(double bytesPerSecond)
 {
     m_rate = std::clamp(m_rate + bytesPerSecond, least, most);
-    m_carried = std::clamp(m_carried + bytesPerSecond, least, most);
     m_highest = std::max(m_highest + bytesPerSecond, 0.0);
     for (auto* ceiling : {&m_ceiling, &m_ceilingBefore})
         if (*ceiling)
@@ -285,7 +284,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
     m_passed = m_rate;
     m_look.passed(m_rate, m_waiting, now);
     m_proven = std::max(m_proven, std::min(m_rate, delivered));
-    if (m_calm.listens() && !listen(facts, delivered, now))
+    if (m_calm.listens() && !listen(facts, now))
         return;
     if (m_doubted)
         return growInDoubt(now);
@@ -309,7 +308,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
 }
 
 /// True: that is over, or another lane has begun.
-bool PathRate::listen(const transport::PathFacts& facts, double delivered, Instant now)
+bool PathRate::listen(const transport::PathFacts& facts, Instant now)
 {
     if (!mayBeUnrest(facts)) {
         m_calm.stop();
@@ -319,11 +318,9 @@ bool PathRate::listen(const transport::PathFacts& facts, double delivered, Insta
     case PathCalm::Heard::NotAll:
         return false;
     case PathCalm::Heard::Calm:
-        m_ceiling = m_carried;
         m_unrest = Nanoseconds::zero();
         return true;
     case PathCalm::Heard::Doubtful:
-        m_carried = std::clamp(delivered, least, most);
         m_rate = std::clamp(m_rate * PathCalm::slower, least, most);
         yield(facts);
         m_calm.begin();

@@ -177,7 +177,7 @@ private:
     void yield(const transport::PathFacts& facts);
     std::uint64_t whenForgotten(const transport::PathFacts& facts) const;
     void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
-    bool listen(const transport::PathFacts& facts, double delivered, Instant now);
+    bool listen(const transport::PathFacts& facts, Instant now);
     void doubtCeiling(Instant now);
     void growInDoubt(Instant now);
 
@@ -221,9 +221,8 @@ private:
     Nanoseconds m_unrest{}; ///< by which round trips on this path vary without a queue of ours, as far as it was seen
     Instant m_unrestSeen{};
     PathCalm m_calm;
-    double m_carried = 0; ///< bytes per second, by what was late when a queue was met last
-    double m_proven = 0;  ///< bytes per second that passed without a queue, of late
-    double m_passed = 0;  ///< the rate at the last verdict, when that met no queue
+    double m_proven = 0; ///< bytes per second that passed without a queue, of late
+    double m_passed = 0; ///< the rate at the last verdict, when that met no queue
     Instant m_provenFaded{};
     std::optional<Burst> m_burst; ///< nothing was decided since it began
 };

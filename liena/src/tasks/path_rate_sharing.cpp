@@ -85,7 +85,6 @@ void PathRate::learnFrom(const PathRate& other)
     m_ceilingBefore = other.m_ceilingBefore;
     m_highest = other.m_highest;
     m_doubted = other.m_doubted;
-    m_carried = other.m_carried;
     m_proven = other.m_proven;
     m_passed = other.m_passed;
     m_step = other.m_step;
