@@ -66,8 +66,8 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
 /// little left before it: a connection that has just begun sends twice as much in each, and one that yielded sends at its rate again.
 double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) const
 {
-    const double carried = m_delivered * (secondsOf(facts.leastRoundTrip + m_unrest) + usual);
-    const auto before = m_departures.about(now - facts.leastRoundTrip - m_unrest);
+    const double carried = m_delivered * (secondsOf(facts.leastRoundTrip) + usual);
+    const auto before = m_departures.about(now - facts.leastRoundTrip);
     return before ? std::max(carried, static_cast<double>(facts.bytesSent) - *before) : carried;
 }
 
