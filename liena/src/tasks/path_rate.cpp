@@ -133,6 +133,9 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     if (queue || receiverLimits || m_delivered > m_rate * used)
         m_burst.reset();
     if (queue) {
+        // If it may be the way's, to yield further would tell no more.
+        if (mayBeOfThePath)
+            return;
         const bool heard = facts.bytesAcknowledged > ended.begin.bytes; // else the round trip is an old one
         const bool allCame = carriesWhatIsSent(facts, now);
         if (mayStillDrain(facts, ended.begin.bytes))
@@ -222,6 +225,8 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (mayBeUnrest(facts) && std::exchange(m_passed, 0) >= m_rate)
         return; // seen once, at a rate that passed: a computer that stood still for a moment looks like that
     m_usualWait.forget();
+    if (allCame)
+        delivered = std::max(delivered, m_rate * doubtful);
     const double carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts) && m_unrest == Nanoseconds::zero())
         delivered = m_rate; // nothing is known of the path's own unrest
@@ -234,8 +239,9 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     const bool less = delivered < m_rate * allThatIsSent;
     delivered = std::max(delivered, m_rate * deepestFall);
     const bool again = m_ceiling && std::abs(delivered - *m_ceiling) < asBefore * *m_ceiling;
-    m_doubted = delivered < m_rate * doubtedBelow(now);
-    m_ceilingBefore = m_ceiling;
+    const bool wasDoubted = std::exchange(m_doubted, !again && delivered < m_rate * doubtedBelow(now));
+    if (!wasDoubted)
+        m_ceilingBefore = m_ceiling;
     if (less && !m_doubted)
         m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     if (again && m_confirmed)
@@ -251,7 +257,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     yield(facts);
     m_look.forget();
     m_step = gentle;
-    m_nextStep = now + (m_doubted ? pauseInDoubt() : pauseBetweenSteps());
+    m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (isSlow() || isCalm(facts));
     const auto wait = std::max<Nanoseconds>(passed - climb, 0s);
@@ -287,7 +293,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
     if (m_calm.listens() && !listen(facts, now))
         return;
     if (m_doubted)
-        return growInDoubt(now);
+        return growInDoubt(facts, now);
     if (!m_ceiling && m_isLong && !m_calm.listens())
         m_calm.overhear(m_waiting - timeOf(inOnePiece));
     if (!m_ceiling || m_rate < *m_ceiling * nearCeiling) {
@@ -304,7 +310,7 @@ void PathRate::grow(const transport::PathFacts& facts, double delivered, double 
     m_rate = std::min(m_rate * (m_confirmed ? gentle : m_step), isBelowHighest ? std::max(m_highest * untried, m_rate * gentle) : most);
     if (m_rate > *m_ceiling && !m_confirmed)
         m_step = std::min(1 + (m_step - 1) * bolder, quickest);
-    m_nextStep = m_step < quickest ? now + pauseBetweenSteps() : now;
+    m_nextStep = m_step < quickest || isSlow() ? now + pauseBetweenSteps() : now;
 }
 
 /// True: that is over, or another lane has begun.
@@ -343,12 +349,12 @@ void PathRate::doubtCeiling(Instant now)
 
 /// A processor that stands still for some milliseconds looks like a path that carries a tenth, and so does a network. One that does shows
 /// its queue again within a step or two.
-void PathRate::growInDoubt(Instant now)
+void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
 {
     if (now < m_nextStep)
         return;
     m_rate = std::min(m_rate * quickest, most);
-    m_nextStep = now + pauseInDoubt();
+    m_nextStep = now + pauseInDoubt(facts);
     if (m_rate > *m_ceiling * refuted) {
         // On a short way a step beyond what it carries is seen before it is over.
         m_ceiling = m_isLong && m_ceilingBefore && *m_ceilingBefore > m_rate ? m_ceilingBefore : std::nullopt;
@@ -356,7 +362,12 @@ void PathRate::growInDoubt(Instant now)
     }
 }
 
-PathRate::Nanoseconds PathRate::pauseInDoubt() const { return std::max<Nanoseconds>(shortestWindow, timeToNotice()); }
+/// On a long way a queue shows a round trip later.
+PathRate::Nanoseconds PathRate::pauseInDoubt(const transport::PathFacts& facts) const
+{
+    const auto until = timeToNotice() + (facts.leastRoundTrip >= longWay ? facts.leastRoundTrip : Nanoseconds::zero());
+    return std::max<Nanoseconds>(shortestWindow, until);
+}
 
 /// A step too far must show before the next one.
 PathRate::Nanoseconds PathRate::pauseBetweenSteps() const { return std::max<Nanoseconds>(gentlePause, timeToNotice()); }

@@ -167,7 +167,7 @@ private:
     Nanoseconds timeOf(double bytes) const;
     Nanoseconds timeToNotice() const;
     Nanoseconds pauseBetweenSteps() const;
-    Nanoseconds pauseInDoubt() const;
+    Nanoseconds pauseInDoubt(const transport::PathFacts& facts) const;
     bool isSlow() const;
     std::optional<Nanoseconds> usualWait() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
@@ -179,7 +179,7 @@ private:
     void grow(const transport::PathFacts& facts, double delivered, double quickStep, Instant now);
     bool listen(const transport::PathFacts& facts, Instant now);
     void doubtCeiling(Instant now);
-    void growInDoubt(Instant now);
+    void growInDoubt(const transport::PathFacts& facts, Instant now);
 
     std::shared_ptr<FairShare> m_share;
     DeviceId m_session;
@@ -195,7 +195,7 @@ private:
     double m_rate = first;
     std::optional<double> m_limit;
     std::optional<double> m_ceiling;       ///< delivered when a queue was met last
-    std::optional<double> m_ceilingBefore; ///< before the last fall
+    std::optional<double> m_ceilingBefore; ///< the fall that is doubted, or was last
     double m_highest = 0;                  ///< of the ceilings of late; beyond another one steps are bold up to there only, on a long way
     bool m_doubted = false;                ///< the rate fell so deep at once that the ceiling is to be met again, soon
     double m_delivered = 0;                ///< bytes per second, of late
