@@ -110,7 +110,7 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     }
     if (m_draining && !hasQueue(facts, now)) {
         m_draining = false;
-        if (m_look.isOn())
+        if (m_look.isOn(now))
             return goOn(facts, now);
         if (!m_isLong)
             m_effective = std::max(m_effective, facts.bytesSent); // until now at the pace of the drain
@@ -185,13 +185,15 @@ bool PathRate::mayTry() const { return m_isLong && m_calm.isCalm() && !m_ceiling
 bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
 {
     const SecondLook::Seen seen{now, m_rate, underWay(facts), m_waiting};
-    if (m_look.isOn())
-        return m_look.goesOn(seen);
-    if (facts.leastRoundTrip >= longWay || m_lanes > 1 || !m_look.begins(seen, tolerated(facts) / atOnce, 2 * timeToNotice()))
+    const bool isOn = m_look.isOn(now);
+    const bool begins =
+        !isOn && facts.leastRoundTrip < longWay && m_lanes == 1 && m_look.begins(seen, tolerated(facts) / atOnce, 2 * timeToNotice());
+    if (!begins && !(isOn && m_look.goesOn(seen)))
         return false;
-    m_draining = true;
+    m_draining = true; // also when a pause came between
     m_drain = drainWhenSlow;
-    judgeFrom(facts, now);
+    if (begins)
+        judgeFrom(facts, now);
     return true;
 }
 

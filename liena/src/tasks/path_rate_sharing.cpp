@@ -78,6 +78,9 @@ void PathRate::learnFrom(const PathRate& other)
     const auto newer = other.m_judged - m_judged;
     if (!other.m_ceiling || newer <= 0s || (other.m_rate < m_rate && newer < longAgo))
         return;
+    if (m_burst && m_burst->end && *m_burst->end < other.m_judged)
+        m_burst.reset(); // what it would tell is older
+    m_look.stop();       // and so is what it looks at
     m_judged = other.m_judged;
     m_shown = std::max(m_shown, other.m_shown);
     m_rate = other.m_rate;

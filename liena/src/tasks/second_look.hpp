@@ -26,7 +26,7 @@ public:
 
     void forget() { *this = {}; }
 
-    /// No queue was met, so that one that was looked at is gone.
+    /// Enough was delivered, and no queue met: one that was looked at is gone.
     void passed(double rate, Nanoseconds waiting, Instant now)
     {
         if (rate > m_rate * hardlyMore) {
@@ -46,14 +46,16 @@ public:
         m_first = seen;
         return true;
     }
-    bool isOn() const { return m_first.has_value(); }
 
-    /// It is met still, or again after a pause: whether it drains as one does that a standstill left. If not, this look is over, and it is
-    /// none.
+    /// What was met longer ago than that is another matter.
+    bool isOn(Instant now) const { return m_first && now - m_first->at < longest; }
+
+    /// It is met still, or again after a pause: whether it drains as one does that a standstill left, or it is only the smoothed round trip
+    /// that tells of it still. If not, this look is over, and it is none.
     bool goesOn(const Seen& seen)
     {
         const std::chrono::duration<double> since = seen.at - m_first->at;
-        if (seen.underWay < m_first->underWay - m_first->rate * slowest * since.count())
+        if (seen.waiting < m_first->waiting * 4 / 5 || seen.underWay < m_first->underWay - m_first->rate * slowest * since.count())
             return true;
         m_first.reset();
         return false;
@@ -74,6 +76,7 @@ public:
 private:
     static constexpr double hardlyMore = 1.03; // than a rate that passed
     static constexpr double slowest = 0.25;    // of the rate
+    static constexpr Nanoseconds longest = std::chrono::seconds(2);
 
     double m_rate = 0; ///< the highest that passed since the last fall
     Instant m_since{}; ///< it or hardly less does so

@@ -38,9 +38,11 @@ private Q_SLOTS:
     void whatCameAtOnceAtARateThatPassedIsLookedAtAgain()
     {
         auto look = held();
-        QVERIFY(!look.isOn());
+        QVERIFY(!look.isOn(start + 5ms));
         QVERIFY(look.begins(queue(5ms), atOnce, longEnough));
-        QVERIFY(look.isOn());
+        QVERIFY(look.isOn(start + 5ms));
+        QVERIFY(look.isOn(start + 2004ms));
+        QVERIFY2(!look.isOn(start + 2005ms), "what is met then is another one");
     }
 
     void whatGrewIsNot()
@@ -90,7 +92,7 @@ private Q_SLOTS:
         QVERIFY(look.goesOn(queue(7ms, 34e3))); // 5e3 are a fourth of what the rate is in 2 ms
         QVERIFY(look.goesOn(queue(9ms, 29e3)));
         QVERIFY(!look.goesOn(queue(11ms, 26e3)));
-        QVERIFY(!look.isOn());
+        QVERIFY(!look.isOn(start + 11ms));
     }
 
     void whatComesSoonAfterIsNotLookedAtAgain()
@@ -98,7 +100,7 @@ private Q_SLOTS:
         auto look = held();
         QVERIFY(look.begins(queue(5ms), atOnce, longEnough));
         look.drained(start + 9ms);
-        QVERIFY(!look.isOn());
+        QVERIFY(!look.isOn(start + 9ms));
         QVERIFY2(!begins(look, queue(17ms)), "the look took 4 ms");
         QVERIFY(begins(look, queue(18ms)));
     }
@@ -116,12 +118,38 @@ private Q_SLOTS:
         QVERIFY(!look.drainedFrom());
     }
 
-    void aPauseEndsIt()
+    /// Then each frame leaves one that drains before the next, which no standstill does.
+    void whatIsMetAgainAfterAPauseIsBelieved()
+    {
+        auto look = held();
+        QVERIFY(look.begins(queue(5ms), atOnce, longEnough));
+        QVERIFY(!look.goesOn(queue(70ms)));
+    }
+
+    /// It is smoothed over many acknowledgements, of which a small frame has few.
+    void aRoundTripThatForgetsSlowlyIsNoQueue()
+    {
+        auto look = held();
+        QVERIFY(look.begins(queue(5ms, 0), atOnce, longEnough));
+        QVERIFY(look.goesOn(queue(70ms, 0, 799us)));
+        QVERIFY(!look.goesOn(queue(135ms, 0, 800us)));
+    }
+
+    void aVerdictWithoutAQueueEndsIt()
+    {
+        auto look = held();
+        QVERIFY(look.begins(queue(5ms), atOnce, longEnough));
+        look.passed(rate, 100us, start + 70ms);
+        QVERIFY(!look.isOn(start + 70ms));
+        QVERIFY(begins(look, queue(140ms)));
+    }
+
+    void itCanBeStopped()
     {
         auto look = held();
         QVERIFY(look.begins(queue(5ms), atOnce, longEnough));
         look.stop();
-        QVERIFY(!look.isOn());
+        QVERIFY(!look.isOn(start + 5ms));
         QVERIFY(begins(look, queue(6ms)));
     }
 };
