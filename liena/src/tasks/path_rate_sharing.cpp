@@ -80,7 +80,7 @@ void PathRate::learnFrom(const PathRate& other)
         return;
     if (m_burst && m_burst->end && *m_burst->end < other.m_judged)
         m_burst.reset(); // what it would tell is older
-    m_look.stop();       // and so is what it looks at
+    m_look.stop();       // what it looks at is older, too
     m_judged = other.m_judged;
     m_shown = std::max(m_shown, other.m_shown);
     m_rate = other.m_rate;

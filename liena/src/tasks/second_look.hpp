@@ -55,7 +55,7 @@ public:
     bool goesOn(const Seen& seen)
     {
         const std::chrono::duration<double> since = seen.at - m_first->at;
-        if (seen.waiting < m_first->waiting * 4 / 5 || seen.underWay < m_first->underWay - m_first->rate * slowest * since.count())
+        if (seen.waiting < m_first->waiting * sameQueue || seen.underWay < m_first->underWay - m_first->rate * slowest * since.count())
             return true;
         m_first.reset();
         return false;
@@ -76,6 +76,7 @@ public:
 private:
     static constexpr double hardlyMore = 1.03; // than a rate that passed
     static constexpr double slowest = 0.25;    // of the rate
+    static constexpr double sameQueue = 0.8;   // of what waited first; less is the smoothed round trip, which forgets slowly
     static constexpr Nanoseconds longest = std::chrono::seconds(2);
 
     double m_rate = 0; ///< the highest that passed since the last fall

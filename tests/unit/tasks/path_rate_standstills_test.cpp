@@ -104,7 +104,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("capacity");
         QTest::addColumn<int>("roundTripUs");
         QTest::addColumn<double>("least");
-        // Without that what falls again soon after is seen twice: 0.75, 0.78, 0.81 and 0.83.
+        // 0.75, 0.78, 0.81 and 0.83 where what falls again soon after a standstill is believed at once.
         QTest::newRow("100 Mbit/s, 200 us") << 12.5e6 << 200 << 0.82;
         QTest::newRow("100 Mbit/s, 2000 us") << 12.5e6 << 2000 << 0.82;
         QTest::newRow("400 Mbit/s, 200 us") << 50e6 << 200 << 0.84;
