@@ -35,6 +35,7 @@ constexpr double untried = 0.97;        // of the ceiling: below it hardly ever 
 constexpr double highestLeft = 0.99;    // of the highest ceiling of late, a second later
 constexpr double bolder = 1.5;          // each step beyond the ceiling, as long as no queue shows
 constexpr int atOnce = 3;               // a part of what is tolerated, by which a round trip waits longer than just before
+constexpr int roundTripsToNotice = 6;   // that a rate is too high: the path fills, what is tolerated is passed, and it is heard
 constexpr int piecesInDoubt = 4;        // what is late by no more waits for pieces of its own
 constexpr std::uint64_t provenBytes = 65536; // before them a connection's round trip is that of its handshake
 
@@ -101,6 +102,7 @@ void PathRate::decide(const transport::PathFacts& facts, Instant now)
     }
     m_departures.note({now, facts.bytesSent}, facts.leastRoundTrip);
     if (!m_window) {
+        m_look.resume(now);
         if (m_burst && !mayBeOfThePath)
             judgeBurst(facts, now);
         m_burst = Burst{now, std::nullopt, facts.bytesSent, facts.bytesAcknowledged >= facts.bytesSent};
@@ -185,9 +187,10 @@ bool PathRate::mayTry() const { return m_isLong && m_calm.isCalm() && !m_ceiling
 bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
 {
     const SecondLook::Seen seen{now, m_rate, underWay(facts), m_waiting};
+    const auto longEnough = 2 * timeToNotice() + roundTripsToNotice * facts.leastRoundTrip;
     const bool isOn = m_look.isOn(now);
     const bool begins =
-        !isOn && facts.leastRoundTrip < longWay && m_lanes == 1 && m_look.begins(seen, tolerated(facts) / atOnce, 2 * timeToNotice());
+        !isOn && facts.leastRoundTrip < longWay && m_lanes == 1 && m_look.begins(seen, tolerated(facts) / atOnce, longEnough);
     if (!begins && !(isOn && m_look.goesOn(seen)))
         return false;
     m_draining = true; // also when a pause came between
@@ -227,8 +230,6 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (mayBeUnrest(facts) && std::exchange(m_passed, 0) >= m_rate)
         return; // seen once, at a rate that passed: a computer that stood still for a moment looks like that
     m_usualWait.forget();
-    if (allCame)
-        delivered = std::max(delivered, m_rate * doubtful);
     const double carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts) && m_unrest == Nanoseconds::zero())
         delivered = m_rate; // nothing is known of the path's own unrest

@@ -30,6 +30,7 @@ void PathRate::pause(Instant now, std::uint32_t unsent)
     m_isBurst = m_tries = false;
     m_window.reset();
     m_draining = false; // it drains by itself
+    m_look.pause(now);
     if (m_burst && !m_burst->end)
         m_burst->end = now;
 }

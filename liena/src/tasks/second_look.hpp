@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <optional>
+#include <utility>
 
 namespace liena::tasks {
 
@@ -26,6 +27,18 @@ public:
 
     void forget() { *this = {}; }
 
+    /// Nothing is sent from now on: no time in which a rate passes.
+    void pause(Instant now)
+    {
+        if (!m_paused)
+            m_paused = now;
+    }
+    void resume(Instant now)
+    {
+        if (m_paused)
+            m_since += now - *std::exchange(m_paused, std::nullopt);
+    }
+
     /// Enough was delivered, and no queue met: one that was looked at is gone.
     void passed(double rate, Nanoseconds waiting, Instant now)
     {
@@ -38,7 +51,7 @@ public:
         m_first.reset();
     }
 
-    /// A queue is met: whether it is looked at again, since it came `atOnce`, at a rate that had passed for `longEnough`.
+    /// A queue is met: whether it is looked at again, since it came `atOnce`, at a rate that had passed for `longEnough`, pauses left out.
     bool begins(const Seen& seen, Nanoseconds atOnce, Nanoseconds longEnough)
     {
         if (seen.rate > m_rate * hardlyMore || seen.at - m_since < longEnough || seen.waiting - std::min(m_waited[0], m_waited[1]) < atOnce)
@@ -82,6 +95,7 @@ private:
     double m_rate = 0; ///< the highest that passed since the last fall
     Instant m_since{}; ///< it or hardly less does so
     std::array<Nanoseconds, 2> m_waited{};
+    std::optional<Instant> m_paused;
     std::optional<Seen> m_first;
     std::optional<double> m_drainedFrom;
 };

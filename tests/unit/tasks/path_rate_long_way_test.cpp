@@ -1,91 +1,26 @@
 // The rate of bulk on a long path in virtual time, whose round trips vary by themselves.
 #include "tasks/path_rate.hpp"
 
-#include "support/standstills.hpp"
+#include "support/milliseconds_of.hpp"
+#include "support/virtual_frames.hpp"
 #include "support/virtual_path.hpp"
 
 #include <QTest>
 
 #include <algorithm>
 #include <initializer_list>
-#include <optional>
-#include <tuple>
 #include <utility>
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
+using liena::test::millisecondsOf;
 using Nanoseconds = std::chrono::nanoseconds;
+using Frames = liena::test::VirtualFrames;
 using Path = liena::test::VirtualPath;
 
 namespace {
 
 constexpr double gigabit = 125e6; // bytes per second
-
-/// Frames of so many bytes as the path carries in 16.8 ms.
-class Frames {
-public:
-    Frames(Path& path, int perSecond) : m_path(path), m_bytes(path.capacity * 0.0168), m_period(1'000'000'000 / perSecond) {}
-
-    /// How long it took. `stillFor`: the network, or the sender, stands still so long once the frame has taken `moment`.
-    Nanoseconds send(Nanoseconds stillFor = {}, Nanoseconds moment = {}, bool ofTheNetwork = false)
-    {
-        Nanoseconds taken{};
-        m_path.run(0ns, false);
-        m_path.give(m_bytes);
-        for (; m_path.unsent() > 0 && taken < 1s; taken += 250us) {
-            if (stillFor > 0ns && taken >= moment) {
-                standStill(stillFor, ofTheNetwork);
-                taken += std::exchange(stillFor, 0ns);
-            }
-            taken += standStillIfDue();
-            const auto counted = std::pair(m_path.late, m_path.veryLate);
-            m_path.goOn(250us);
-            m_running += 250us;
-            if (m_running < m_countedFrom)
-                std::tie(m_path.late, m_path.veryLate) = counted;
-        }
-        m_path.run(std::max(m_period - taken, Nanoseconds::zero()), false);
-        return taken;
-    }
-
-    /// Eight times a second of sending, for 0.5 to 5 ms: the sender's computer or the network, by turns of chance.
-    void standsStillAtTimes(unsigned seed)
-    {
-        m_standstills = liena::test::Standstills(8, 5ms, seed);
-        m_nextStandstill = m_running + m_standstills->untilNext();
-    }
-
-private:
-    void standStill(Nanoseconds time, bool ofTheNetwork)
-    {
-        m_path.stalled = ofTheNetwork;
-        ofTheNetwork ? m_path.goOn(time) : m_path.standStill(time);
-        m_path.stalled = false;
-    }
-
-    Nanoseconds standStillIfDue()
-    {
-        if (!m_standstills || m_running < m_nextStandstill)
-            return {};
-        const auto time = m_standstills->length();
-        const bool ofTheNetwork = m_standstills->coin();
-        const auto counted = std::pair(m_path.late, m_path.veryLate);
-        standStill(time, ofTheNetwork);
-        std::tie(m_path.late, m_path.veryLate) = counted;
-        if (ofTheNetwork)
-            m_countedFrom = m_running + 3 * time + 5ms; // then what gathered meanwhile is gone
-        m_nextStandstill = m_running + m_standstills->untilNext();
-        return time;
-    }
-
-    Path& m_path;
-    double m_bytes;
-    Nanoseconds m_period;
-    Nanoseconds m_running{}; ///< so long sent
-    std::optional<liena::test::Standstills> m_standstills;
-    Nanoseconds m_nextStandstill{};
-    Nanoseconds m_countedFrom{}; ///< what waits
-};
 
 void calmLongPaths(std::initializer_list<int> unrestUs)
 {
@@ -96,11 +31,6 @@ void calmLongPaths(std::initializer_list<int> unrestUs)
         for (const int frames : {15, 30})
             for (const int unrest : unrestUs)
                 QTest::addRow("%.0f Mbit/s, %d frames/s, %d us", megabits, frames, unrest) << megabits * 125'000 << frames << unrest;
-}
-
-QByteArray millisecondsOf(Nanoseconds time, const char* what)
-{
-    return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
 }
 
 /// Of what it is before anything is known.
@@ -278,44 +208,6 @@ private Q_SLOTS:
         QVERIFY2(mean < 25ms, millisecondsOf(mean, "ms, of at least 17").constData());
     }
 
-    void usesAWayThatHasBecomeMuchLonger_data()
-    {
-        QTest::addColumn<double>("megabits");
-        QTest::addColumn<int>("framesPerSecond");
-        QTest::addColumn<int>("beforeMs");
-        QTest::addColumn<int>("afterMs");
-        for (const double megabits : {100.0, 400.0, 1000.0})
-            for (const int frames : {15, 30})
-                for (const auto& [before, after] : {std::pair{10, 30}, {40, 60}, {20, 80}})
-                    QTest::addRow("%g Mbit/s, %d frames/s, %d to %d ms", megabits, frames, before, after)
-                        << megabits << frames << before << after;
-    }
-
-    /// As when a line fails and a network takes another one: what is late by so much looks like a long queue. No frame takes half a second,
-    /// and two seconds later all leave as fast as before.
-    void usesAWayThatHasBecomeMuchLonger()
-    {
-        QFETCH(double, megabits);
-        QFETCH(int, framesPerSecond);
-        QFETCH(int, beforeMs);
-        QFETCH(int, afterMs);
-        Path path(megabits * 125'000, std::chrono::milliseconds(beforeMs));
-        Frames frames(path, framesPerSecond);
-        for (int i = 0; i < 8 * framesPerSecond; ++i)
-            frames.send();
-        path.reroute(std::chrono::milliseconds(afterMs));
-        Nanoseconds slowest{};
-        for (int i = 0; i < 2 * framesPerSecond; ++i)
-            slowest = std::max(slowest, frames.send());
-        QVERIFY2(slowest < 500ms, millisecondsOf(slowest, "ms").constData());
-        path.forget();
-        Nanoseconds slowestThen{};
-        for (int i = 0; i < 3 * framesPerSecond; ++i)
-            slowestThen = std::max(slowestThen, frames.send());
-        QVERIFY2(slowestThen < 22ms, millisecondsOf(slowestThen, "ms, of at least 17").constData());
-        QVERIFY2(path.longestWait < 5ms, millisecondsOf(path.longestWait, "ms").constData());
-    }
-
     void commandsHardlyWaitWhileALongAndFastPathIsLearnt_data()
     {
         QTest::addColumn<double>("capacity");
@@ -376,6 +268,34 @@ private Q_SLOTS:
         const auto figures = millisecondsOf(longestWait, "ms, ") + QByteArray::number(path.rate.rate() / path.capacity) + " of the path";
         QVERIFY2(path.rate.rate() < 1.25 * path.capacity && path.rate.rate() > 0.7 * path.capacity, figures.constData());
         QVERIFY2(longestWait < 4ms, figures.constData());
+    }
+
+    void aPathThatFellTwiceAndHealsIsWideAgain_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<double>("left");
+        // 0.32, 0.39 and 0.53 of the time's where only the second fall is doubted.
+        QTest::newRow("10 Mbit/s, to a fifth each time") << gigabit / 100 << 0.2;
+        QTest::newRow("40 Mbit/s, to a fifth each time") << gigabit / 25 << 0.2;
+        QTest::newRow("40 Mbit/s, to 0.3 each time") << gigabit / 25 << 0.3;
+    }
+
+    /// The second time soon after the first. What it carried before both is believed again once it carries more than is left.
+    void aPathThatFellTwiceAndHealsIsWideAgain()
+    {
+        QFETCH(double, capacity);
+        QFETCH(double, left);
+        Path path(capacity, 80ms);
+        path.run(4s);
+        path.capacity = capacity * left;
+        path.run(300ms);
+        path.capacity *= left;
+        path.run(1s);
+        path.capacity = capacity;
+        path.forget();
+        path.run(3s);
+        const double sent = path.sent() / capacity / 3;
+        QVERIFY2(sent > 0.58, qPrintable(QString::number(sent)));
     }
 
     void yieldsOnALongPathThatNarrowsStepByStep_data()

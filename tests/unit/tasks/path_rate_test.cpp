@@ -1,6 +1,7 @@
 // The rate of bulk on a path in virtual time: a bottleneck with a queue before it.
 #include "tasks/path_rate.hpp"
 
+#include "support/milliseconds_of.hpp"
 #include "support/virtual_path.hpp"
 
 #include <QTest>
@@ -13,17 +14,13 @@
 
 using namespace liena::tasks;
 using namespace std::chrono_literals;
+using liena::test::millisecondsOf;
 using Nanoseconds = std::chrono::nanoseconds;
 using Path = liena::test::VirtualPath;
 
 namespace {
 
 constexpr double gigabit = 125e6; // bytes per second
-
-QByteArray millisecondsOf(Nanoseconds time, const char* what)
-{
-    return QByteArray::number(static_cast<double>(time.count()) / 1e6) + ' ' + what;
-}
 
 } // namespace
 
@@ -123,38 +120,6 @@ private Q_SLOTS:
         QVERIFY2(path.late < 50ms, millisecondsOf(path.late, "ms over 2 ms").constData());
         QVERIFY(path.sent() > 0.85 * gigabit / 10 * 10);
         QVERIFY(path.rate.known().value() < gigabit / 10 * 1.1);
-    }
-
-    /// The kernel remembers the shortest round trip for five minutes; what a longer route adds is no queue of ours for so long.
-    void usesAPathThatHasBecomeLonger_data()
-    {
-        QTest::addColumn<double>("megabits");
-        QTest::addColumn<int>("beforeUs");
-        QTest::addColumn<int>("afterUs");
-        for (const double megabits : {100.0, 400.0, 1000.0})
-            for (const auto& [before, after] :
-                 {std::pair{200, 1500}, {1000, 6000}, {2000, 8000}, {10000, 14000}, {10000, 30000}, {40000, 60000}})
-                QTest::addRow("%g Mbit/s, %d to %d us", megabits, before, after) << megabits << before << after;
-    }
-
-    void usesAPathThatHasBecomeLonger()
-    {
-        QFETCH(double, megabits);
-        QFETCH(int, beforeUs);
-        QFETCH(int, afterUs);
-        const double capacity = megabits * 125'000;
-        Path path(capacity, std::chrono::microseconds(beforeUs));
-        path.run(8s);
-        path.reroute(std::chrono::microseconds(afterUs));
-        path.run(12s);
-        path.forget();
-        path.run(4s);
-        QVERIFY2(path.sent() > 0.85 * capacity * 4, qPrintable(QString::number(path.sent() / capacity / 4)));
-        path.reroute(std::chrono::microseconds(beforeUs)); // and back: a queue is told as early as before
-        path.run(4s);
-        path.forget();
-        path.run(4s);
-        QVERIFY2(path.longestWait < 10ms, qPrintable(QString::number(path.longestWait.count())));
     }
 
     /// Where a segment takes milliseconds the network's queue must not be longer than one: a command waits for both.

@@ -105,6 +105,24 @@ private Q_SLOTS:
         QVERIFY(begins(look, queue(18ms)));
     }
 
+    /// A path that fell would leave a queue in each frame otherwise, and each would be looked at again.
+    void inAPauseNoRatePasses()
+    {
+        auto look = held();
+        look.pause(start + 3ms);
+        look.pause(start + 4ms); // it goes on
+        look.resume(start + 50ms);
+        look.resume(start + 51ms);
+        QVERIFY(!begins(look, queue(51ms)));
+        QVERIFY(begins(look, queue(52ms)));
+        QVERIFY(look.begins(queue(52ms), atOnce, longEnough));
+        look.drained(start + 56ms);
+        look.pause(start + 57ms);
+        look.resume(start + 100ms);
+        QVERIFY(!begins(look, queue(107ms)));
+        QVERIFY(begins(look, queue(108ms)));
+    }
+
     /// Until the next fall: what is under way is compared with it.
     void whatDrainedIsKnown()
     {
