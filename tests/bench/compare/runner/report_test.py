@@ -51,6 +51,16 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(answers(self.beside_frames(frame_p50=21))[2], False)
         self.assertEqual(answers(self.beside_frames(frame_count=70))[3], False)
 
+    def test_it_says_how_many_lines_keep_the_limits_with_nothing_beside_the_commands(self):
+        def measured(idle):
+            medians = self.beside_frames()
+            medians.results["load/1g/0"]["liena"] = [idle]
+            return targets.judged_load(medians)[0].measured
+
+        self.assertEqual(measured({"command_p99": 400, "command_p999": 1900}), "1; without frames 1")
+        self.assertEqual(measured({"command_p99": 400, "command_p999": 2000}), "1; without frames 0")
+        self.assertEqual(measured({"command_p99": 400}), "1")
+
     def test_commands_are_calm_when_nothing_stood_still_on_their_way_or_shortly_before(self):
         commands = [(10, 1), (20, 1), (30, 1), (40, 1)]  # due and late, ms
         self.assertEqual(calm.calm_latencies(commands, []), [1000] * 4)

@@ -135,19 +135,28 @@ def judge_packets(medians, key):
     return False if p99 is None else None if best is None else p99 <= best
 
 
-def counted(title, answers):
+def counted(title, answers, remark=""):
     """How many of the conditions are met; nothing where none is known."""
     known = [answer for answer in answers if answer is not None]
-    return [Judged(title, f"all {len(known)}", str(sum(known)), all(known))] if known else []
+    return [Judged(title, f"all {len(known)}", f"{sum(known)}{remark}", all(known))] if known else []
+
+
+def kept_without_frames(medians, conditions):
+    """In how many of them the line itself keeps the limits, with nothing beside the commands: elsewhere nobody could."""
+    kept = [within([medians.of(idle_key, "liena", figure) for figure in ("command_p99", "command_p999")],
+                   limits_of(medians, link, idle_key, "liena")) for _, idle_key, link in conditions]
+    return "" if None in kept else f"; without frames {sum(kept)}"
 
 
 def judged_load(medians):
     """Over all conditions with frames that the link carries."""
-    judged = [judge_load(medians, *condition) for condition in conditions_with_frames(medians, fitting=True)]
+    conditions = list(conditions_with_frames(medians, fitting=True))
+    judged = [judge_load(medians, *condition) for condition in conditions]
     titles = ("Commands beside frames: p99 and p99.9 within their limits, conditions",
               "Commands beside frames: p99 not above the best other transport's, conditions",
               f"Frames: p50 ÷ raw TCP ≤ {FRAME_RATIO}, conditions", "Frames: all arrive but one in fifty, conditions")
-    return [one for title, answers in zip(titles, zip(*judged)) for one in counted(title, answers)]
+    remarks = (kept_without_frames(medians, conditions), "", "", "")
+    return [one for title, answers, remark in zip(titles, zip(*judged), remarks) for one in counted(title, answers, remark)]
 
 
 def judged_calm(medians):
