@@ -274,7 +274,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<double>("capacity");
         QTest::addColumn<double>("left");
-        // 0.32, 0.39 and 0.53 of the time's where only the second fall is doubted.
+        // 0.32, 0.39 and 0.53 where the second fall takes the place of the first as the one that is doubted.
         QTest::newRow("10 Mbit/s, to a fifth each time") << gigabit / 100 << 0.2;
         QTest::newRow("40 Mbit/s, to a fifth each time") << gigabit / 25 << 0.2;
         QTest::newRow("40 Mbit/s, to 0.3 each time") << gigabit / 25 << 0.3;
