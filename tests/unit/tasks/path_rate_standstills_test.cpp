@@ -18,6 +18,20 @@ namespace {
 
 enum class Who : std::uint8_t { Sender, Network, Receiver };
 
+void standStill(Path& path, Who who, Nanoseconds time)
+{
+    switch (who) {
+    case Who::Sender:
+        return path.standStill(time);
+    case Who::Receiver:
+        return path.deafen(time);
+    case Who::Network:
+        path.stalled = true;
+        path.run(time);
+        path.stalled = false;
+    }
+}
+
 /// Something stands still so often a second, for 0.5 ms to `longest`, while bulk is sent without a pause.
 class Restless {
 public:
@@ -30,7 +44,7 @@ public:
         while (time > m_untilNext) {
             time -= m_untilNext;
             m_path.run(m_untilNext);
-            standStill(m_standstills.length());
+            standStill(m_path, m_who, m_standstills.length());
             m_untilNext = m_standstills.untilNext();
         }
         m_untilNext -= time;
@@ -38,20 +52,6 @@ public:
     }
 
 private:
-    void standStill(Nanoseconds time)
-    {
-        switch (m_who) {
-        case Who::Sender:
-            return m_path.standStill(time);
-        case Who::Receiver:
-            return m_path.deafen(time);
-        case Who::Network:
-            m_path.stalled = true;
-            m_path.run(time);
-            m_path.stalled = false;
-        }
-    }
-
     Path& m_path;
     Who m_who;
     liena::test::Standstills m_standstills;
@@ -155,6 +155,76 @@ private Q_SLOTS:
         path.run(1s);
         QVERIFY2(path.late < 60ms + path.carrying(24 * 2896),
                  qPrintable(QString::number(static_cast<double>(path.late.count()) / 1e6) + " ms late"));
+    }
+
+    void aStandstillBeforeAFallIsNotLookedForAfterIt_data()
+    {
+        QTest::addColumn<double>("narrow");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::addColumn<int>("mostMs");
+        // 230, 236 and 147 where one is looked for.
+        QTest::newRow("to 5 Mbit/s, 200 us") << 0.625e6 << 200 << 150;
+        QTest::newRow("to 5 Mbit/s, 2000 us") << 0.625e6 << 2000 << 170;
+        QTest::newRow("to 20 Mbit/s, 100 us") << 2.5e6 << 100 << 100;
+    }
+
+    /// The network stands still, and soon afterwards falls to a tenth, behind a token bucket, so that at first it seems to carry somewhat
+    /// more than it does. The queue of that rate is no standstill's.
+    void aStandstillBeforeAFallIsNotLookedForAfterIt()
+    {
+        QFETCH(double, narrow);
+        QFETCH(int, roundTripUs);
+        QFETCH(int, mostMs);
+        Nanoseconds late{};
+        for (const auto before : {100ms, 300ms, 600ms})
+            for (const auto standstill : {4ms, 8ms}) {
+                Path path(narrow * 10, std::chrono::microseconds(roundTripUs));
+                path.bucket = 16'000;
+                path.run(4s);
+                standStill(path, Who::Network, standstill);
+                path.run(before);
+                path.capacity = narrow;
+                path.forget();
+                path.tooLong = path.carrying(static_cast<double>(path.rate.segment())) + 1500us;
+                path.run(2s);
+                late += path.late / 6;
+            }
+        QVERIFY2(late < std::chrono::milliseconds(mostMs), qPrintable(QString("%1 ms of 2 s late").arg(late / 1ms)));
+    }
+
+    void aSlowPathIsNotFilledAnewAfterAStandstill_data()
+    {
+        QTest::addColumn<double>("capacity");
+        QTest::addColumn<double>("bucket");
+        QTest::addColumn<int>("roundTripUs");
+        QTest::newRow("8 Mbit/s, 1000 us, token bucket") << 1e6 << 4e3 << 1000;
+        QTest::newRow("10 Mbit/s, 1000 us") << 1.25e6 << 0.0 << 1000;
+        QTest::newRow("10 Mbit/s, 2000 us") << 1.25e6 << 0.0 << 2000;
+        QTest::newRow("13 Mbit/s, 2000 us") << 1.625e6 << 0.0 << 2000;
+    }
+
+    /// One of 20 to 80 ms, so that it seems to carry next to nothing. What it carried before is remembered when that turns out to be wrong:
+    /// a step too far would show only when others had followed it.
+    void aSlowPathIsNotFilledAnewAfterAStandstill()
+    {
+        QFETCH(double, capacity);
+        QFETCH(double, bucket);
+        QFETCH(int, roundTripUs);
+        for (const auto who : {Who::Sender, Who::Network, Who::Receiver})
+            for (const auto standstill : {20ms, 40ms, 80ms}) {
+                Path path(capacity, std::chrono::microseconds(roundTripUs));
+                path.bucket = bucket;
+                path.run(8s);
+                standStill(path, who, standstill);
+                path.run(standstill + 100ms);
+                path.forget();
+                path.tooLong = path.carrying(2 * static_cast<double>(path.rate.segment())) + 1500us;
+                path.run(3s);
+                QVERIFY2(path.late == 0ms, qPrintable(QString("%1 ms: %2 ms late, at most by %3 ms")
+                                                          .arg(standstill / 1ms)
+                                                          .arg(path.late / 1ms)
+                                                          .arg(path.longestWait / 1ms)));
+            }
     }
 
     void aFallIsSeenBetweenPauses_data()
