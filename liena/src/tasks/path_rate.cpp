@@ -246,7 +246,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     if (!wasDoubted)
         m_ceilingBefore = m_ceiling;
     if (delivered < m_rate * doubtful)
-        m_stoodStill.reset(); // of the path as it was
+        m_stoodStill.reset(); // that was before a fall, and tells nothing of what comes after it
     if (less && !m_doubted)
         m_unrest = Nanoseconds::zero(); // it hides a queue of ours: let it be seen again, if it was one
     if (again && m_confirmed)
@@ -361,7 +361,7 @@ void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
     m_rate = std::min(m_rate * quickest, most);
     m_nextStep = now + pauseInDoubt(facts);
     if (m_rate > *m_ceiling * refuted) {
-        // On a short way a step beyond what it carries is seen before it is over, but where a piece takes long.
+        // On a short way a step beyond what it carries is seen before it is over, unless a piece takes long.
         m_ceiling = (m_isLong || isSlow()) && m_ceilingBefore && *m_ceilingBefore > m_rate ? m_ceilingBefore : std::nullopt;
         m_doubted = false;
     }

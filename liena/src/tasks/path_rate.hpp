@@ -213,7 +213,7 @@ private:
     PathDepartures m_departures;
     RoundTripOfLate m_ofLate;
     SecondLook m_look;
-    std::optional<Instant> m_stoodStill; ///< what a second look found last
+    std::optional<Instant> m_stoodStill; ///< what a second look found last, since the rate fell deep
     StandingWait m_standing;             ///< since bulk yielded
     Nanoseconds m_least{};               ///< that a round trip takes, as last known
     UsualWait m_usualWait;               ///< below the ceiling
