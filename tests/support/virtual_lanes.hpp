@@ -142,8 +142,8 @@ private:
     void observe(Instant now)
     {
         const auto unsent = static_cast<std::uint32_t>(m_kernel.unsent());
-        rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_sent), static_cast<std::uint64_t>(m_acknowledged), 0, {}, unsent},
-                     now, m_waiting > 0);
+        rate.observe({m_smoothed, m_idle, static_cast<std::uint64_t>(m_sent), static_cast<std::uint64_t>(m_acknowledged), {}, unsent}, now,
+                     m_waiting > 0);
         rate.endsBurst(m_waiting <= 0);
         rateChanged();
         m_look = now + 5ms;

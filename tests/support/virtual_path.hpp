@@ -89,7 +89,6 @@ public:
                 continue;
             m_delivered += news.bytes;
             m_window += news.bytes; // slow start
-            m_deliveryRate = news.rate;
             // An eighth for each acknowledgement, which comes for two packets: on a slow path that takes its time.
             for (m_unacknowledged += news.bytes; m_unacknowledged >= acknowledged; m_unacknowledged -= acknowledged)
                 m_smoothed += ((m_idle + news.waiting + unrest()) - m_smoothed) / 8;
@@ -99,7 +98,9 @@ public:
     /// As on a wireless or a busy way: what overtakes nothing is late together.
     Nanoseconds unrest()
     {
-        if (mostUnrest > Nanoseconds::zero() && m_sinceUnrest++ % lateTogether == 0)
+        if (mostUnrest <= Nanoseconds::zero())
+            return Nanoseconds::zero();
+        if (m_sinceUnrest++ % lateTogether == 0)
             m_unrest = Nanoseconds(static_cast<Nanoseconds::rep>(random() % static_cast<std::uint64_t>(mostUnrest.count())));
         return m_unrest;
     }
@@ -121,6 +122,19 @@ public:
 
     /// As a new connection.
     void startSlowly() { m_window = 14'600; }
+
+    /// A new connection, of another way perhaps: nothing is under way, and its kernel remembers nothing.
+    void reconnect(Nanoseconds idleRoundTrip)
+    {
+        rate.restart();
+        m_isWriting = false;
+        m_kernel = {};
+        m_kernel.pace(rate.rate(), rate.segment());
+        m_entered = m_left = m_delivered = m_queue = m_tokens = m_unacknowledged = 0;
+        m_entries.clear();
+        m_onItsWay.clear();
+        m_smoothed = m_shortest = m_idle = idleRoundTrip;
+    }
 
     tasks::PathRate rate;
     double capacity;
@@ -181,8 +195,8 @@ private:
     {
         m_looked = m_now;
         m_shortest = std::min(m_shortest, m_idle);
-        rate.observe({m_smoothed, m_shortest, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered),
-                      m_deliveryRate, m_closed, static_cast<std::uint32_t>(m_kernel.unsent())},
+        rate.observe({m_smoothed, m_shortest, static_cast<std::uint64_t>(m_entered), static_cast<std::uint64_t>(m_delivered), m_closed,
+                      static_cast<std::uint32_t>(m_kernel.unsent())},
                      m_now);
         m_kernel.pace(rate.rate(), rate.segment());
     }
@@ -191,7 +205,6 @@ private:
         tasks::PathRate::Instant known;
         Nanoseconds waiting{};
         double bytes = 0;
-        double rate = 0;
     };
 
     /// So much in this step, besides what the piece itself takes.
@@ -200,9 +213,8 @@ private:
         m_left += carried;
         while (m_entries.size() > 1 && m_entries.front().total < m_left)
             m_entries.pop_front();
-        const double seconds = std::chrono::duration<double>(step).count();
         const auto delay = std::max(m_heardFrom - m_now, Nanoseconds::zero());
-        m_onItsWay.push_back({m_now + m_idle + delay, m_now - m_entries.front().at + piece + delay, carried, carried / seconds});
+        m_onItsWay.push_back({m_now + m_idle + delay, m_now - m_entries.front().at + piece + delay, carried});
     }
 
     /// A switch has half a megabyte or so, a faster one more.
@@ -233,7 +245,6 @@ private:
     tasks::PathRate::Instant m_heardFrom{}; ///< by the receiver
     double m_window = 1e12;                 ///< bytes that TCP lets be under way
     double m_unacknowledged = 0;
-    double m_deliveryRate = 0;
     std::deque<News> m_onItsWay;
     double m_sent = 0;
     Nanoseconds m_closed{};

@@ -46,9 +46,9 @@ public:
         if (--m_left > 0)
             return Heard::NotAll;
         m_heard = heardOf(m_latestButOne);
-        const bool isFirst = m_pause == first;
+        const bool isFirst = m_pause == Nanoseconds::zero();
         m_unrest = m_heard <= most ? m_heard : usual;
-        m_pause = isCalm() ? longest : std::min(m_pause * 2, longest);
+        m_pause = isCalm() ? longest : std::clamp(m_pause * 2, shortest, longest);
         m_next = now + m_pause;
         if (isCalm())
             return Heard::Calm;
@@ -76,8 +76,8 @@ private:
     static constexpr Nanoseconds usual = std::chrono::microseconds(500); ///< what is assumed of a path that was not heard
     static constexpr Nanoseconds most = std::chrono::microseconds(350);  ///< of a calm one, a quarter of what was heard included
     static constexpr Nanoseconds least = std::chrono::microseconds(50);
-    static constexpr Nanoseconds longest = std::chrono::seconds(10);     ///< what was heard may have changed since
-    static constexpr Nanoseconds first = std::chrono::milliseconds(250); ///< what was heard may have been left of a queue
+    static constexpr Nanoseconds longest = std::chrono::seconds(10);        ///< what was heard may have changed since
+    static constexpr Nanoseconds shortest = std::chrono::milliseconds(500); ///< what was heard may have been left of a queue
 
     static Nanoseconds heardOf(Nanoseconds latest) { return std::max(latest * 5 / 4, least); }
 
@@ -87,7 +87,7 @@ private:
     Nanoseconds m_latestButOne{};
     Nanoseconds m_heard{};
     Nanoseconds m_unrest = usual;
-    Nanoseconds m_pause = first; ///< until it is due again
+    Nanoseconds m_pause{}; ///< until it is due again; 0: it was never heard
     Instant m_next{};
 };
 

@@ -76,10 +76,11 @@ std::uint64_t SharedBytes::wholeOf(std::uint64_t own) const
 
 std::optional<RoundTripOfLate::Nanoseconds> RoundTripOfLate::note(Nanoseconds roundTrip, Instant now)
 {
-    if (now - m_begun > 2 * lately) { // nothing was sent: nothing is known
+    if (now - m_begun > 2 * lately) { // nothing was sent: what was looked at since may have been too little to know
         m_begun = now;
+        if (m_before)
+            m_before = std::min(*m_before, m_shortest);
         m_shortest = roundTrip;
-        m_before.reset();
     } else if (now - m_begun > lately) {
         m_begun = now;
         m_before = std::exchange(m_shortest, roundTrip);

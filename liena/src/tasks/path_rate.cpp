@@ -25,7 +25,7 @@ constexpr double leastProof = 0.002;    // seconds at the rate: shorter bursts d
 constexpr double deepestFall = 0.125;   // at once: a moment in which a processor stood still proves no more
 constexpr auto leastPiece = 500us;      // that it takes: less is lost among what computers take
 constexpr double asBefore = 0.15;       // of the ceiling: a queue met so near it confirms it
-constexpr auto passed = 2000ms;         // before a slow or calm path's confirmed ceiling is passed again, by waiting and by gentle steps
+constexpr auto confirmedFor = 2000ms;   // before a slow or calm path's confirmed ceiling is passed again, by waiting and by gentle steps
 constexpr double refuted = 1.1;         // times a ceiling, without a queue: it is none
 constexpr double quickest = 1.25;       // a step while nothing is known
 constexpr double triedStep = 1.12;      // a step once the end of a burst was sent still faster
@@ -47,6 +47,7 @@ void PathRate::restart()
     m_burst.reset();
     m_departures = {};
     m_calm = {}; // it may go another way
+    m_unrest = Nanoseconds::zero();
     m_ofLate = {};
     m_least = Nanoseconds::zero();
     m_look.forget();
@@ -64,9 +65,9 @@ void PathRate::restart()
 void PathRate::observe(const transport::PathFacts& facts, Instant now, bool goesOn)
 {
     const auto ofSession = asOfSession(facts, now);
+    enter(goesOn, now); // with the first byte: it takes of the path before it tells of it
     if (facts.bytesAcknowledged < provenBytes)
         return;
-    enter(goesOn, now);
     decide(asOfLate(ofSession, now), now);
 }
 
@@ -165,7 +166,7 @@ void PathRate::judgeBurst(const transport::PathFacts& facts, Instant now)
     const bool proves = bytes > m_rate * leastProof;
     if (proves)
         m_judged = now;
-    const double carried = bytes / (seconds + secondsOf(std::max(m_waiting - m_unrest, Nanoseconds::zero()))); // that is not its queue
+    const double carried = bytes / (seconds + secondsOf(std::max(m_waiting - unrest(facts), Nanoseconds::zero()))); // that is not its queue
     const bool tells = !mayBeUnrest(facts) || (proves && seconds > secondsOf(m_waiting)); // else it was late for longer than it took
     if (bytes >= leastBytes && hasWaited(facts))
         meetQueue(facts, tells ? carried : m_rate, mayBeUnrest(facts), now);
@@ -189,8 +190,7 @@ bool PathRate::looksAgain(const transport::PathFacts& facts, Instant now)
     const SecondLook::Seen seen{now, m_rate, underWay(facts), m_waiting};
     const auto longEnough = 2 * timeToNotice() + roundTripsToNotice * facts.leastRoundTrip;
     const bool isOn = m_look.isOn(now);
-    const bool begins =
-        !isOn && facts.leastRoundTrip < longWay && m_lanes == 1 && m_look.begins(seen, tolerated(facts) / atOnce, longEnough);
+    const bool begins = !isOn && !m_isLong && m_lanes == 1 && m_look.begins(seen, tolerated(facts) / atOnce, longEnough);
     if (!begins && !(isOn && m_look.goesOn(seen)))
         return false;
     m_draining = true; // also when a pause came between
@@ -233,7 +233,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     const double carried = std::clamp(delivered, least, most);
     if (allCame && !isCalm(facts) && m_unrest == Nanoseconds::zero())
         delivered = m_rate; // nothing is known of the path's own unrest
-    if (isUnrest(facts, delivered, now))
+    if (takenForUnrest(facts, delivered, now))
         return;
     if (m_waiting > piecesInDoubt * timeOf(inOnePiece))
         m_standing.yielded({now, m_waiting, facts.bytesSent, facts.bytesAcknowledged}, carried);
@@ -265,7 +265,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
     m_nextStep = now + (m_doubted ? pauseInDoubt(facts) : pauseBetweenSteps());
     const auto climb = pauseBetweenSteps() * static_cast<int>(std::log(refuted / margin) / std::log(gentle));
     const bool believed = again && (isSlow() || isCalm(facts));
-    const auto wait = std::max<Nanoseconds>(passed - climb, 0s);
+    const auto wait = std::max<Nanoseconds>(confirmedFor - climb, 0s);
     m_confirmed = believed ? std::optional(now + wait) : std::nullopt;
     if (m_share)
         m_share->even(*this);
@@ -276,7 +276,7 @@ void PathRate::meetQueue(const transport::PathFacts& facts, double delivered, bo
 void PathRate::yield(const transport::PathFacts& facts)
 {
     m_draining = true;
-    m_drain = facts.leastRoundTrip < longWay && (m_doubted || isSlow()) ? drainWhenSlow : drain;
+    m_drain = !m_isLong && (m_doubted || isSlow()) ? drainWhenSlow : drain;
     m_effective = facts.bytesSent + static_cast<std::uint64_t>(m_rate * settling);
 }
 
@@ -370,7 +370,7 @@ void PathRate::growInDoubt(const transport::PathFacts& facts, Instant now)
 /// On a long way a queue shows a round trip later.
 PathRate::Nanoseconds PathRate::pauseInDoubt(const transport::PathFacts& facts) const
 {
-    const auto until = timeToNotice() + (facts.leastRoundTrip >= longWay ? facts.leastRoundTrip : Nanoseconds::zero());
+    const auto until = timeToNotice() + (m_isLong ? facts.leastRoundTrip : Nanoseconds::zero());
     return std::max<Nanoseconds>(shortestWindow, until);
 }
 

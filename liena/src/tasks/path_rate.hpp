@@ -161,6 +161,7 @@ private:
     bool hasQueue(const transport::PathFacts& facts, Instant now) const;
     double mayBeUnderWay(const transport::PathFacts& facts, Instant now) const;
     bool mayBeUnrest(const transport::PathFacts& facts) const;
+    Nanoseconds unrest(const transport::PathFacts& facts) const;
     bool carriesWhatIsSent(const transport::PathFacts& facts, Instant now) const;
     void learnFrom(const PathRate& other);
     double part() const { return m_rate / static_cast<double>(m_lanes); }
@@ -172,7 +173,7 @@ private:
     std::optional<Nanoseconds> usualWait() const;
     Nanoseconds tolerated(const transport::PathFacts& facts) const;
     void meetQueue(const transport::PathFacts& facts, double delivered, bool allCame, Instant now);
-    bool isUnrest(const transport::PathFacts& facts, double delivered, Instant now);
+    bool takenForUnrest(const transport::PathFacts& facts, double delivered, Instant now);
     double doubtedBelow(Instant now) const;
     void yield(const transport::PathFacts& facts);
     std::uint64_t whenForgotten(const transport::PathFacts& facts) const;

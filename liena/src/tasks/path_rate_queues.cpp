@@ -19,7 +19,7 @@ constexpr double doubtfulAfterStandstill = 0.9;
 constexpr double clearlyBelow = 0.75; // what passed without a queue a moment ago
 constexpr double smoothing = 8;       // acknowledgements that bring the smoothed round trip nearer to the present one by a factor of e
 constexpr double noticing = 12;       // pieces of two packets, until the smoothed round trip shows a queue
-constexpr double usual = 0.0002;      // seconds of what is delivered, in a round trip without a queue
+constexpr double slack = 0.0002;      // seconds of what is delivered, in a round trip without a queue
 // With header and seal two full packets.
 constexpr std::size_t smallestSegment = 2854;
 constexpr std::size_t largestSegment = 3 * smallestSegment; // a command waits for one; longer ones save little
@@ -66,7 +66,7 @@ bool PathRate::hasQueue(const transport::PathFacts& facts, Instant now) const
 /// little left before it: a connection that has just begun sends twice as much in each, and one that yielded sends at its rate again.
 double PathRate::mayBeUnderWay(const transport::PathFacts& facts, Instant now) const
 {
-    const double carried = m_delivered * (secondsOf(facts.leastRoundTrip) + usual);
+    const double carried = m_delivered * (secondsOf(facts.leastRoundTrip) + slack);
     const auto before = m_departures.about(now - facts.leastRoundTrip);
     return before ? std::max(carried, static_cast<double>(facts.bytesSent) - *before) : carried;
 }
@@ -80,7 +80,13 @@ PathRate::Nanoseconds PathRate::tolerated(const transport::PathFacts& facts) con
     const auto usual = usualWait();
     const std::chrono::duration<double> own(std::min(segments, (usual ? std::min(piece, secondsOf(*usual)) : piece) + 0.0003));
     return (isCalm(facts) ? toleratedWhenCalm : alwaysTolerated) + std::chrono::duration_cast<Nanoseconds>(own) +
-           std::max(std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()), m_unrest);
+           std::max(std::min<Nanoseconds>(facts.leastRoundTrip / 16, m_calm.unrest()), unrest(facts));
+}
+
+/// Of a long path only: on a short one what is late by as much is a queue.
+PathRate::Nanoseconds PathRate::unrest(const transport::PathFacts& facts) const
+{
+    return facts.leastRoundTrip >= longWay ? m_unrest : Nanoseconds::zero();
 }
 
 /// Elsewhere a piece takes next to no time.
@@ -115,7 +121,7 @@ double PathRate::doubtedBelow(Instant now) const
 
 /// A path that carried more a moment ago, and carries what is sent now, has no queue of ours: its round trips vary by themselves, as those
 /// of long and of wireless ways do. On a calm path something stood still.
-bool PathRate::isUnrest(const transport::PathFacts& facts, double delivered, Instant now)
+bool PathRate::takenForUnrest(const transport::PathFacts& facts, double delivered, Instant now)
 {
     if (!mayBeUnrest(facts) || delivered < m_rate * used)
         m_proven = 0;

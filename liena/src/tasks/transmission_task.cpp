@@ -149,7 +149,7 @@ void TransmissionTask::watchPace(std::chrono::steady_clock::time_point now)
             return;
         const auto later = std::chrono::steady_clock::now();
         if (const auto facts = m_channel->facts()) {
-            m_rate->observe(*facts, later);
+            m_rate->observe(*facts, later, !m_queue->empty());
             m_channel->slow(m_rate->rate());
             m_paced = 0; // the next write tells the kernel all of it
         }

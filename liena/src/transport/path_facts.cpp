@@ -20,7 +20,6 @@ std::optional<PathFacts> readPathFacts(int socket)
     facts.leastRoundTrip = std::chrono::microseconds(info.tcpi_min_rtt);
     facts.bytesSent = info.tcpi_bytes_sent - info.tcpi_bytes_retrans;
     facts.bytesAcknowledged = info.tcpi_bytes_acked;
-    facts.deliveryRate = static_cast<double>(info.tcpi_delivery_rate);
     facts.windowClosed = std::chrono::microseconds(info.tcpi_rwnd_limited);
     facts.bytesUnsent = info.tcpi_notsent_bytes;
     return facts;

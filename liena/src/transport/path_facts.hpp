@@ -12,7 +12,6 @@ struct PathFacts {
     std::chrono::nanoseconds leastRoundTrip{}; ///< of the last minutes
     std::uint64_t bytesSent = 0;               ///< since it was connected
     std::uint64_t bytesAcknowledged = 0;       ///< since it was connected
-    double deliveryRate = 0;                   ///< bytes per second, of the last burst
     std::chrono::nanoseconds windowClosed{};   ///< since it was connected: the receiver had no room
     std::uint32_t bytesUnsent = 0;             ///< in the kernel, not yet on the wire
 };

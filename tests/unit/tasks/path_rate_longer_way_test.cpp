@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 using namespace std::chrono_literals;
@@ -90,6 +91,37 @@ private Q_SLOTS:
         path.forget();
         path.run(4s);
         QVERIFY2(path.longestWait < 10ms, qPrintable(QString::number(path.longestWait.count())));
+    }
+
+    void aPauseForgetsNoLongerWay_data()
+    {
+        QTest::addColumn<double>("megabits");
+        QTest::addColumn<int>("beforeUs");
+        QTest::addColumn<int>("afterUs");
+        QTest::addColumn<double>("part");
+        for (const double part : {1.0, 0.6})
+            for (const auto& [megabits, before, after] :
+                 {std::tuple(10.0, 200, 4200), {10.0, 2000, 42000}, {20.0, 2000, 4000}, {20.0, 200, 40200}, {100.0, 2000, 12000}})
+                QTest::addRow("%g Mbit/s, %d to %d us, %g", megabits, before, after, part) << megabits << before << after << part;
+    }
+
+    /// Nobody looks at pictures for a while, and then again: all leaves as before, though the kernel remembers the shorter way.
+    void aPauseForgetsNoLongerWay()
+    {
+        QFETCH(double, megabits);
+        QFETCH(int, beforeUs);
+        QFETCH(int, afterUs);
+        QFETCH(double, part);
+        Path path(megabits * 125'000, std::chrono::microseconds(beforeUs));
+        send(path, part);
+        send(path, part);
+        path.reroute(std::chrono::microseconds(afterUs));
+        for (int i = 0; i < 3; ++i)
+            send(path, part);
+        path.run(20s, false);
+        path.forget();
+        send(path, part);
+        QVERIFY2(path.sent() > 0.92 * part * path.capacity * seconds, qPrintable(QString::number(path.sent() / path.capacity / seconds)));
     }
 
     void usesAWayThatHasBecomeMuchLonger_data()
