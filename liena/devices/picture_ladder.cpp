@@ -88,12 +88,22 @@ double PictureLadder::load(std::size_t step) const
 bool PictureLadder::isPermitted(std::size_t step) const
 {
     const unsigned divisor = m_rungs[step].divisor;
-    if (fails(step))
+    if (fails(step) || takesTooLong(step))
         return false;
     return divisor == 1 || m_askedRate / divisor >= leastRate;
 }
 
-void PictureLadder::measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded)
+/// A computer that stands still makes some of them late, not each.
+bool PictureLadder::takesTooLong(std::size_t step) const
+{
+    const Cost& cost = m_costs[costOf(m_rungs[step])];
+    const double period = m_rungs[step].divisor / m_askedRate;
+    const double most = step < m_step ? period * (1 - spare) : period;
+    return std::chrono::duration<double>(*std::min_element(cost.took.begin(), cost.took.end())).count() > most;
+}
+
+void PictureLadder::measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded,
+                             std::chrono::nanoseconds took)
 {
     if (unencoded == 0)
         return;
@@ -102,6 +112,7 @@ void PictureLadder::measured(SteadyTime now, const PictureRung& rung, std::size_
     const double share = static_cast<double>(encoded) / m_unencoded;
     const bool fades = cost.measured && share < cost.share && costOf(rung) == costOf(this->rung());
     cost.share += (share - cost.share) * (fades ? fading : 1);
+    cost.took[cost.timed++ % cost.took.size()] = took;
     cost.measured = now;
     cost.fails = false;
 }
@@ -133,6 +144,7 @@ std::optional<PictureRung> PictureLadder::toMeasure(SteadyTime now) const
 bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const PathReading> viewers)
 {
     const std::size_t before = m_step;
+    m_tookTooLong = false;
     m_askedRate = askedRate;
     if (!isPermitted(m_step))
         leave(now);
@@ -148,7 +160,8 @@ bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const Pat
 
 void PictureLadder::leave(SteadyTime now)
 {
-    if (!fails(m_step)) { // at the lower rate that is asked for now the next better one is the same, or less
+    m_tookTooLong = !fails(m_step) && takesTooLong(m_step);
+    if (!fails(m_step) && !m_tookTooLong) { // at the lower rate that is asked for now the next better one is the same, or less
         m_step = above();
         return;
     }
@@ -156,7 +169,9 @@ void PictureLadder::leave(SteadyTime now)
     std::size_t next = m_step + 1;
     while (next < last && !isPermitted(next))
         ++next;
-    m_step = next < last ? next : above();
+    m_step = next < last ? next : m_tookTooLong ? m_step : above();
+    if (m_tookTooLong && m_climbed)
+        breakPromise(now);
     m_climbed.reset(); // which says nothing of the way
     m_trialEnds = now;
     beginWatch(now);
@@ -265,6 +280,12 @@ void PictureLadder::stepDown(SteadyTime now)
         return;
     m_climbed.reset();
     m_broken = m_promise;
+    breakPromise(now);
+}
+
+/// The next climb waits.
+void PictureLadder::breakPromise(SteadyTime now)
+{
     m_notBefore = now + m_wait;
     m_wait = std::min<std::chrono::nanoseconds>(2 * m_wait, longestWait);
 }

@@ -4,6 +4,7 @@
 #include "frame_encoder.hpp"
 #include "xray_machine.hpp"
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -61,6 +62,10 @@ struct PathReading {
 /// An encoding that fails is left at once, for the next lighter rung that works, and tried again each `measureAgain`, on pictures that are
 /// not sent in it.
 ///
+/// A picture that takes longer to make than until the next pulse makes that one fall out, and a rate that is told and not kept is none. So
+/// a rung on which even the quickest of the last four took longer is left as well, for the next one on which they have the time, and not
+/// taken; one above only where a fifth of the time would be left.
+///
 /// Sizes are measured as pictures are encoded, assumed before. What is encoded only to be measured, toMeasure() says: each encoding once,
 /// and on a lower rung the better ones again, since the way up is judged by them. Of several viewers the worst decides. Pure: time comes
 /// from the caller.
@@ -79,17 +84,22 @@ public:
     static constexpr std::chrono::seconds measureAgain{2};
     static constexpr double telling = 0.1; ///< of the known rate: what uses less does not show whether it is still true
     static constexpr std::chrono::seconds trial{1};
+    static constexpr double spare = 0.2; ///< of the time between two pulses: is left on a rung that is climbed to
 
     PictureLadder(Encoding asked, unsigned quality, Reduction permitted);
 
     /// Before each pulse; true when the rung has changed. `askedRate`: pictures per second, above 0.
     bool update(SteadyTime now, double askedRate, std::span<const PathReading> viewers);
 
-    /// What the newest picture came to in the encoding of `rung`, and what its pixels were before.
-    void measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded);
+    /// What the newest picture came to in the encoding of `rung`, and what its pixels were before. `took`: from the pulse until it could be
+    /// sent; 0: not known.
+    void measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded, std::chrono::nanoseconds took = {});
 
     /// The encoding of `rung` could not hold the newest picture: its rungs are left out until it is measured() again.
     void failed(SteadyTime now, const PictureRung& rung);
+
+    /// At the last update pictures took longer to make than until the next pulse, so that the rung was left if there is a lower one.
+    bool tookTooLong() const { return m_tookTooLong; }
 
     /// Some rung is left whose encoding does not fail.
     bool works() const;
@@ -108,6 +118,8 @@ private:
         double share = 1;                   ///< of the bytes before encoding
         std::optional<SteadyTime> measured; ///< or found to fail
         bool fails = false;
+        std::array<std::chrono::nanoseconds, 4> took{}; ///< of the last ones; 0: not known
+        std::size_t timed = 0;
     };
 
     void declare(Reduction permitted);
@@ -115,7 +127,9 @@ private:
     double load(std::size_t step) const; ///< bytes per second
     bool isPermitted(std::size_t step) const;
     bool fails(std::size_t step) const { return m_costs[costOf(m_rungs[step])].fails; }
+    bool takesTooLong(std::size_t step) const;
     void leave(SteadyTime now);
+    void breakPromise(SteadyTime now);
 
     void hear(SteadyTime now, std::span<const PathReading> viewers);
     void noteWithheld(SteadyTime now, std::uint64_t count);
@@ -134,6 +148,7 @@ private:
     std::vector<Cost> m_costs;
     std::vector<PictureRung> m_rungs;
     std::size_t m_step = 0;
+    bool m_tookTooLong = false;
     double m_askedRate = 15;
     double m_unencoded = 0; ///< bytes of the newest picture's pixels; 0 before the first
 

@@ -55,6 +55,8 @@ void XrayDevice::takeOne(std::unique_lock<std::mutex>& lock)
     lock.unlock();
     if (changed)
         tellRung();
+    else if (m_ladder.tookTooLong())
+        complain("pictures take longer to make here than until the next pulse, and nothing less is permitted: pulses are left out");
     const bool sent = produce(exposure, frame);
     lock.lock();
     ++(sent ? m_books.sent : m_books.withheld);
@@ -79,21 +81,25 @@ bool XrayDevice::chooseRung()
 void XrayDevice::tellRung()
 {
     const bool failed = std::exchange(m_encodingFailed, false);
+    const std::string_view why = failed                   ? "the encoding before failed"
+                                 : m_ladder.tookTooLong() ? "pictures take longer to make here than until the next pulse"
+                                                          : "the way to those who look does not carry more";
     const std::string now = describe(m_ladder.rung(), m_askedRate);
     if (m_ladder.step() == 0)
         m_log(LogLevel::Info, "pictures as asked for again: " + now);
     else
-        m_log(LogLevel::Warning, "pictures reduced to " + now + " (step " + std::to_string(m_ladder.step()) +
-                                     (failed ? "): the encoding before failed" : "): the way to those who look does not carry more"));
+        m_log(LogLevel::Warning, "pictures reduced to " + now + " (step " + std::to_string(m_ladder.step()) + "): " + std::string(why));
 }
 
 bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
 {
     const Timestamp captured = Timestamp::now();
+    const auto begun = std::chrono::steady_clock::now();
     if (const auto taken = m_source->next(exposure, m_picture); !taken) {
         pictureFails(taken.error().what, "pictures cannot be taken");
         return false;
     }
+    m_taking = std::chrono::steady_clock::now() - begun;
     const std::size_t unencoded = m_picture.pixels.size() * (m_picture.format.bitsStored > 8 ? 2 : 1);
     const auto other = m_ladder.toMeasure(std::chrono::steady_clock::now());
     if (other)
@@ -102,7 +108,7 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
     const auto pixels = encode(m_encoder, m_picture);
     const auto now = std::chrono::steady_clock::now();
     if (pixels)
-        m_ladder.measured(now, m_ladder.rung(), pixels.value()->size(), unencoded);
+        m_ladder.measured(now, m_ladder.rung(), pixels.value()->size(), unencoded, now - begun);
     else
         m_ladder.failed(now, m_ladder.rung());
     const bool sent = pixels && deliver(compose(exposure, frame, pixels.value(), captured));
@@ -161,10 +167,11 @@ Message XrayDevice::compose(const Exposure& exposure, std::uint64_t frame, const
 void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
 {
     m_measuring.use(rung.encoding, rung.quality);
+    const auto begun = std::chrono::steady_clock::now();
     const auto pixels = encode(m_measuring, m_spare);
     const auto now = std::chrono::steady_clock::now();
     if (pixels)
-        m_ladder.measured(now, rung, pixels.value()->size(), unencoded);
+        m_ladder.measured(now, rung, pixels.value()->size(), unencoded, m_taking + (now - begun));
     else
         m_ladder.failed(now, rung);
 }

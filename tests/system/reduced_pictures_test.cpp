@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <set>
+#include <thread>
 
 using namespace liena;
 using namespace liena::test;
@@ -71,6 +72,21 @@ public:
         picture.format.windowWidth = 1e6;
         return taken;
     }
+};
+
+/// A detector that takes so long.
+class Slow : public Ramp {
+public:
+    explicit Slow(std::chrono::milliseconds takes) : m_takes(takes) {}
+
+    Result<void> next(const Exposure& exposure, Picture& picture) override
+    {
+        std::this_thread::sleep_for(m_takes);
+        return Ramp::next(exposure, picture);
+    }
+
+private:
+    std::chrono::milliseconds m_takes;
 };
 
 /// What one picture tells, and what it is.
@@ -275,6 +291,23 @@ private Q_SLOTS:
         for (const Said& picture : theatre.pictures())
             QVERIFY(picture.rung >= 2 && picture.encoding == Encoding::Jpeg && encodingOf(picture) == Encoding::Jpeg);
         QVERIFY(theatre.logged("the encoding before failed"));
+    }
+
+    /// A rate that is told and not kept is none.
+    void tellsTheRateForWhichThereIsTime()
+    {
+        Theatre theatre(Reduction::Lossy, Encoding::Raw, 0, std::make_unique<Slow>(std::chrono::milliseconds(40)));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.newestRung() >= 1U, theatre.story().c_str(), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.statedPulseRate() <= askedRate / 2, theatre.story().c_str(), patience);
+        QVERIFY(theatre.logged("pictures take longer to make here than until the next pulse"));
+        for (const Said& picture : theatre.pictures())
+            QVERIFY(picture.rung == 0 || picture.rate <= askedRate / 2);
+    }
+
+    void saysWhereNothingLessIsPermitted()
+    {
+        Theatre theatre(Reduction::None, Encoding::Raw, 0, std::make_unique<Slow>(std::chrono::milliseconds(40)));
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.logged("nothing less is permitted: pulses are left out"), theatre.story().c_str(), patience);
     }
 
     void endsTheRunWhereNoEncodingWorks()
