@@ -49,6 +49,7 @@ std::optional<Measurement> measurementFrom(const JsonValue& json)
     Measurement measurement;
     measurement.failure = json["failure"].text();
     measurement.inUse = json["in_use"].truth();
+    measurement.imagesFlowed = json["images_flowed"].truth();
     measurement.limits.probesPerSecond = countOf<std::uint32_t>(json["limits"]["probes_per_second"]);
     measurement.limits.bulkBytesPerSecond = countOf<std::uint64_t>(json["limits"]["bulk_bytes_per_second"]);
     if (const double rate = json["bulk_bytes_per_second"].numberOr(0); rate > 0) {

@@ -11,6 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <map>
@@ -71,6 +72,8 @@ struct Pair {
         settings.registry = {folder};
         settings.bulkWorkers = 2; // also where processors are few
         settings.marks = marks;
+        settings.measuring.inUse.bulkBytesPerSecond = 0; // as much as the path carries
+        settings.measuring.share = 1;
         return settings;
     }
 
@@ -198,6 +201,37 @@ private Q_SLOTS:
         QVERIFY(pair.send("Mesh", "points", count + 1, 10));
         QTRY_COMPARE(pair.receiver->messages("Mesh").size(), std::size_t{count + 1});
         QCOMPARE(pair.receiving().messagesAbandoned, std::uint64_t{0});
+    }
+
+    /// They wait behind others: with a lane of their own they would have half of the path.
+    void imagesThatMeasureTakeNoLaneFromOthers()
+    {
+        Pair pair;
+        QVERIFY((*pair.sender)->openChannel(pair.viewerId));
+        QTRY_VERIFY2(pair.receiver->heard(Kind::Opened), pair.story().c_str());
+        std::uint32_t number = 0;
+        const auto stream = [&] { return pair.send("Volume", "voxels", ++number, 1'000'000); };
+        QVERIFY(stream());
+        QTRY_COMPARE(pair.receiver->messages("Volume").size(), std::size_t{1});
+        std::atomic<bool> isOver = false;
+        Measurement found;
+        QVERIFY(
+            (*pair.sender)
+                ->measure(pair.viewerId, {{"images", std::chrono::seconds(1), {}, {}, {100, 0, 1'000'000}}}, [&](const Measurement& done) {
+                    found = done;
+                    isOver = true;
+                }));
+        std::uint8_t mostLanes = 0;
+        std::size_t mostStreams = 0;
+        QTRY_VERIFY_WITH_TIMEOUT((mostLanes = std::max(mostLanes, pair.sending().bulkLanes),
+                                  mostStreams = std::max(mostStreams, pair.sending().bulkStreams.size()), (void)stream(), isOver.load()),
+                                 20000);
+        QVERIFY2(found.failure.empty(), found.failure.c_str());
+        QVERIFY(found.imagesFlowed);
+        QVERIFY(found.phases.at(0).images.echoed > 0);
+        QCOMPARE(mostLanes, std::uint8_t{1});
+        QCOMPARE(mostStreams, std::size_t{1}); // of which each has the path to itself
+        QTRY_COMPARE_WITH_TIMEOUT(pair.receiver->messages("Volume").size(), std::size_t{number}, 20000);
     }
 
     void laneThatFoundNoDescriptorIsConnectedWhenThereIsOne()

@@ -73,8 +73,9 @@ struct PhaseFigures {
 };
 
 struct Measurement {
-    std::string failure; ///< empty when every phase was measured; else why not
-    bool inUse = false;  ///< one of the devices was in use, so the limits were those for that
+    std::string failure;       ///< empty when every phase was measured; else why not
+    bool inUse = false;        ///< one of the devices was in use, so the limits were those for that
+    bool imagesFlowed = false; ///< of the application, on this session meanwhile: those that measure waited behind them
     MeasuringLimits limits;
     std::optional<double> bulkRate;         ///< bytes per second that the path to the peer carries, as its images found; nothing: not known
     std::chrono::nanoseconds bulkRateAge{}; ///< since they last filled the path

@@ -57,7 +57,10 @@ std::string toJson(const Measurement& measurement)
     limits.add("probes_per_second", measurement.limits.probesPerSecond);
     limits.add("bulk_bytes_per_second", measurement.limits.bulkBytesPerSecond).add("longest_s", measurement.limits.longest.count());
     JsonLine json;
-    json.add("failure", measurement.failure).add("in_use", measurement.inUse).put("limits", limits.text());
+    json.add("failure", measurement.failure)
+        .add("in_use", measurement.inUse)
+        .add("images_flowed", measurement.imagesFlowed)
+        .put("limits", limits.text());
     if (measurement.bulkRate)
         json.add("bulk_bytes_per_second", *measurement.bulkRate)
             .add("bulk_age_s", std::chrono::duration<double>(measurement.bulkRateAge).count());

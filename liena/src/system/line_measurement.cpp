@@ -166,6 +166,7 @@ void LineMeasurement::begin(const protocol::MeasureAnswer& answer)
     asked.agreed.bulkBytesPerSecond = session::lower(asked.agreed.bulkBytesPerSecond, answer.bulkBytesPerSecond);
     asked.limits = asked.agreed;
     asked.limits.bulkBytesPerSecond = bulkLimit();
+    asked.bulkLeft = m_ways.bulkLeft();
     asked.probing.emplace(asked.plan, asked.limits, m_host.now().mono);
     pump();
 }
@@ -276,6 +277,7 @@ void LineMeasurement::finish(const std::string& failure)
     Measurement measurement;
     measurement.failure = failure;
     measurement.inUse = asked.inUse;
+    measurement.imagesFlowed = asked.probing && m_ways.bulkLeft() > asked.bulkLeft;
     measurement.limits = asked.limits;
     if (const auto known = m_ways.bulkRate()) {
         measurement.bulkRate = known->bytesPerSecond;

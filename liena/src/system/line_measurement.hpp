@@ -30,6 +30,7 @@ public:
         std::function<bool(const protocol::SessionMessage&)> packet; ///< false where there is no way by UDP
         std::function<void(const protocol::ProbeHead&, LentBytes padding, session::Instant expires)> image;
         std::function<std::optional<tasks::KnownRate>()> bulkRate; ///< that the path to the peer carries
+        std::function<std::uint64_t()> bulkLeft;                   ///< bytes of the application's bulk that left whole
     };
 
     LineMeasurement(ModuleHost& host, std::string peer, Ways ways);
@@ -69,6 +70,7 @@ private:
         MeasuringLimits agreed; ///< asked for, then those of both ends
         MeasuringLimits limits; ///< the least that was in force
         bool inUse = false;
+        std::uint64_t bulkLeft = 0;                  ///< before it
         std::optional<session::LineProbing> probing; ///< after the peer's answer
     };
 

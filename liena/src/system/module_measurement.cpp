@@ -19,9 +19,9 @@ LineMeasurement::Ways DistributedModule::measuringWays()
                 image.part = protocol::encodeProbeHead(head, padding.bytes.size());
                 image.lent = std::make_shared<const LentBytes>(std::move(padding));
                 // None that counts as under way is superseded. All have the same bytes: those that wait take less than a megabyte together.
-                m_bulk.push({std::move(image), tasks::Rank::Bulk, session::LineProbing::mostUnderWay, expires, {}});
+                m_bulk.push({std::move(image), tasks::Rank::Measuring, session::LineProbing::mostUnderWay, expires, {}});
             },
-            [this] { return m_bulk.knownRate(m_host.now().mono); }};
+            [this] { return m_bulk.knownRate(m_host.now().mono); }, [this] { return m_bulk.left().bytes; }};
 }
 
 Result<void> DistributedModule::measure(MeasurementPlan plan, DistributedSystem::MeasurementHandler done)

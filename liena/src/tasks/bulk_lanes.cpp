@@ -29,19 +29,18 @@ BulkLanes::BulkLanes(boost::asio::io_context& io, TopologyDevice peer, std::shar
 
 bool BulkLanes::push(OutputQueue::Entry&& entry)
 {
-    const auto place = placeFor(entry.message.header.message.number, std::chrono::steady_clock::now());
+    const auto place = placeFor(entry.message.header.message.number, entry.rank == Rank::Measuring, std::chrono::steady_clock::now());
     const bool taken = m_lanes[place]->push(std::move(entry));
     connect();
     return taken;
 }
 
-std::size_t BulkLanes::placeFor(std::uint16_t number, Instant now)
+std::size_t BulkLanes::placeFor(std::uint16_t number, bool measures, Instant now)
 {
     const auto known = m_streams.find(number);
-    const bool stays =
-        known != m_streams.end() && (now - known->second.lastUsed < pauseLimit || !m_lanes[known->second.place]->isDelivered());
-    const auto place = stays ? known->second.place : choosePlace(now);
-    m_streams[number] = {place, now};
+    const bool stays = known != m_streams.end() && (wasUsed(known->second, now) || !m_lanes[known->second.place]->isDelivered());
+    const auto place = stays ? known->second.place : measures ? placeBehindOthers(now) : choosePlace(now);
+    m_streams[number] = {place, now, measures};
     if (!stays)
         shareLimit(); // its lane may come into use
     return place;
@@ -51,7 +50,7 @@ std::size_t BulkLanes::placeFor(std::uint16_t number, Instant now)
 std::size_t BulkLanes::choosePlace(Instant now)
 {
     for (std::size_t place = 0; place < m_lanes.size(); ++place)
-        if (!isInUse(place, now))
+        if (isFree(place, now))
             return place;
     if (m_lanes.size() < m_wanted.want(streamsInUse(now) + 1, now))
         return addLane(now);
@@ -60,18 +59,39 @@ std::size_t BulkLanes::choosePlace(Instant now)
     return static_cast<std::size_t>(least - m_lanes.begin());
 }
 
+/// On the lane that another stream used last.
+std::size_t BulkLanes::placeBehindOthers(Instant now)
+{
+    const Stream* newest = nullptr;
+    for (const auto& [number, stream] : m_streams)
+        if (!stream.measures && wasUsed(stream, now) && (newest == nullptr || stream.lastUsed > newest->lastUsed))
+            newest = &stream;
+    return newest != nullptr ? newest->place : choosePlace(now);
+}
+
 bool BulkLanes::isInUse(std::size_t place, Instant now) const
 {
-    const bool hasStream = std::any_of(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
-        return stream.second.place == place && now - stream.second.lastUsed < pauseLimit;
-    });
+    const bool hasStream = std::any_of(m_streams.begin(), m_streams.end(),
+                                       [&](const auto& stream) { return stream.second.place == place && wasUsed(stream.second, now); });
     return hasStream || !m_lanes[place]->isDelivered();
 }
 
+/// For a stream that does not measure, and does not wait for one that does.
+bool BulkLanes::isFree(std::size_t place, Instant now) const
+{
+    const auto uses = [&](bool measures) {
+        return std::any_of(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
+            return stream.second.place == place && stream.second.measures == measures && wasUsed(stream.second, now);
+        });
+    };
+    return !uses(false) && (m_lanes[place]->isDelivered() || uses(true));
+}
+
+/// Without those that measure.
 std::size_t BulkLanes::streamsInUse(Instant now) const
 {
     return static_cast<std::size_t>(std::count_if(m_streams.begin(), m_streams.end(), [&](const auto& stream) {
-        return now - stream.second.lastUsed < pauseLimit || !m_lanes[stream.second.place]->isDelivered();
+        return !stream.second.measures && (wasUsed(stream.second, now) || !m_lanes[stream.second.place]->isDelivered());
     }));
 }
 
@@ -170,7 +190,7 @@ std::vector<BulkStream> BulkLanes::streamRates(Instant now) const
 {
     std::vector<PlacedStream> inUse;
     for (const auto& [number, stream] : m_streams)
-        if (now - stream.lastUsed < pauseLimit)
+        if (!stream.measures && wasUsed(stream, now))
             inUse.push_back({number, stream.place});
     std::vector<std::optional<double>> rates;
     for (const auto& lane : m_lanes) {

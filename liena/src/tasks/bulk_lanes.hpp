@@ -19,7 +19,7 @@
 namespace liena::tasks {
 
 /// Network thread. A stream (message number) stays on its lane until it paused and the peer's kernel has all of it, so that its order is
-/// kept.
+/// kept. One that just measures goes where another one is, behind it: on a lane of its own it would have half of the path.
 class BulkLanes {
 public:
     /// What the bulk lanes to all peers have in common; outlives them.
@@ -86,14 +86,18 @@ private:
     struct Stream {
         std::size_t place = 0; ///< in m_lanes
         Instant lastUsed;
+        bool measures = false;
     };
 
-    std::size_t placeFor(std::uint16_t number, Instant now);
+    std::size_t placeFor(std::uint16_t number, bool measures, Instant now);
     std::size_t choosePlace(Instant now);
+    std::size_t placeBehindOthers(Instant now);
     std::size_t addLane(Instant now);
     void shareLimit();
     std::vector<LaneRate> laneRates(Instant now) const;
+    static bool wasUsed(const Stream& stream, Instant now) { return now - stream.lastUsed < pauseLimit; }
     bool isInUse(std::size_t place, Instant now) const;
+    bool isFree(std::size_t place, Instant now) const;
     std::size_t streamsInUse(Instant now) const;
 
     boost::asio::io_context& m_io;

@@ -21,8 +21,8 @@
 namespace liena::tasks {
 
 /// The class of a message on its way out. Session management ranks with safety, but what is told to all about incidents: there may be
-/// hundreds at once, and no heartbeat, stop or command waits behind them.
-enum class Rank : std::uint8_t { Safety, Control, Incident, Status, Bulk, Last };
+/// hundreds at once, and no heartbeat, stop or command waits behind them. Images that just measure leave while no other bulk waits.
+enum class Rank : std::uint8_t { Safety, Control, Incident, Status, Bulk, Measuring, Last };
 
 Rank rankOf(Priority priority);
 
@@ -145,7 +145,7 @@ private:
     Report m_report;
     Abandoning m_abandoning;
     Limits m_limits;
-    std::array<Class, 6> m_classes;
+    std::array<Class, 7> m_classes;
     std::size_t m_count = 0;
     std::size_t m_bytes = 0;
     Left m_left;

@@ -49,12 +49,13 @@ void OutputQueueTest::higherClassLeavesFirst()
 {
     Lane lane;
     lane.push(0x0021, Rank::Last, "last");
+    lane.push(0x0062, Rank::Measuring, "measuring");
     lane.push(0x0202, Rank::Bulk, "bulk");
     lane.push(0x0200, Rank::Status, "status");
     lane.push(0x0040, Rank::Incident, "incident");
     lane.push(0x0101, Rank::Control, "control");
     lane.push(0x0104, Rank::Safety, "safety");
-    for (const char* expected : {"safety", "control", "incident", "status", "bulk", "last", "-"})
+    for (const char* expected : {"safety", "control", "incident", "status", "bulk", "measuring", "last", "-"})
         QCOMPARE(lane.next(), std::string(expected));
 }
 
