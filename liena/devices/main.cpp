@@ -3,6 +3,7 @@
 #include "dicom_cine.hpp"
 #include "fluoroscopy_generator.hpp"
 #include "line_reader.hpp"
+#include "network_options.hpp"
 #include "picture_folder.hpp"
 #include "robot_device.hpp"
 #include "xray_device.hpp"
@@ -78,27 +79,8 @@ void addSystemOptions(CLI::App& role, Options& options)
     role.add_option("--store", settings.store, "Folder for message sets learnt from peers; default ~/.local/state/liena/sets");
     role.add_flag("--allow-insecure-network", settings.allowInsecureNetwork,
                   "With security mode none: listen on other than loopback addresses, without any protection");
-    role.add_option("--realtime-priority", settings.realTime.priority, "SCHED_FIFO priority of the network thread, 1 to 99; default none");
-    role.add_option("--processors", settings.realTime.processors, "Processors that the network thread may use, as 2,3; default all")
-        ->delimiter(',');
-    role.add_flag("--lock-memory", settings.realTime.lockMemory, "Keep all memory of the process from being swapped");
-    role.add_option_function<int>(
-        "--card-poll", [&settings](int us) { settings.realTime.cardSearch = std::chrono::microseconds(us); },
-        "Microseconds that the kernel asks the network card before the network thread sleeps");
-    role.add_option_function<int>(
-        "--busy-poll", [&settings](int us) { settings.realTime.search = std::chrono::microseconds(us); },
-        "Microseconds that the network thread looks for work before it sleeps; costs a processor; default 0");
-    role.add_flag_callback(
-        "--sleep-in-dialogues", [&settings] { settings.realTime.attention = false; },
-        "Let the network thread sleep also while messages follow each other, or answer its own, at once; saves a processor's time then");
-    const auto addMark = [&role](const char* name, std::uint8_t& mark, const std::string& what) {
-        role.add_option_function<int>(
-                name, [&mark](int dscp) { mark = static_cast<std::uint8_t>(dscp); },
-                "DSCP (RFC 2474) of " + what + ": 0 to 63, 0 for none; default " + std::to_string(mark))
-            ->check(CLI::Range(0, 63));
-    };
-    addMark("--mark-commands", settings.marks.prompt, "what is prompt");
-    addMark("--mark-images", settings.marks.bulk, "images");
+    addRealTimeOptions(role, settings.realTime);
+    addMarkOptions(role, settings.marks);
     role.add_option("--seed", options.seed, "Of the simulation's noise")->capture_default_str();
     role.add_option("--audit", settings.audit, "Audit file: who did what to the sessions, tamper-evident; see `liena audit --help`");
     role.add_option("--status", settings.status, "Folder for the socket that `liena monitor` watches; empty for none")

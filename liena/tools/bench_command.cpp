@@ -4,6 +4,7 @@
 #include "bench_plan.hpp"
 #include "bench_run.hpp"
 #include "latency_plot.hpp"
+#include "network_options.hpp"
 #include "refusal.hpp"
 #include "register_folder.hpp"
 #include "report_file.hpp"
@@ -47,20 +48,24 @@ constexpr auto benchFooter =
     "  (no flag)  takes the place of A, with A's certificate, and opens a session with the running device B. For before a procedure:\n"
     "             A's own program must not run, here or elsewhere; other devices that are linked to A may open sessions with it. All are\n"
     "             closed in order at the end and on Ctrl-C; but a line that breaks meanwhile is a loss for B, and it stands by.\n"
-    "             Where others use B, its budget holds as with --live.\n"
+    "             Where others use B, its budget holds as with --live, and --seconds 32 is the most.\n"
+    "             Name the marks and what the network thread is to have as A's program does (--mark-commands, --realtime-priority,\n"
+    "             ...), or another class of the network is measured. B's answers have those of B.\n"
     "  --live     asks the running device A of this user to measure inside its own session with B, within the budget of both devices\n"
     "             (when commands or images flow: 200 probes and 4 MB a second, at most a tenth of what the path is known to carry\n"
-    "             now, and 250 kB a second until that is known; one measurement of a device at a time).\n"
+    "             now, and 250 kB a second until that is known; 120 s at most, which is --seconds 59; one measurement of a device at a\n"
+    "             time).\n"
     "             Of commands and images at a rate beyond that it gives no go: ask with --commands, --frames and --image for what the\n"
     "             budget allows. A must have been started with --measure-on-request.\n"
     "  --local    runs A and B here, on loopback: what this computer and the software cost without a line. Needs no certificates.\n\n"
-    "Measured are, in this order: commands in their rhythm, beside packets (loss, jitter); commands back to back; as many commands as\n"
-    "go; commands in their rhythm while images flow in theirs; as many images as go. --live leaves out the three that fill the line.\n"
+    "Measured are, in this order: commands in their rhythm, beside packets (loss, jitter); commands back to back; both rhythms while\n"
+    "images flow in theirs; as many images as go; as many commands as go, 256 under way. --live leaves out the three that fill the line.\n"
     "Commands are there and back; images are timed until the word that they were heard whole is back. What is sent is no command: it\n"
     "waits behind every real one, and no application sees it.\n\n"
     "PROFILE is vascular-robot, telesurgery, observation, or a file of your own: copy one of resources/profiles and change it. Its\n"
-    "limits have two numbers, for go and for caution. A percentile needs echoes, 99 % 100 of them and 99.9 % 1000: where there are fewer\n"
-    "it is -, and its figure caution.\n\n"
+    "limits have two numbers, for go and for caution. A percentile needs echoes, 99 % 100 of them, 99.9 % 1000 and 99.99 % 10000: where\n"
+    "there are fewer it is -, and its figure caution. For 99.99 %, of which there is no limit, 500 commands a second take --seconds 20.\n"
+    "While a device is in use there are 100 a second: --seconds 15 for 99.9 %, and 99.99 % is out of reach.\n\n"
     "Examples:\n"
     "  liena bench --topology t.xml --from cockpit --to robot --pki pki\n"
     "  liena bench --topology t.xml --from xray --to cockpit --pki pki --image 2MiB --frames 30 --svg line.svg\n"
@@ -122,6 +127,15 @@ Result<Subjects> subjectsOf(const BenchOptions& options)
     return Subjects{std::move(topology.value()), std::move(from.value()), std::move(to.value())};
 }
 
+/// Errors, and that packets leave without their marks: then another class of the network is measured.
+LogSink logOfBench()
+{
+    return [write = stderrLog(LogLevel::Warning)](const LogLine& line) {
+        if (line.level == LogLevel::Error || line.event == "packets-unmarked")
+            write(line);
+    };
+}
+
 Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, const LineProfile& profile)
 {
     const std::chrono::seconds whole(options.seconds);
@@ -135,7 +149,7 @@ Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, con
     fillFrom(options, subjects.from.name);
     auto& settings = options.settings;
     settings.software = "liena bench";
-    settings.log = stderrLog(LogLevel::Error);
+    settings.log = logOfBench();
     // What comes from the peer's side must not limit this end; of a path in use it takes its share as ever.
     settings.measuring.inUse = settings.measuring.atRest;
     settings.measuring.inUse.longest = std::chrono::hours(1);
@@ -184,6 +198,21 @@ int bench(BenchOptions& options)
     return verdict.verdict == Verdict::Go ? 0 : verdict.verdict == Verdict::Caution ? caution : noGo;
 }
 
+/// They are settings of this program's own device, which only the way without a flag has on the line.
+void refuseNetworkOptions(const CLI::App& network, const BenchOptions& options)
+{
+    if (!options.live && !options.local)
+        return;
+    for (const auto* option : network.get_options())
+        if (option->count() > 0)
+            throw CLI::ValidationError(
+                option->get_name(),
+                options.live
+                    ? "not with --live, which measures inside the session of the running device: that is started with such options"
+                    : "not with --local: nothing on loopback looks at marks, and of two devices on one computer neither runs as it "
+                      "would alone");
+}
+
 void addIdentityOptions(CLI::App& command, BenchOptions& options)
 {
     auto& settings = options.settings;
@@ -229,7 +258,13 @@ void addBenchCommand(CLI::App& app, int& exitCode)
     command->add_flag("--json", options->json, "One JSON object instead of tables");
     command->add_option("--svg", options->svg, "Draw the round trips into this file");
     addIdentityOptions(*command, *options);
-    command->callback([options, &exitCode] { exitCode = bench(*options); });
+    auto* network = command->add_option_group("Marks and network thread", "As the programs of A have them; without --live and --local");
+    addMarkOptions(*network, options->settings.marks);
+    addRealTimeOptions(*network, options->settings.realTime);
+    command->callback([options, network, &exitCode] {
+        refuseNetworkOptions(*network, *options);
+        exitCode = bench(*options);
+    });
 }
 
 } // namespace liena::tools

@@ -52,18 +52,39 @@ std::string verdictLine(const JudgedFigure& judged)
     const auto limits = judged.limits ? fmt::format("{} {:g} / {:g} {}", kind.leastWanted ? "from" : "up to", judged.limits->go,
                                                     judged.limits->caution, kind.unit)
                                       : std::string("no limit");
-    auto line = fmt::format("  {:<9}{:<43}{:>12}   {}\n", judged.limits ? wordOf(judged.verdict) : "-", kind.words, value, limits);
+    auto line = fmt::format("  {:<9}{:<45}{:>12}   {}\n", judged.limits ? wordOf(judged.verdict) : "-", kind.words, value, limits);
     if (!judged.reason.empty())
         line += fmt::format("           -> {}\n", judged.reason);
     return line;
 }
 
-std::optional<double> mostCommands(const Measurement& measurement)
+struct MostCommands {
+    double perSecond = 0;
+    std::uint32_t atOnce = 0; ///< under way
+    bool byWindow = false;    ///< with more under way more would have come back
+};
+
+/// All that may be were under way, and yet a round trip took little longer than on the idle line: it is long and not full.
+bool isHeldByWindow(const ProbeFigures& most, double perSecond, const Measurement& measurement)
+{
+    constexpr double nearlyAll = 0.8; // at its begin and end a phase has fewer
+    constexpr double muchLonger = 2;
+    const auto* idle = phaseOf(measurement, phases::paced);
+    if (idle == nullptr || idle->prompt.echoed == 0)
+        return false;
+    const auto median = static_cast<double>(most.roundTrip.quantile(0.5));
+    return perSecond * median / 1e9 >= nearlyAll * most.asked.atOnce &&
+           median < muchLonger * static_cast<double>(idle->prompt.roundTrip.quantile(0.5));
+}
+
+std::optional<MostCommands> mostCommands(const Measurement& measurement)
 {
     const auto* phase = phaseOf(measurement, phases::messages);
     if (phase == nullptr || phase->prompt.limited || phase->prompt.spent.count() <= 0)
         return std::nullopt; // the budget's rate is none of the line
-    return static_cast<double>(phase->prompt.echoed) / std::chrono::duration<double>(phase->prompt.spent).count();
+    const auto& most = phase->prompt;
+    const double perSecond = static_cast<double>(most.echoed) / std::chrono::duration<double>(most.spent).count();
+    return MostCommands{perSecond, most.asked.atOnce, isHeldByWindow(most, perSecond, measurement)};
 }
 
 std::string throughputJson(const Measurement& measurement)
@@ -71,7 +92,9 @@ std::string throughputJson(const Measurement& measurement)
     std::string why;
     const auto images = valueOf(Figure::ImageRate, measurement, why);
     JsonLine json;
-    json.add("commands_per_second", mostCommands(measurement).value_or(std::nan("")));
+    const auto commands = mostCommands(measurement);
+    json.add("commands_per_second", commands ? commands->perSecond : std::nan(""));
+    json.add("commands_limited_by_window", commands && commands->byWindow);
     return json.add("images_mb_per_second", images.value_or(std::nan(""))).text();
 }
 
@@ -79,7 +102,8 @@ std::string throughputLines(const Measurement& measurement)
 {
     std::string text;
     if (const auto most = mostCommands(measurement))
-        text += fmt::format("  {:<26}{:.0f} a second, there and back\n", "commands at most", *most);
+        text += fmt::format("  {:<26}{:.0f} a second, there and back{}\n", most->byWindow ? "commands, at least" : "commands at most",
+                            most->perSecond, most->byWindow ? fmt::format("; limited by {} under way", most->atOnce) : std::string());
     std::string why;
     if (const auto rate = valueOf(Figure::ImageRate, measurement, why))
         text += fmt::format("  {:<26}{:.1f} MB/s\n", "images at most", *rate);

@@ -72,8 +72,9 @@ Range rangeOf(const std::vector<Curve>& curves, const LineProfile& profile)
         least = std::min(least, static_cast<double>(std::max<std::uint64_t>(curve.latencies->least(), 1000)) / 1e6);
         most = std::max(most, static_cast<double>(curve.latencies->max()) / 1e6);
     }
-    if (const auto limits = profile.limits.find(Figure::RoundTripBesideImages); limits != profile.limits.end())
-        most = std::max(most, limits->second.caution);
+    for (const auto figure : {Figure::RoundTripBesideImages, Figure::TailBesideImages})
+        if (const auto limits = profile.limits.find(figure); limits != profile.limits.end())
+            most = std::max(most, limits->second.caution);
     return {std::floor(std::log10(least)), std::ceil(std::log10(most) + 0.1)};
 }
 
@@ -97,9 +98,10 @@ std::string axes(const Range& range)
                              top + height + 38);
 }
 
-std::string limitLines(const Range& range, const LineProfile& profile)
+/// From one fraction to that which must be within the limits: a curve that stays below such steps keeps them.
+std::string limitStep(const Range& range, const LineProfile& profile, Figure figure, double from, double to)
 {
-    const auto limits = profile.limits.find(Figure::RoundTripBesideImages);
+    const auto limits = profile.limits.find(figure);
     if (limits == profile.limits.end())
         return {};
     std::string svg;
@@ -108,12 +110,18 @@ std::string limitLines(const Range& range, const LineProfile& profile)
     for (const auto& [limit, name, colour, beside] :
          {std::tuple(limits->second.go, "go", "#555555", below), std::tuple(limits->second.caution, "caution", "#a00000", above)}) {
         const auto y = range.y(limit);
-        svg += fmt::format("<line x1=\"{}\" y1=\"{:.1f}\" x2=\"{}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-dasharray=\"6 4\"/>\n", left, y,
-                           left + width, y, colour);
-        svg += fmt::format("<text x=\"{}\" y=\"{:.1f}\" fill=\"{}\">{}: 99 % within {:g} ms</text>\n", left + 6, y + beside, colour, name,
-                           limit);
+        svg += fmt::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" stroke-dasharray=\"6 4\"/>\n",
+                           x(from), y, x(to), y, colour);
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}: {:g} % within {:g} ms</text>\n", x(from) + 6, y + beside,
+                           colour, name, 100 * to, limit);
     }
     return svg;
+}
+
+std::string limitLines(const Range& range, const LineProfile& profile)
+{
+    return limitStep(range, profile, Figure::RoundTripBesideImages, 0, 0.99) +
+           limitStep(range, profile, Figure::TailBesideImages, 0.99, 0.999);
 }
 
 /// Empty where there are too few.

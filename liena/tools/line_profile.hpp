@@ -17,7 +17,9 @@ namespace liena::tools {
 enum class Figure : std::uint8_t {
     RoundTrip,             ///< 99th percentile of a command and its echo, on the idle line
     RoundTripBesideImages, ///< the same while images flow
-    Jitter,                ///< of packets: 99.9th percentile of the round trip less the least
+    TailBesideImages,      ///< the 99.9th percentile of that: how late the rare late ones are
+    Jitter,                ///< of packets: 99.9th percentile of the round trip less the least, on the idle line
+    JitterBesideImages,    ///< the same while images flow
     Loss,                  ///< of packets, both ways together
     CommandsCarried,       ///< whose echo came back, of those that were due; of both rhythms the lesser
     ImageRate,             ///< that the line carries
@@ -36,7 +38,9 @@ struct FigureKind {
 inline constexpr std::array figureKinds{
     FigureKind{Figure::RoundTrip, "round-trip-p99", "round trip of commands, idle, 99 %", "ms", false},
     FigureKind{Figure::RoundTripBesideImages, "round-trip-beside-images-p99", "round trip of commands beside images, 99 %", "ms", false},
-    FigureKind{Figure::Jitter, "jitter", "jitter of packets, 99.9 %", "ms", false},
+    FigureKind{Figure::TailBesideImages, "round-trip-beside-images-p99.9", "round trip of commands beside images, 99.9 %", "ms", false},
+    FigureKind{Figure::Jitter, "jitter", "jitter of packets, idle, 99.9 %", "ms", false},
+    FigureKind{Figure::JitterBesideImages, "jitter-beside-images", "jitter of packets beside images, 99.9 %", "ms", false},
     FigureKind{Figure::Loss, "loss", "loss of packets, both ways", "%", false},
     FigureKind{Figure::CommandsCarried, "commands-carried", "commands that came back, of those due", "%", true},
     FigureKind{Figure::ImageRate, "image-rate", "rate that images are carried at", "MB/s", true},

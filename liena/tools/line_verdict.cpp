@@ -29,14 +29,14 @@ std::string tooFew(double percent, std::uint64_t count, std::string_view what)
     return fmt::format("{:g} % needs {:.0f} {}, not {}: measure for longer", percent, needed, what, count);
 }
 
-std::optional<double> roundTrip(const ProbeFigures& figures, std::string_view what, std::string& why)
+std::optional<double> roundTrip(const ProbeFigures& figures, std::string_view what, std::string& why, double fraction = 0.99)
 {
     if (figures.echoed == 0) {
         why = "no echo came back";
         return std::nullopt;
     }
-    add(why, tooFew(99, figures.roundTrip.count(), what));
-    return milliseconds(figures.roundTrip.quantile(0.99));
+    add(why, tooFew(100 * fraction, figures.roundTrip.count(), what));
+    return milliseconds(figures.roundTrip.quantile(fraction));
 }
 
 struct PacketCount {
@@ -61,7 +61,8 @@ std::optional<double> lossOf(const Measurement& measurement, std::string& why)
     const auto [sent, echoed] = packetsOf(measurement);
     if (echoed > 0)
         return 100.0 * (1.0 - static_cast<double>(echoed) / static_cast<double>(sent));
-    why = sent == 0 ? "packets were not measured" : "no packet came back: UDP does not pass (a firewall?), so commands travel by TCP alone";
+    add(why,
+        sent == 0 ? "packets were not measured" : "no packet came back: UDP does not pass (a firewall?), so commands travel by TCP alone");
     return std::nullopt;
 }
 
@@ -74,16 +75,17 @@ std::string tooFewPackets(const Measurement& measurement, double limit)
     return fmt::format("{} packets are too few to tell {:g} % from none: measure for longer", sent, limit);
 }
 
-/// ITU-T Y.1541 calls it IPDV: the 99.9th percentile less the least; here of the way there and back, without images.
-std::optional<double> jitterOf(const Measurement& measurement, std::string& why)
+/// ITU-T Y.1541 calls it IPDV: the 99.9th percentile less the least; here of the way there and back.
+std::optional<double> jitterOf(const PhaseFigures* phase, const Measurement& measurement, std::string& why)
 {
-    const auto* phase = phaseOf(measurement, phases::paced);
     if (phase == nullptr || phase->packets.echoed == 0) {
-        (void)lossOf(measurement, why);
+        if (lossOf(measurement, why)) // those of the other phase came back
+            add(why, phase == nullptr || phase->packets.sent == 0 ? "packets were not measured" : "no packet came back");
         return std::nullopt;
     }
-    add(why, tooFew(99.9, phase->packets.roundTrip.count(), "packets"));
-    return milliseconds(phase->packets.roundTrip.quantile(0.999) - phase->packets.roundTrip.least());
+    const auto& times = phase->packets.roundTrip;
+    add(why, tooFew(99.9, times.count(), "packets"));
+    return milliseconds(times.quantile(0.999) - times.least());
 }
 
 /// A line may carry another rate by now.
@@ -160,8 +162,18 @@ std::optional<double> besideImages(Figure figure, const Measurement& measurement
                           phase->images.asked.perSecond);
     if (figure == Figure::RoundTripBesideImages)
         return roundTrip(phase->prompt, "commands", why);
+    if (figure == Figure::TailBesideImages)
+        return roundTrip(phase->prompt, "commands", why, 0.999);
+    if (figure == Figure::JitterBesideImages)
+        return jitterOf(phase, measurement, why);
+    const auto share = carried(phase->images);
+    // What waits behind other images is late by those, and may be withheld for them.
+    if (measurement.imagesFlowed && (figure == Figure::ImageDelivery || (share && *share < 100))) {
+        why = "the session's own images flowed, and those that measure waited behind them: measure while none flow";
+        return std::nullopt;
+    }
     if (figure == Figure::ImagesCarried)
-        return carried(phase->images);
+        return share;
     return roundTrip(phase->images, "images", why);
 }
 
@@ -254,7 +266,7 @@ std::optional<double> valueOf(Figure figure, const Measurement& measurement, std
         return phase != nullptr ? roundTrip(phase->prompt, "commands", why) : std::nullopt;
     }
     case Figure::Jitter:
-        return jitterOf(measurement, why);
+        return jitterOf(phaseOf(measurement, phases::paced), measurement, why);
     case Figure::Loss:
         return lossOf(measurement, why);
     case Figure::CommandsCarried:
@@ -262,6 +274,8 @@ std::optional<double> valueOf(Figure figure, const Measurement& measurement, std
     case Figure::ImageRate:
         return imageRateOf(measurement, why);
     case Figure::RoundTripBesideImages:
+    case Figure::TailBesideImages:
+    case Figure::JitterBesideImages:
     case Figure::ImagesCarried:
     case Figure::ImageDelivery:
         break;

@@ -184,6 +184,10 @@ private Q_SLOTS:
         QVERIFY2(slowed.status == 3, qPrintable(said(slowed)));
         QVERIFY2(slowed.output.contains(QStringLiteral("measured with 100 commands a second, which is what the budget allows, not 1000")),
                  qPrintable(slowed.output));
+        const auto endless = runLiena(stage.bench({QStringLiteral("--live"), QStringLiteral("--seconds"), QStringLiteral("250")}));
+        QVERIFY2(endless.status == 1 && endless.errors.contains(QStringLiteral("for at most 120 s at once")) &&
+                     endless.errors.contains(QStringLiteral("measure for a shorter time")),
+                 qPrintable(said(endless)));
         const auto found = ask("100");
         QVERIFY2(found.status == 0, qPrintable(said(found)));
         QVERIFY2(found.output.contains(QStringLiteral("budget: 200 probes a second, 0.2 MB/s of images")) ||
@@ -263,6 +267,27 @@ private Q_SLOTS:
         QCOMPARE(runLiena(stage.bench({QStringLiteral("--image"), QStringLiteral("9MiB")})).status, 2);
         QFile(text(stage.system.topology())).remove();
         QCOMPARE(runLiena(stage.bench({})).status, 1);
+    }
+
+    /// What a site's programs are started with, so that the same class of the network is measured.
+    void takesWhatADeviceTakesOfMarksAndThread()
+    {
+        Stage stage;
+        TestDevice robot(stage.system.settingsOf("robot"));
+        const auto marked = runLiena(stage.bench({QStringLiteral("--mark-commands"), QStringLiteral("0"), QStringLiteral("--mark-images"),
+                                                  QStringLiteral("8"), QStringLiteral("--sleep-in-dialogues")}));
+        QVERIFY2(marked.status == 0, qPrintable(said(marked)));
+        const auto nowhere = runLiena(stage.bench({QStringLiteral("--processors"), QStringLiteral("4095")}));
+        QVERIFY2(nowhere.status == 1 && nowhere.errors.contains(QStringLiteral("4095")), qPrintable(said(nowhere)));
+        QCOMPARE(runLiena(stage.bench({QStringLiteral("--mark-images"), QStringLiteral("64")})).status, 2);
+        for (const auto& way : {QStringLiteral("--live"), QStringLiteral("--local")})
+            for (const auto& option :
+                 {QStringList{QStringLiteral("--mark-commands"), QStringLiteral("0")},
+                  QStringList{QStringLiteral("--realtime-priority"), QStringLiteral("50")}, QStringList{QStringLiteral("--lock-memory")}}) {
+                const auto refused = runLiena(stage.bench(QStringList{way} + option));
+                QVERIFY2(refused.status == 2 && refused.errors.contains(option.front() + QStringLiteral(": not with ") + way),
+                         qPrintable(said(refused)));
+            }
     }
 
     void aHostThatSaysNothingIsNamed()

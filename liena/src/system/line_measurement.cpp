@@ -107,7 +107,7 @@ Result<void> LineMeasurement::start(MeasurementPlan plan, DistributedSystem::Mea
     asked.agreed = session::grantOf(wanted, budget, asked.inUse);
     if (asked.agreed.longest < wanted.longest)
         return fail(Errc::Forbidden,
-                    fmt::format("this device{} measures for at most {} s at once, and this would take {}",
+                    fmt::format("this device{} measures for at most {} s at once, and this would take {}; measure for a shorter time",
                                 asked.inUse ? " is in use and" : "", asked.agreed.longest.count(), wanted.longest.count()));
     const auto largest = largestOf(plan);
     if (asked.inUse && largest > largestImageInUse)

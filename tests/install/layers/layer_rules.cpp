@@ -69,7 +69,7 @@ const std::vector<Library>& libraries()
         {"DCMTK", "dcmtk/", {"console/imaging/", "liena/devices/"}},
         {"CharLS", "charls/", {"liena/devices/"}},
         {"libjpeg-turbo", "(turbojpeg|jpeglib)", {"console/imaging/", "liena/devices/"}},
-        {"CLI11", "CLI/", {"liena/tools/", "liena/devices/", "console/app/"}},
+        {"CLI11", "CLI/", {"liena/options/", "liena/tools/", "liena/devices/", "console/app/"}},
     };
     return table;
 }

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 using namespace liena;
 using namespace liena::tools;
 using namespace std::chrono_literals;
@@ -16,6 +18,13 @@ LineProfile shipped(const std::string& name)
 {
     return LineProfile::load(LIENA_SOURCE_DIR "/resources/profiles/" + name + ".profile").value();
 }
+
+const MeasurementPhase& phaseIn(const MeasurementPlan& plan, std::string_view name)
+{
+    return *std::find_if(plan.begin(), plan.end(), [&](const MeasurementPhase& phase) { return phase.name == name; });
+}
+
+ProbeStream imagesOf(const LineProfile& profile) { return phaseIn(benchPlan(profile, 5s, 64), phases::images).images; }
 
 } // namespace
 
@@ -33,7 +42,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, name);
         const auto profile = shipped(name.toStdString());
-        const auto images = benchPlan(profile, 5s, 64).back().images;
+        const auto images = imagesOf(profile);
         const double bytes = double(images.atOnce) * images.bytes;
         const double seconds = profile.limits.at(Figure::ImageDelivery).caution / 1e3;
         QVERIFY2(bytes / seconds >= profile.limits.at(Figure::ImageRate).go * 1e6, qPrintable(QString::number(bytes)));
@@ -43,12 +52,21 @@ private Q_SLOTS:
     {
         auto profile = shipped("observation");
         profile.imageBytes = 1;
-        QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 1024U); // what a device takes
+        QCOMPARE(imagesOf(profile).atOnce, 1024U); // what a device takes
         profile.imageBytes = 8U << 20U;
-        QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 3U);
+        QCOMPARE(imagesOf(profile).atOnce, 3U);
         profile.imageBytes = 1U << 20U;
         profile.limits[Figure::ImageRate] = {100, 50};
-        QCOMPARE(benchPlan(profile, 5s, 64).back().images.atOnce, 96U); // 100 MB
+        QCOMPARE(imagesOf(profile).atOnce, 96U); // 100 MB
+    }
+
+    /// Those that a narrow line still has when their time is over would be before what is judged; and no heartbeat waits long behind them.
+    void asManyCommandsAsGoComeLastAndAreFewEnough()
+    {
+        const auto plan = benchPlan(shipped("vascular-robot"), 5s, 64);
+        QCOMPARE(plan.back().name, std::string(phases::messages));
+        const double bytesOfEach = 64 + 110; // with headers of probe, TLS, TCP and IP
+        QVERIFY2(plan.back().prompt.atOnce * bytesOfEach < 0.07 * 1.25e6, "longer than until suspicion on 10 Mbit/s");
     }
 
     /// A rate that was rounded would be measured, and judged as the one that was asked for.
@@ -99,7 +117,8 @@ private Q_SLOTS:
     void aNarrowLineIsNoGo()
     {
         const auto profile = shipped("observation");
-        test::ProbedLine line(benchPlan(profile, 40s, 64));
+        test::ProbedLine line(benchPlan(profile, 10s, 64));
+        line.roundTrip = 40ms;                                               // so that as many commands as go are no millions
         line.imageTime = std::chrono::nanoseconds(profile.imageBytes * 800); // 10 Mbit/s
         QVERIFY(line.run());
         Measurement measurement;

@@ -65,6 +65,41 @@ private Q_SLOTS:
         QVERIFY(!(*json)["throughput"]["images_mb_per_second"].isNull());
     }
 
+    /// What many under way bring back on a line that is long and not full is no more than their number allows.
+    void whatTheWindowAllowsIsNotWhatTheLineCarries_data()
+    {
+        QTest::addColumn<int>("idle"); // ms
+        QTest::addColumn<int>("full");
+        QTest::addColumn<int>("echoes"); // in 5 s
+        QTest::addColumn<bool>("byWindow");
+        QTest::newRow("a long line") << 200 << 205 << 24976 << true;
+        QTest::newRow("a long line, somewhat busy") << 200 << 380 << 13474 << true;
+        QTest::newRow("a queue stands") << 200 << 410 << 12488 << false;
+        QTest::newRow("a short line is full") << 2 << 51 << 100'000 << false;
+        QTest::newRow("fewer were under way") << 200 << 205 << 18'000 << false;
+        QTest::newRow("the idle line was not measured") << 0 << 205 << 24976 << false;
+    }
+    void whatTheWindowAllowsIsNotWhatTheLineCarries()
+    {
+        QFETCH(int, idle);
+        QFETCH(int, full);
+        QFETCH(int, echoes);
+        QFETCH(bool, byWindow);
+        auto measurement = goodLine();
+        measurement.phases[0].prompt = figures({500}, idle > 0 ? 2500 : 0, idle * 1'000'000LL);
+        measurement.phases[2].prompt = figures({0, 1024}, static_cast<std::uint64_t>(echoes), full * 1'000'000LL);
+        const auto text = textOf(measurement);
+        const auto row = QString::fromStdString(text.substr(text.find(byWindow ? "  commands, at least" : "  commands at most")))
+                             .section(QLatin1Char('\n'), 0, 0)
+                             .simplified();
+        const auto rate = QString::number(echoes / 5.0, 'f', 0);
+        QCOMPARE(row, byWindow ? QStringLiteral("commands, at least %1 a second, there and back; limited by 1024 under way").arg(rate)
+                               : QStringLiteral("commands at most %1 a second, there and back").arg(rate));
+        const auto json = JsonValue::parse(benchJson(subject, strictProfile(), judge(measurement, strictProfile()), measurement));
+        QVERIFY(json);
+        QCOMPARE((*json)["throughput"]["commands_limited_by_window"].truth(), byWindow);
+    }
+
     void aPercentileOfTooFewIsNone()
     {
         auto measurement = goodLine();
@@ -161,7 +196,10 @@ private Q_SLOTS:
         }
         QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
         QCOMPARE(curves, 5);
-        QCOMPARE(dashes, 2); // the limits
+        QCOMPARE(dashes, 4); // the limits for 99 and for 99.9 %
+        for (const char* limit :
+             {"go: 99 % within 10 ms", "caution: 99 % within 20 ms", "go: 99.9 % within 20 ms", "caution: 99.9 % within 40 ms"})
+            QVERIFY2(texts.contains(QLatin1String(limit)), qPrintable(texts));
         QVERIFY2(texts.contains(QStringLiteral("GO: the line from cock<pit to robot")), qPrintable(texts));
         QVERIFY(!QXmlStreamReader(QByteArray::fromStdString(latencyPlot(subject, strictProfile(), {}, Measurement()))).hasError());
     }

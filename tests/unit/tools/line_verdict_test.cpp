@@ -31,8 +31,48 @@ const std::vector<Spoiled>& spoiled()
         {"a rare late one", [](Measurement& m) { of(m, 0).prompt.roundTrip.record(25'000'000, 20); }, Figure::RoundTrip, Verdict::Go, ""},
         {"late beside images", [](Measurement& m) { of(m, 3).prompt.roundTrip.record(90'000'000, 50); }, Figure::RoundTripBesideImages,
          Verdict::NoGo, "more than 20 ms"},
+        {"late now and then beside images", [](Measurement& m) { of(m, 3).prompt.roundTrip.record(30'000'000, 13); },
+         Figure::TailBesideImages, Verdict::Caution, "more than 20 ms"},
+        {"very late now and then beside images", [](Measurement& m) { of(m, 3).prompt.roundTrip.record(400'000'000, 13); },
+         Figure::TailBesideImages, Verdict::NoGo, "more than 40 ms"},
+        {"that is not their 99 %", [](Measurement& m) { of(m, 3).prompt.roundTrip.record(400'000'000, 13); }, Figure::RoundTripBesideImages,
+         Verdict::Go, ""},
+        {"late on the idle line", [](Measurement& m) { of(m, 0).prompt.roundTrip.record(400'000'000, 13); }, Figure::TailBesideImages,
+         Verdict::Go, ""},
+        {"few commands for a tail", [](Measurement& m) { of(m, 3).prompt = figures({500}, 999, 2'000'000); }, Figure::TailBesideImages,
+         Verdict::Caution, "99.9 % needs 1000 commands, not 999"},
+        {"just enough commands for a tail", [](Measurement& m) { of(m, 3).prompt = figures({500}, 1000, 2'000'000); },
+         Figure::TailBesideImages, Verdict::Go, ""},
+        {"a tail beside fewer images", [](Measurement& m) { of(m, 3).images.limited = true; }, Figure::TailBesideImages, Verdict::Caution,
+         "budget allows"},
+        {"a tail beside none", [](Measurement& m) { of(m, 3).images = {}; }, Figure::TailBesideImages, Verdict::Caution,
+         "images were not measured"},
+        {"no command beside images", [](Measurement& m) { of(m, 3).prompt.echoed = 0; }, Figure::TailBesideImages, Verdict::Caution,
+         "no echo came back"},
         {"jitter", [](Measurement& m) { of(m, 0).packets.roundTrip.record(8'000'000, 5); }, Figure::Jitter, Verdict::Caution,
          "more than 5 ms"},
+        {"jitter beside images", [](Measurement& m) { of(m, 3).packets.roundTrip.record(10'000'000, 5); }, Figure::JitterBesideImages,
+         Verdict::Caution, "more than 6 ms"},
+        {"much jitter beside images", [](Measurement& m) { of(m, 3).packets.roundTrip.record(20'000'000, 5); }, Figure::JitterBesideImages,
+         Verdict::NoGo, "more than 12 ms"},
+        {"that is not the idle line's", [](Measurement& m) { of(m, 3).packets.roundTrip.record(20'000'000, 5); }, Figure::Jitter,
+         Verdict::Go, ""},
+        {"nor the other way round", [](Measurement& m) { of(m, 0).packets.roundTrip.record(20'000'000, 5); }, Figure::JitterBesideImages,
+         Verdict::Go, ""},
+        {"few packets for jitter beside images", [](Measurement& m) { of(m, 3).packets = figures({500}, 999, 1'900'000); },
+         Figure::JitterBesideImages, Verdict::Caution, "99.9 % needs 1000 packets, not 999"},
+        {"jitter beside fewer images", [](Measurement& m) { of(m, 3).images.limited = true; }, Figure::JitterBesideImages, Verdict::Caution,
+         "budget allows"},
+        {"jitter beside no images", [](Measurement& m) { of(m, 3).images = {}; }, Figure::JitterBesideImages, Verdict::Caution,
+         "images were not measured"},
+        {"no UDP beside images either", [](Measurement& m) { of(m, 0).packets.echoed = of(m, 3).packets.echoed = 0; },
+         Figure::JitterBesideImages, Verdict::Caution, "UDP does not pass"},
+        {"packets that images hold up for good", [](Measurement& m) { of(m, 3).packets.echoed = 0; }, Figure::JitterBesideImages,
+         Verdict::Caution, "no packet came back"},
+        {"packets on the idle line only", [](Measurement& m) { of(m, 3).packets = {}; }, Figure::JitterBesideImages, Verdict::Caution,
+         "packets were not measured"},
+        {"packets beside images only", [](Measurement& m) { of(m, 0).packets.echoed = 0; }, Figure::Jitter, Verdict::Caution,
+         "no packet came back"},
         {"loss", [](Measurement& m) { of(m, 0).packets.echoed = 2475; }, Figure::Loss, Verdict::Caution, "0.5 % is more than 0.1 %"},
         {"more loss", [](Measurement& m) { of(m, 3).packets.echoed = 2400; }, Figure::Loss, Verdict::NoGo, "2 % is more than 1 %"},
         {"few packets", [](Measurement& m) { of(m, 0).packets = of(m, 3).packets = figures({100}, 500, 1'900'000); }, Figure::Loss,
@@ -132,6 +172,29 @@ private Q_SLOTS:
         QVERIFY(verdict.verdict >= judged.verdict);
     }
 
+    /// 99 % are as they should be, and one in two hundred is no command any more.
+    void rareLateCommandsBesideImagesAreNotGo_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const char* name : {"vascular-robot", "telesurgery"})
+            QTest::newRow(name) << QString::fromLatin1(name);
+    }
+    void rareLateCommandsBesideImagesAreNotGo()
+    {
+        QFETCH(QString, name);
+        const auto profile = LineProfile::load(LIENA_SOURCE_DIR "/resources/profiles/" + name.toStdString() + ".profile").value();
+        auto measurement = goodLine();
+        QVERIFY(judge(measurement, profile).verdict == Verdict::Go);
+        auto& roundTrip = of(measurement, 3).prompt.roundTrip;
+        roundTrip = {};
+        roundTrip.record(3'000'000, 2487);
+        roundTrip.record(400'000'000, 13);
+        const auto verdict = judge(measurement, profile);
+        QVERIFY(verdict.verdict == Verdict::NoGo);
+        for (const auto& judged : verdict.figures)
+            QVERIFY2((judged.verdict == Verdict::Go) == (judged.figure != Figure::TailBesideImages), kindOf(judged.figure).name.data());
+    }
+
     void aNumberIsToldFromItsLimitAndHasNoExponent()
     {
         QCOMPARE(numberText(99.88, 99.9), std::string("99.88"));
@@ -179,6 +242,24 @@ private Q_SLOTS:
         QVERIFY(verdict.verdict == Verdict::Caution);
         const auto& reason = verdict.figures.at(static_cast<std::size_t>(Figure::ImageRate)).reason;
         QVERIFY2(reason.starts_with("images showed it 180 min ago"), reason.c_str());
+    }
+
+    /// What measures waits behind them, and is late by that.
+    void imagesBesideTheSessionsOwnTellNothingOfTheirDelivery()
+    {
+        auto measurement = goodLine();
+        measurement.imagesFlowed = true;
+        measurement.phases[3].images = figures({15, 0, 524'288}, 105, 300'000'000); // no go by itself
+        const auto delivery = [&] { return judge(measurement, strictProfile()).figures.back(); };
+        QVERIFY(!delivery().value && delivery().verdict == Verdict::Caution);
+        QVERIFY2(delivery().reason.find("the session's own images flowed") == 0, delivery().reason.c_str());
+        std::string why;
+        QVERIFY(valueOf(Figure::ImagesCarried, measurement, why) == 100.0 && why.empty());
+        measurement.phases[3].images.withheld = 50;
+        QVERIFY(!valueOf(Figure::ImagesCarried, measurement, why) && !why.empty());
+        measurement.imagesFlowed = false;
+        QVERIFY(delivery().verdict == Verdict::NoGo);
+        QVERIFY(valueOf(Figure::ImagesCarried, measurement, why) < 90.0);
     }
 
     void anEmptyMeasurementIsNeverGo() { QVERIFY(judge(Measurement(), strictProfile()).verdict == Verdict::Caution); }
