@@ -55,8 +55,9 @@ void XrayDevice::takeOne(std::unique_lock<std::mutex>& lock)
     lock.unlock();
     if (changed)
         tellRung();
-    else if (m_ladder.tookTooLong())
-        complain("pictures take longer to make here than until the next pulse, and nothing less is permitted: pulses are left out");
+    else if (m_ladder.tookTooLong() && !std::exchange(m_saidLeftOut, true))
+        m_log(LogLevel::Error,
+              "pictures take longer to make here than until the next pulse, and nothing less is permitted: pulses are left out");
     const bool sent = produce(exposure, frame);
     lock.lock();
     ++(sent ? m_books.sent : m_books.withheld);

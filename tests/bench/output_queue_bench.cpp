@@ -1,5 +1,6 @@
 // Measures the scheduler: what waits for a lane, pushed and taken in segments.
 #include "status_sample.hpp"
+#include "tasks/output_batch.hpp"
 #include "tasks/output_queue.hpp"
 
 #include <benchmark/benchmark.h>
@@ -67,27 +68,49 @@ void pushNewest(benchmark::State& state)
 }
 BENCHMARK(pushNewest)->Arg(0)->Arg(16);
 
-/// A frame of 512 KiB, segment by segment.
-void frameInSegments(benchmark::State& state)
+/// Frames of 512 KiB, one in each of `range` streams, which take turns segment by segment. They are lent, as an X-ray system lends them.
+void framesInSegments(benchmark::State& state)
 {
+    auto queue = emptyQueue();
+    OutputBatch out(segment + protocol::headerSize, true);
+    const auto now = std::chrono::steady_clock::now();
+    const auto pixels = std::make_shared<const std::vector<std::byte>>(512 * 1024);
+    std::int64_t segments = 0;
+    for (auto _ : state) {
+        for (std::int64_t i = 0; i < state.range(0); ++i) {
+            OutputQueue::Entry entry;
+            entry.message.header.message.number = static_cast<std::uint16_t>(0x0200 + i);
+            entry.message.lent = std::make_shared<const LentBytes>(LentBytes{pixels, *pixels});
+            entry.rank = Rank::Bulk;
+            queue.push(std::move(entry));
+        }
+        for (; queue.appendNext(segment, now, out); out.clear())
+            ++segments;
+    }
+    state.SetItemsProcessed(segments);
+}
+BENCHMARK(framesInSegments)->Arg(1)->Arg(2)->Arg(4);
+
+/// What a command costs that passes a frame between two of its segments.
+void commandPassesAFrame(benchmark::State& state)
+{
+    const auto set = statusSet();
+    const Message message(set, *set->find("MotionCommand"));
     auto queue = emptyQueue();
     std::vector<std::byte> out;
     const auto now = std::chrono::steady_clock::now();
-    constexpr std::size_t size = 512 * 1024;
+    OutputQueue::Entry frame;
+    frame.message.part.resize(512 * 1024, std::byte{0});
+    frame.rank = Rank::Bulk;
+    queue.push(std::move(frame));
+    queue.appendNext(segment, now, out);
     for (auto _ : state) {
-        OutputQueue::Entry entry;
-        entry.message.part.resize(size, std::byte{0});
-        entry.rank = Rank::Bulk;
-        queue.push(std::move(entry));
-        bool more = true;
-        while (more) {
-            out.clear();
-            more = queue.appendNext(segment, now, out);
-        }
+        queue.push(entryOf(message, Rank::Control, 1));
+        out.clear();
+        benchmark::DoNotOptimize(queue.appendNext(segment, now, out));
     }
-    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(size));
 }
-BENCHMARK(frameInSegments);
+BENCHMARK(commandPassesAFrame);
 
 } // namespace
 
