@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace liena::devices {
 
@@ -93,17 +94,21 @@ bool PictureLadder::isPermitted(std::size_t step) const
     return divisor == 1 || m_askedRate / divisor >= leastRate;
 }
 
-/// A computer that stands still makes some of them late, not each.
+/// Of the present encoding only when four of it were made: the first one may take longer. Raw pixels take no time to encode.
 bool PictureLadder::takesTooLong(std::size_t step) const
 {
     const Cost& cost = m_costs[costOf(m_rungs[step])];
+    const bool isRaw = cost.encoding == Encoding::Raw;
+    const bool isOwn = costOf(m_rungs[step]) == costOf(rung());
+    if (!m_taking.isFull() || (isOwn && !isRaw && !cost.times.isFull()))
+        return false;
+    const auto takes = m_taking.least() + (isRaw ? std::chrono::nanoseconds::zero() : cost.times.least());
     const double period = m_rungs[step].divisor / m_askedRate;
-    const double most = step < m_step ? period * (1 - spare) : period;
-    return std::chrono::duration<double>(*std::min_element(cost.took.begin(), cost.took.end())).count() > most;
+    return std::chrono::duration<double>(takes).count() > (step < m_step ? period * (1 - spare) : period);
 }
 
 void PictureLadder::measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded,
-                             std::chrono::nanoseconds took)
+                             std::chrono::nanoseconds encoding)
 {
     if (unencoded == 0)
         return;
@@ -112,7 +117,7 @@ void PictureLadder::measured(SteadyTime now, const PictureRung& rung, std::size_
     const double share = static_cast<double>(encoded) / m_unencoded;
     const bool fades = cost.measured && share < cost.share && costOf(rung) == costOf(this->rung());
     cost.share += (share - cost.share) * (fades ? fading : 1);
-    cost.took[cost.timed++ % cost.took.size()] = took;
+    cost.times.note(encoding);
     cost.measured = now;
     cost.fails = false;
 }
@@ -145,7 +150,8 @@ bool PictureLadder::update(SteadyTime now, double askedRate, std::span<const Pat
 {
     const std::size_t before = m_step;
     m_tookTooLong = false;
-    m_askedRate = askedRate;
+    if (std::exchange(m_askedRate, askedRate) != askedRate)
+        m_climbed.reset(); // to another rate than now
     if (!isPermitted(m_step))
         leave(now);
     hear(now, viewers);
@@ -170,8 +176,10 @@ void PictureLadder::leave(SteadyTime now)
     while (next < last && !isPermitted(next))
         ++next;
     m_step = next < last ? next : m_tookTooLong ? m_step : above();
-    if (m_tookTooLong && m_climbed)
+    if (m_tookTooLong && m_climbed) {
+        m_broken.reset(); // no wider way helps
         breakPromise(now);
+    }
     m_climbed.reset(); // which says nothing of the way
     m_trialEnds = now;
     beginWatch(now);

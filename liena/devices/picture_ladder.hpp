@@ -4,6 +4,7 @@
 #include "frame_encoder.hpp"
 #include "xray_machine.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -91,9 +92,12 @@ public:
     /// Before each pulse; true when the rung has changed. `askedRate`: pictures per second, above 0.
     bool update(SteadyTime now, double askedRate, std::span<const PathReading> viewers);
 
-    /// What the newest picture came to in the encoding of `rung`, and what its pixels were before. `took`: from the pulse until it could be
-    /// sent; 0: not known.
-    void measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded, std::chrono::nanoseconds took = {});
+    /// What the newest picture came to in the encoding of `rung`, what its pixels were before, and how long the encoding took.
+    void measured(SteadyTime now, const PictureRung& rung, std::size_t encoded, std::size_t unencoded,
+                  std::chrono::nanoseconds encoding = {});
+
+    /// So long the newest picture took from its pulse until it could be encoded.
+    void taken(std::chrono::nanoseconds time) { m_taking.note(time); }
 
     /// The encoding of `rung` could not hold the newest picture: its rungs are left out until it is measured() again.
     void failed(SteadyTime now, const PictureRung& rung);
@@ -112,14 +116,30 @@ public:
     const std::vector<PictureRung>& rungs() const { return m_rungs; }
 
 private:
+    /// Of the last four pictures.
+    class Times {
+    public:
+        void note(std::chrono::nanoseconds time) { m_last[m_count++ % m_last.size()] = time; }
+        bool isFull() const { return m_count >= m_last.size(); }
+        /// A computer that stands still makes some of them late, not each. 0 while none is known.
+        std::chrono::nanoseconds least() const
+        {
+            const auto end = m_last.begin() + static_cast<std::ptrdiff_t>(std::min(m_count, m_last.size()));
+            return m_count > 0 ? *std::min_element(m_last.begin(), end) : std::chrono::nanoseconds::zero();
+        }
+
+    private:
+        std::array<std::chrono::nanoseconds, 4> m_last{};
+        std::size_t m_count = 0;
+    };
+
     struct Cost {
         Encoding encoding = Encoding::Raw;
         unsigned quality = 0;
         double share = 1;                   ///< of the bytes before encoding
         std::optional<SteadyTime> measured; ///< or found to fail
         bool fails = false;
-        std::array<std::chrono::nanoseconds, 4> took{}; ///< of the last ones; 0: not known
-        std::size_t timed = 0;
+        Times times{};
     };
 
     void declare(Reduction permitted);
@@ -149,6 +169,7 @@ private:
     std::vector<PictureRung> m_rungs;
     std::size_t m_step = 0;
     bool m_tookTooLong = false;
+    Times m_taking;
     double m_askedRate = 15;
     double m_unencoded = 0; ///< bytes of the newest picture's pixels; 0 before the first
 

@@ -109,11 +109,10 @@ private:
     ViewerPaths m_paths;
     std::function<std::vector<LinkStatus>()> m_links;
     std::function<Result<EncodedPicture>(FrameEncoder&, Picture&)> m_encode;
-    double m_askedRate = 0;              ///< for the present pulse
-    bool m_encodingFailed = false;       ///< of the picture before
-    bool m_saidLeftOut = false;          ///< that pulses are, since pictures take too long; once
-    unsigned m_without = 0;              ///< pulses in a row whose picture could not be taken, or never be sent
-    std::chrono::nanoseconds m_taking{}; ///< of the newest picture, before it is encoded
+    double m_askedRate = 0;        ///< for the present pulse
+    bool m_encodingFailed = false; ///< of the picture before
+    bool m_saidLeftOut = false;    ///< that pulses are, since pictures take too long; once
+    unsigned m_without = 0;        ///< pulses in a row whose picture could not be taken, or never be sent
     Picture m_picture;
     Picture m_spare;
     std::string m_lastComplaint;

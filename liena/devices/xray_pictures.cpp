@@ -100,16 +100,17 @@ bool XrayDevice::produce(const Exposure& exposure, std::uint64_t frame)
         pictureFails(taken.error().what, "pictures cannot be taken");
         return false;
     }
-    m_taking = std::chrono::steady_clock::now() - begun;
+    m_ladder.taken(std::chrono::steady_clock::now() - begun);
     const std::size_t unencoded = m_picture.pixels.size() * (m_picture.format.bitsStored > 8 ? 2 : 1);
     const auto other = m_ladder.toMeasure(std::chrono::steady_clock::now());
     if (other)
         m_spare = m_picture; // an encoding may change it
     m_encoder.use(m_ladder.rung().encoding, m_ladder.rung().quality);
+    const auto encoding = std::chrono::steady_clock::now();
     const auto pixels = encode(m_encoder, m_picture);
     const auto now = std::chrono::steady_clock::now();
     if (pixels)
-        m_ladder.measured(now, m_ladder.rung(), pixels.value()->size(), unencoded, now - begun);
+        m_ladder.measured(now, m_ladder.rung(), pixels.value()->size(), unencoded, now - encoding);
     else
         m_ladder.failed(now, m_ladder.rung());
     const bool sent = pixels && deliver(compose(exposure, frame, pixels.value(), captured));
@@ -172,7 +173,7 @@ void XrayDevice::measure(const PictureRung& rung, std::size_t unencoded)
     const auto pixels = encode(m_measuring, m_spare);
     const auto now = std::chrono::steady_clock::now();
     if (pixels)
-        m_ladder.measured(now, rung, pixels.value()->size(), unencoded, m_taking + (now - begun));
+        m_ladder.measured(now, rung, pixels.value()->size(), unencoded, now - begun);
     else
         m_ladder.failed(now, rung);
 }

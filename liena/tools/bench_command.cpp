@@ -31,8 +31,8 @@ struct BenchOptions {
     bool live = false;
     std::string folder = statusFolder().string();
     std::string profile = "vascular-robot";
-    unsigned seconds = 7; // 105 images at 15 a second: their 99 % needs 100
-    double commands = 0;  ///< 0: as the profile says
+    int seconds = 0;     ///< 0: as long as the profile's limits need
+    double commands = 0; ///< 0: as the profile says
     double frames = 0;
     std::string image;
     std::uint32_t commandBytes = 64;
@@ -64,8 +64,10 @@ constexpr auto benchFooter =
     "waits behind every real one, and no application sees it.\n\n"
     "PROFILE is vascular-robot, telesurgery, observation, or a file of your own: copy one of resources/profiles and change it. Its\n"
     "limits have two numbers, for go and for caution. A percentile needs echoes, 99 % 100 of them, 99.9 % 1000 and 99.99 % 10000: where\n"
-    "there are fewer it is -, and its figure caution. For 99.99 %, of which there is no limit, 500 commands a second take --seconds 20.\n"
-    "While a device is in use there are 100 a second: --seconds 15 for 99.9 %, and 99.99 % is out of reach.\n\n"
+    "there are fewer it is -, and its figure caution. By default it is measured until there are enough for each limit; for 99.99 %, of\n"
+    "which there is none, 500 commands a second take --seconds 21. While a device is in use there are 100 a second: --seconds 16 is "
+    "enough\n"
+    "then, and 99.99 % is out of reach.\n\n"
     "Examples:\n"
     "  liena bench --topology t.xml --from cockpit --to robot --pki pki\n"
     "  liena bench --topology t.xml --from xray --to cockpit --pki pki --image 2MiB --frames 30 --svg line.svg\n"
@@ -138,7 +140,7 @@ LogSink logOfBench()
 
 Result<Measurement> measure(BenchOptions& options, const Subjects& subjects, const LineProfile& profile)
 {
-    const std::chrono::seconds whole(options.seconds);
+    const auto whole = options.seconds > 0 ? std::chrono::seconds(options.seconds) : enoughFor(profile, options.live);
     if (options.live) {
         const auto socket = statusSocket(options.folder, subjects.from.id);
         return measureLive({socket, subjects.from.name, liveOrder(subjects.to.id, profile, whole, options.commandBytes), whole});
@@ -245,9 +247,10 @@ void addBenchCommand(CLI::App& app, int& exitCode)
     command->add_flag("--local", options->local, "Both devices on this computer")->excludes(live);
     command->add_option("--folder", options->folder, "With --live: where the device offers its status")->capture_default_str();
     command->add_option("--profile", options->profile, "What the procedure asks: a name, or a file")->capture_default_str();
-    command->add_option("--seconds", options->seconds, "Of the paced phases; the others take half of it")
-        ->check(CLI::Range(1, 250)) // all phases together stay within what a device grants, MeasuringLimits::longest
-        ->capture_default_str();
+    command
+        ->add_option("--seconds", options->seconds,
+                     "Of the paced phases; the others take half of it. Default as long as the profile's limits need, 7 at least")
+        ->check(CLI::Range(1, mostSeconds));
     command->add_option("--commands", options->commands, "Commands a second; default as the profile says")->check(CLI::Range(1.0, 10000.0));
     command->add_option("--command-bytes", options->commandBytes, "Bytes of a command")->check(CLI::Range(0, 1024))->capture_default_str();
     command->add_option("--frames", options->frames, "Images a second; default as the profile says")->check(CLI::Range(0.1, 1000.0));

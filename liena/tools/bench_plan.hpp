@@ -12,6 +12,13 @@
 
 namespace liena::tools {
 
+/// All phases together stay within what a device grants, MeasuringLimits::longest.
+inline constexpr int mostSeconds = 250;
+
+/// Of the paced phases: until there is enough behind each figure that the profile limits, though 7 at least. `inUse`: at the rates that a
+/// device in use grants.
+std::chrono::seconds enoughFor(const LineProfile& profile, bool inUse);
+
 /// Of devices at rest: all phases of line_verdict.hpp. `whole` is for the paced ones; the others take half of it.
 MeasurementPlan benchPlan(const LineProfile& profile, std::chrono::seconds whole, std::uint32_t commandBytes);
 

@@ -20,10 +20,9 @@ void add(std::string& why, const std::string& more)
         why += (why.empty() ? "" : "; ") + more;
 }
 
-/// Of fewer, one alone is more than the share that may be worse: that there is none tells nothing.
 std::string tooFew(double percent, std::uint64_t count, std::string_view what)
 {
-    const double needed = std::ceil(100 / (100 - percent) - 1e-6);
+    const double needed = neededFor(percent);
     if (static_cast<double>(count) >= needed)
         return {};
     return fmt::format("{:g} % needs {:.0f} {}, not {}: measure for longer", percent, needed, what, count);
@@ -66,11 +65,10 @@ std::optional<double> lossOf(const Measurement& measurement, std::string& why)
     return std::nullopt;
 }
 
-/// Rule of three (Hanley and Lippman-Hand, JAMA 249 (1983) 1743-1745): where none of n is lost, up to 3 in n may be, with 95 % confidence.
 std::string tooFewPackets(const Measurement& measurement, double limit)
 {
     const auto sent = packetsOf(measurement).sent;
-    if (static_cast<double>(sent) * limit / 100 >= 3)
+    if (static_cast<double>(sent) >= neededForLoss(limit))
         return {};
     return fmt::format("{} packets are too few to tell {:g} % from none: measure for longer", sent, limit);
 }
@@ -226,6 +224,14 @@ JudgedFigure judgeFigure(const FigureKind& kind, const Measurement& measurement,
 }
 
 } // namespace
+
+double neededFor(double percent)
+{
+    constexpr double most = 99.9;
+    return std::ceil(100 / (100 - std::min(percent, most)) - 1e-6);
+}
+
+double neededForLoss(double percent) { return 3 / (percent / 100); }
 
 std::string_view wordOf(Verdict verdict)
 {

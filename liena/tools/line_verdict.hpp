@@ -42,6 +42,14 @@ struct LineVerdict {
 /// be as well.
 std::string numberText(double value, std::optional<double> limit = std::nullopt);
 
+/// Of fewer, one alone is more than the share that may be worse: that there is none tells nothing. 100 for 99 %; for 100 %, which no number
+/// tells, as for 99.9.
+double neededFor(double percent);
+
+/// Packets of which none is lost, that no more than so many percent of them may be. Rule of three (Hanley and Lippman-Hand, JAMA 249 (1983)
+/// 1743-1745): where none of n is lost, up to 3 in n may be, with 95 % confidence.
+double neededForLoss(double percent);
+
 /// What of a measurement is a figure; nothing when it was not measured, `why` says the reason then.
 std::optional<double> valueOf(Figure figure, const Measurement& measurement, std::string& why);
 

@@ -115,7 +115,8 @@ private Q_SLOTS:
         say(stage, wrongWhenOpen()[row]);
         QVERIFY2(eventually([&] { return stage.robot.heard(Kind::Lost, stage.xrayId); }), stage.story().c_str());
         QCOMPARE(words(stage.robot.events(Kind::Lost)[0].diagnosis.cause), words(LossCause::ProtocolViolation));
-        QCOMPARE(stage.robot->incidents().size(), std::size_t{1}); // its own, and none that the peer invented
+        QCOMPARE(stage.robot->incidents().size(),
+                 std::size_t{1}); // its own, there as soon as it is heard of, and none that the peer invented
         QVERIFY2(stage.honestSessionLives(), stage.story().c_str());
     }
 

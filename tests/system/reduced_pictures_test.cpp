@@ -298,7 +298,8 @@ private Q_SLOTS:
     {
         Theatre theatre(Reduction::Lossy, Encoding::Raw, 0, std::make_unique<Slow>(std::chrono::milliseconds(40)));
         QTRY_VERIFY2_WITH_TIMEOUT(theatre.newestRung() >= 1U, theatre.story().c_str(), patience);
-        QTRY_VERIFY2_WITH_TIMEOUT(theatre.statedPulseRate() <= askedRate / 2, theatre.story().c_str(), patience);
+        QTRY_VERIFY2_WITH_TIMEOUT(theatre.statedPulseRate() > 0 && theatre.statedPulseRate() <= askedRate / 2, theatre.story().c_str(),
+                                  patience);
         QVERIFY(theatre.logged("pictures take longer to make here than until the next pulse"));
         for (const Said& picture : theatre.pictures())
             QVERIFY(picture.rung == 0 || picture.rate <= askedRate / 2);

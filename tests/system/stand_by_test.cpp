@@ -4,6 +4,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <atomic>
 
 using namespace liena;
@@ -123,7 +124,14 @@ class StandByTest : public QObject {
 private Q_SLOTS:
     void aKilledDevicePutsEverybodyInStandByUntilAPersonReopens()
     {
-        Triangle system;
+        std::atomic<bool> isKnown = false; // the incident, to who hears of the loss
+        Triangle system([&](DistributedSystem& device) {
+            device.subscribe([&](const SessionEvent& event) {
+                const auto known = device.incidents();
+                if (event.kind == Kind::Lost)
+                    isKnown = std::ranges::any_of(known, [&](const Incident& one) { return one.id == event.incident.id; });
+            });
+        });
         system.openAll();
         QTRY_VERIFY(system.sendMotion(false));
         system.arm->confirmHold(true);
@@ -131,6 +139,7 @@ private Q_SLOTS:
 
         QTRY_VERIFY2(system.cockpit.heard(Kind::Lost, system.robotId), system.cockpit.story().c_str());
         QTRY_VERIFY2(system.arm.heard(Kind::Lost, system.robotId), system.arm.story().c_str());
+        QVERIFY2(isKnown, "a loss is told before its incident can be asked for");
         // Each end names the lost link, and both links are known to both who live.
         QTRY_COMPARE(system.cockpit->incidents().size(), std::size_t{2});
         QTRY_COMPARE(system.arm->incidents().size(), std::size_t{2});

@@ -378,7 +378,7 @@ void WorkerThreadsTest::theOtherEndHearsOfAClosingDuringAStep()
     rig.near.close();
     rig.until([&] { return !rig.far.lost.empty(); });
     QCOMPARE(rig.far.lost.size(), std::size_t{1});
-    QVERIFY(rig.far.received.size() < writing->bytes.size());
+    QVERIFY(rig.far.received.size() <= writing->bytes.size()); // the step ends, and a kernel may take all of it meanwhile
     QVERIFY(std::equal(rig.far.received.begin(), rig.far.received.end(), writing->bytes.begin()));
     QCOMPARE(rig.near.writes, 0);
 }

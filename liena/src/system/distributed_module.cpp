@@ -279,8 +279,7 @@ void DistributedModule::lost(const session::SessionLost& lost)
     event.incident.since = lost.diagnosis.since;
     std::tie(event.incident.a, event.incident.b) = std::minmax(m_host.ownDevice().id, m_peer.id);
     m_loss = {lost.incident, event.diagnosis};
-    m_host.tell(std::move(event));
-    m_host.sessionLost(m_peer.id, lost);
+    m_host.sessionLost(m_peer.id, lost, std::move(event));
     probe();
 }
 

@@ -335,9 +335,19 @@ void DistributedSystem::State::sessionOpened(DeviceId peer, const session::Sessi
     perform(ledger.greet(peer));
 }
 
-void DistributedSystem::State::sessionLost(DeviceId peer, const session::SessionLost& lost)
+void DistributedSystem::State::sessionLost(DeviceId peer, const session::SessionLost& lost, SessionEvent event)
 {
-    perform(ledger.lost(peer, lost.incident, lost.diagnosis.cause, lost.diagnosis.since, now()));
+    const auto actions = ledger.lost(peer, lost.incident, lost.diagnosis.cause, lost.diagnosis.since, now());
+    showIncidents();
+    tell(std::move(event));
+    perform(actions);
+}
+
+void DistributedSystem::State::showIncidents()
+{
+    board.showIncidents(ledger.incidents());
+    for (auto& [peer, one] : modules)
+        one->setIncidentCount(ledger.size());
 }
 
 void DistributedSystem::State::heardBroadcast(DeviceId from, const protocol::SessionMessage& message)
@@ -370,11 +380,8 @@ void DistributedSystem::State::heardHold(DeviceId from, const protocol::StandByR
 void DistributedSystem::State::perform(const session::LedgerActions& actions)
 {
     // Whatever changes an incident is told; what is only handed on may come often.
-    if (std::ranges::any_of(actions, [](const auto& action) { return std::holds_alternative<session::Tell>(action); })) {
-        board.showIncidents(ledger.incidents());
-        for (auto& [peer, one] : modules)
-            one->setIncidentCount(ledger.size());
-    }
+    if (std::ranges::any_of(actions, [](const auto& action) { return std::holds_alternative<session::Tell>(action); }))
+        showIncidents();
     for (const auto& action : actions) {
         if (const auto* broadcast = std::get_if<session::Broadcast>(&action)) {
             performBroadcast(*broadcast);

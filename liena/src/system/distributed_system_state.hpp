@@ -74,6 +74,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     void gather(bool begins);
     void heardHold(DeviceId from, const protocol::StandByReport& report);
     void perform(const session::LedgerActions& actions);
+    void showIncidents();
     void logIncident(const SessionEvent& event);
     void performBroadcast(const session::Broadcast& broadcast);
     void housekeeping();
@@ -113,7 +114,7 @@ struct DistributedSystem::State final : public system::ModuleHost {
     bool standsBy() const override { return ledger.standsBy(); }
     void sessionOpened(DeviceId peer, const session::SessionOpened& opened) override;
     void greet(DeviceId peer) override { perform(ledger.greet(peer)); }
-    void sessionLost(DeviceId peer, const session::SessionLost& lost) override;
+    void sessionLost(DeviceId peer, const session::SessionLost& lost, SessionEvent event) override;
     void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) override;
     void deliver(Message&& message) override;
     void tell(SessionEvent event) override;

@@ -167,6 +167,7 @@ void LineMeasurement::begin(const protocol::MeasureAnswer& answer)
     asked.limits = asked.agreed;
     asked.limits.bulkBytesPerSecond = bulkLimit();
     asked.bulkLeft = m_ways.bulkLeft();
+    asked.bulkWaits = m_ways.bulkWaits();
     asked.probing.emplace(asked.plan, asked.limits, m_host.now().mono);
     pump();
 }
@@ -277,7 +278,7 @@ void LineMeasurement::finish(const std::string& failure)
     Measurement measurement;
     measurement.failure = failure;
     measurement.inUse = asked.inUse;
-    measurement.imagesFlowed = asked.probing && m_ways.bulkLeft() > asked.bulkLeft;
+    measurement.imagesFlowed = asked.probing && (asked.bulkWaits || m_ways.bulkWaits() || m_ways.bulkLeft() > asked.bulkLeft);
     measurement.limits = asked.limits;
     if (const auto known = m_ways.bulkRate()) {
         measurement.bulkRate = known->bytesPerSecond;

@@ -31,6 +31,7 @@ public:
         std::function<void(const protocol::ProbeHead&, LentBytes padding, session::Instant expires)> image;
         std::function<std::optional<tasks::KnownRate>()> bulkRate; ///< that the path to the peer carries
         std::function<std::uint64_t()> bulkLeft;                   ///< bytes of the application's bulk that left whole
+        std::function<bool()> bulkWaits;                           ///< some that has not
     };
 
     LineMeasurement(ModuleHost& host, std::string peer, Ways ways);
@@ -70,7 +71,8 @@ private:
         MeasuringLimits agreed; ///< asked for, then those of both ends
         MeasuringLimits limits; ///< the least that was in force
         bool inUse = false;
-        std::uint64_t bulkLeft = 0;                  ///< before it
+        std::uint64_t bulkLeft = 0; ///< before it
+        bool bulkWaits = false;
         std::optional<session::LineProbing> probing; ///< after the peer's answer
     };
 

@@ -70,7 +70,8 @@ public:
     virtual void sessionOpened(DeviceId peer, const session::SessionOpened& opened) = 0;
     /// Tells the peer what incidents are held here.
     virtual void greet(DeviceId peer) = 0;
-    virtual void sessionLost(DeviceId peer, const session::SessionLost& lost) = 0;
+    /// Tells `event`, once its incident is there to be asked for.
+    virtual void sessionLost(DeviceId peer, const session::SessionLost& lost, SessionEvent event) = 0;
     virtual void heardBroadcast(DeviceId from, const protocol::SessionMessage& message) = 0;
 
     virtual void deliver(Message&& message) = 0;

@@ -21,7 +21,9 @@ LineMeasurement::Ways DistributedModule::measuringWays()
                 // None that counts as under way is superseded. All have the same bytes: those that wait take less than a megabyte together.
                 m_bulk.push({std::move(image), tasks::Rank::Measuring, session::LineProbing::mostUnderWay, expires, {}});
             },
-            [this] { return m_bulk.knownRate(m_host.now().mono); }, [this] { return m_bulk.left().bytes; }};
+            [this] { return m_bulk.knownRate(m_host.now().mono); },
+            [this] { return m_bulk.left().bytes; },
+            [this] { return m_bulk.waits(); }};
 }
 
 Result<void> DistributedModule::measure(MeasurementPlan plan, DistributedSystem::MeasurementHandler done)

@@ -38,11 +38,14 @@ bool BulkLanes::push(OutputQueue::Entry&& entry)
 std::size_t BulkLanes::placeFor(std::uint16_t number, bool measures, Instant now)
 {
     const auto known = m_streams.find(number);
-    const bool stays = known != m_streams.end() && (wasUsed(known->second, now) || !m_lanes[known->second.place]->isDelivered());
+    const bool isKnown = known != m_streams.end();
+    // What measures keeps no order.
+    const bool stays = isKnown && !measures && (wasUsed(known->second, now) || !m_lanes[known->second.place]->isDelivered());
     const auto place = stays ? known->second.place : measures ? placeBehindOthers(now) : choosePlace(now);
+    const bool mayComeIntoUse = !isKnown || !wasUsed(known->second, now) || known->second.place != place;
     m_streams[number] = {place, now, measures};
-    if (!stays)
-        shareLimit(); // its lane may come into use
+    if (mayComeIntoUse)
+        shareLimit();
     return place;
 }
 
@@ -59,13 +62,15 @@ std::size_t BulkLanes::choosePlace(Instant now)
     return static_cast<std::size_t>(least - m_lanes.begin());
 }
 
-/// On the lane that another stream used last.
+/// On the lane that another stream used last, or still uses.
 std::size_t BulkLanes::placeBehindOthers(Instant now)
 {
     const Stream* newest = nullptr;
-    for (const auto& [number, stream] : m_streams)
-        if (!stream.measures && wasUsed(stream, now) && (newest == nullptr || stream.lastUsed > newest->lastUsed))
+    for (const auto& [number, stream] : m_streams) {
+        const bool uses = wasUsed(stream, now) || m_lanes[stream.place]->queue().waiting(Rank::Bulk) > 0;
+        if (!stream.measures && uses && (newest == nullptr || stream.lastUsed > newest->lastUsed))
             newest = &stream;
+    }
     return newest != nullptr ? newest->place : choosePlace(now);
 }
 
@@ -84,7 +89,7 @@ bool BulkLanes::isFree(std::size_t place, Instant now) const
             return stream.second.place == place && stream.second.measures == measures && wasUsed(stream.second, now);
         });
     };
-    return !uses(false) && (m_lanes[place]->isDelivered() || uses(true));
+    return !uses(false) && (m_lanes[place]->isDelivered() || (uses(true) && m_lanes[place]->queue().waiting(Rank::Bulk) == 0));
 }
 
 /// Without those that measure.
@@ -198,6 +203,11 @@ std::vector<BulkStream> BulkLanes::streamRates(Instant now) const
         rates.push_back(known ? std::optional(known->bytesPerSecond) : std::nullopt);
     }
     return ratesOf(inUse, rates);
+}
+
+bool BulkLanes::waits() const
+{
+    return std::any_of(m_lanes.begin(), m_lanes.end(), [](const auto& lane) { return lane->queue().waiting(Rank::Bulk) > 0; });
 }
 
 OutputQueue::Left BulkLanes::left() const

@@ -64,6 +64,9 @@ public:
     /// The streams that were used lately, each with what it can count on, as far as that is known.
     std::vector<BulkStream> streamRates(std::chrono::steady_clock::time_point now) const;
 
+    /// Bulk of the application that has not left whole.
+    bool waits() const;
+
     /// What left whole on all lanes, and the largest message of each, added.
     OutputQueue::Left left() const;
 

@@ -29,9 +29,9 @@ Rank rankOf(Priority priority);
 /// Network thread. A message in several segments may be passed by a higher class between them.
 ///
 /// The streams (message numbers) of the classes status and bulk take turns by deficit round robin (Shreedhar and Varghese, SIGCOMM 1995),
-/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, control, and incidents are one stream each.
-/// The dialogues of session management count on its order, and what a hand does is to happen in the order in which it did it, whichever
-/// messages say so: these are few and small, and none waits long for another.
+/// a segment's worth of bytes each; a stream keeps its order. Safety with session management, control, incidents, and what measures are one
+/// stream each. The dialogues of session management count on its order, and what a hand does is to happen in the order in which it did it,
+/// whichever messages say so: these are few and small, and none waits long for another.
 class OutputQueue {
 public:
     /// Of each class by itself, so that no command and no stop is refused for what waits behind it.

@@ -50,6 +50,7 @@ void PathRate::restart()
     m_unrest = Nanoseconds::zero();
     m_ofLate = {};
     m_least = Nanoseconds::zero();
+    m_waiting = Nanoseconds::zero();
     m_look.forget();
     m_stoodStill.reset();
     m_standing.forget();

@@ -119,7 +119,6 @@ private Q_SLOTS:
         const std::vector<Nanoseconds> beginnings{5ms, 8ms, 11ms, 14ms, 17ms, 20ms, 23ms, 26ms};
         double first = 0;
         double second = 0;
-        double counted = 0;
         for (const auto begins : beginnings) {
             auto path =
                 running(capacity, std::chrono::microseconds(microseconds), {{frame, pictureTime, 0us}, {frame, pictureTime, begins}});
@@ -130,10 +129,12 @@ private Q_SLOTS:
                 (i == 0 ? first : second) += part / static_cast<double>(beginnings.size());
             }
             QVERIFY2(path.waitedFor(0.99) < 1200us, milliseconds(path.waitedFor(0.99)).constData());
-            counted += path.lane(0).rate.known().value_or(0) / capacity / static_cast<double>(beginnings.size());
+            const auto known = path.lane(0).rate.known();
+            QVERIFY(known);
+            // What its source can count on; the part of it that was left to it of late is 0.50 to 0.66.
+            QVERIFY2(*known > 0.4 * capacity && *known < 0.7 * capacity, number(*known / capacity).constData());
         }
-        QVERIFY2(counted > 0.4 && counted < 0.65, number(counted).constData()); // what its source can count on
-        QVERIFY2(first + second > 0.88, number(first + second).constData());    // each by itself: 0.75 to 0.77
+        QVERIFY2(first + second > 0.88, number(first + second).constData()); // each by itself: 0.75 to 0.77
         QVERIFY2(std::abs(first - second) < 0.05, (number(first) + " and " + number(second)).constData());
     }
 

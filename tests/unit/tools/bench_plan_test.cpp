@@ -60,13 +60,33 @@ private Q_SLOTS:
         QCOMPARE(imagesOf(profile).atOnce, 96U); // 100 MB
     }
 
+    void aRunLastsUntilEachLimitCanBeTold_data()
+    {
+        QTest::addColumn<bool>("inUse");
+        QTest::addColumn<int>("seconds");
+        QTest::newRow("vascular-robot") << false << 7; // 100 images at 15 a second
+        QTest::newRow("telesurgery") << false << 7;
+        QTest::newRow("observation") << false << 31; // 3000 packets in both phases at 50 a second
+        QTest::newRow("vascular-robot, in use") << true << 16;
+        QTest::newRow("observation, in use") << true << 31;
+    }
+    void aRunLastsUntilEachLimitCanBeTold()
+    {
+        QFETCH(bool, inUse);
+        const auto name = QString::fromLatin1(QTest::currentDataTag()).section(QLatin1Char(','), 0, 0).toStdString();
+        QTEST(static_cast<int>(enoughFor(shipped(name), inUse).count()), "seconds");
+    }
+
     /// Those that a narrow line still has when their time is over would be before what is judged; and no heartbeat waits long behind them.
     void asManyCommandsAsGoComeLastAndAreFewEnough()
     {
-        const auto plan = benchPlan(shipped("vascular-robot"), 5s, 64);
-        QCOMPARE(plan.back().name, std::string(phases::messages));
-        const double bytesOfEach = 64 + 110; // with headers of probe, TLS, TCP and IP
-        QVERIFY2(plan.back().prompt.atOnce * bytesOfEach < 0.07 * 1.25e6, "longer than until suspicion on 10 Mbit/s");
+        for (const std::uint32_t bytes : {0U, 64U, 200U, 1024U}) {
+            const auto plan = benchPlan(shipped("vascular-robot"), 5s, bytes);
+            QCOMPARE(plan.back().name, std::string(phases::messages));
+            const double bytesOfEach = bytes + 110; // with headers of probe, TLS, TCP and IP
+            QVERIFY2(plan.back().prompt.atOnce * bytesOfEach < 0.04 * 1.25e6, "much of the time until suspicion on 10 Mbit/s");
+            QVERIFY(plan.back().prompt.atOnce >= 32);
+        }
     }
 
     /// A rate that was rounded would be measured, and judged as the one that was asked for.
