@@ -34,7 +34,7 @@ public:
     /// No other session has something to send.
     bool isAlone(const PathRate& rate) const;
 
-    /// `met` met a queue and has yielded.
+    /// `met` has yielded to a queue, or has seen drain what a standstill left.
     void even(const PathRate& met);
 
 private:

@@ -106,7 +106,7 @@ private:
     std::vector<boost::asio::ip::address> m_addresses;
     Way m_way;
     protocol::EncodedMessage m_attach;
-    PathRate m_rate; ///< kept from one connection to the next: they take the same path
+    PathRate m_rate; ///< kept from one connection to the next, which mostly takes the same path
     bool m_paced = false;
     bool m_gathers = false;
     std::uint64_t m_bytesSent = 0;
